@@ -47,7 +47,8 @@ Simulation::Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm,
   const Ranks ranks(comm);
   if (ranks.many())
     refuseOnRanks(*scene);
-  engine_ = Engine::make(*scene, ranks);
+  // An application may change its list later.
+  engine_ = Engine::make(validated ? scene : Teuchos::rcp(new Teuchos::ParameterList(*scene)), ranks);
 }
 
 Simulation::~Simulation() = default;
@@ -108,6 +109,7 @@ bool Simulation::continueFields(const std::string& folder, std::string* why)
 double Simulation::stepFraction() const { return engine_->stepFraction(); }
 double Simulation::stableTimeStep() const { return engine_->stableTimeStep(); }
 void Simulation::advance(double time) { engine_->advance(time); }
+bool Simulation::trySolve() { return engine_->trySolve(); }
 
 void Simulation::sampleEvery(double interval, std::function<void(double, const Row&)> observer)
 {
@@ -144,7 +146,7 @@ double Simulation::particleSteps() const { return engine_->progress().particleSt
 std::vector<std::string> Simulation::effects() const { return engine_->effects(); }
 std::string Simulation::plan() const { return engine_->plan(); }
 std::map<std::string, double> Simulation::stageSeconds() const { return engine_->stageSeconds(); }
-nlohmann::json Simulation::report() const { return engine_->report(); }
+nlohmann::json Simulation::report(std::size_t mostBodies) const { return engine_->report(mostBodies); }
 void Simulation::writeFields(const std::string& folder) { engine_->writeFields(folder); }
 
 } // namespace Rhegma

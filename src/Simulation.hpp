@@ -8,7 +8,9 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -32,7 +34,8 @@ public:
 
   /// \param comm  ranks of the run; with several, every call below is collective
   /// \param scene the list `Rhegma` of a scene; validated and completed with defaults here
-  /// \param validated whether readScene has done that, and the scene has not changed since
+  /// \param validated whether readScene has done that, and the scene has not changed since; it is then shared
+  /// and must not change while this exists. Without it, it is copied
   Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Teuchos::RCP<Teuchos::ParameterList>& scene,
              bool validated = false);
   /// Frees all; what advance() has done is lost unless it was written.
@@ -85,6 +88,10 @@ public:
   /// Runs to a time [s] in stable steps, or to an earlier end of the run (`ended()`).
   void advance(double time);
 
+  /// Of an analysis of equilibrium: solves the first linear system of the next load step, which is not taken,
+  /// to learn what that costs. Throws RunError. \return whether the analysis is one of equilibrium
+  bool trySolve();
+
   /// Makes advance() sample at the end of each interval and call `observer` with the row. Without it there
   /// are no samples. \param interval time between samples [s] \param observer gets the time [s] and the row
   void sampleEvery(double interval, std::function<void(double time, const Row&)> observer);
@@ -134,7 +141,8 @@ public:
   /// Seconds spent in each stage.
   std::map<std::string, double> stageSeconds() const;
   /// Energies, momentum, bodies, cracks and the reports of effects, as in summary.json.
-  nlohmann::json report() const;
+  /// \param mostBodies that are in it: the first ones
+  nlohmann::json report(std::size_t mostBodies = std::numeric_limits<std::size_t>::max()) const;
   /// Writes the current fields; the first call makes the files fields.h5 and fields.xdmf in the folder, or
   /// continues them after restore().
   void writeFields(const std::string& folder);

@@ -26,8 +26,8 @@ template <int D>
 class Simulation::EngineOf : public Simulation::Engine
 {
 public:
-  EngineOf(const Teuchos::ParameterList& scene, const Ranks& ranks)
-      : Engine(ranks), scene_(scene), lines_(sceneLines(scene, effectSchema()))
+  EngineOf(const Teuchos::RCP<Teuchos::ParameterList>& scene, const Ranks& ranks)
+      : Engine(ranks), scene_(scene)
   {
     makeRun(run_);
   }
@@ -72,7 +72,9 @@ public:
     }
   }
 
-  nlohmann::json report() const override
+  bool trySolve() override { return run_->trySolve(); }
+
+  nlohmann::json report(std::size_t mostBodies) const override
   {
     nlohmann::json summary = nlohmann::json::object();
     const State<D>& state = run_->state();
@@ -82,7 +84,7 @@ public:
     if (!ofEnergy.empty() && state.failure.empty())
       summary["warnings"].push_back(ofEnergy);
     coreReport(state, summary);
-    bodyReport(state, summary);
+    bodyReport(state, summary, mostBodies);
     for (const Effect<D>& effect : run_->plan().effects)
       if (effect.report)
         effect.report(state, summary);
@@ -156,8 +158,8 @@ public:
   {
     Record record;
     Archive archive = Archive::saving(record, ranks());
-    std::string version = RHEGMA_VERSION, scene = text(lines_);
-    long hash = hashOfScene(lines_);
+    std::string version = RHEGMA_VERSION, scene = text(lines());
+    long hash = hashOfScene(lines());
     archive("version", version);
     archive("scene", scene);
     archive("scene_hash", hash);
@@ -188,7 +190,7 @@ public:
     {
       throw CheckpointMisfit(std::string("holds no scene: ") + error.what());
     }
-    const std::string difference = differenceOfScenes(lines_, linesOf(scene));
+    const std::string difference = differenceOfScenes(lines(), linesOf(scene));
     if (!difference.empty())
       throw CheckpointMisfit("belongs to another scene: " + difference);
     // Everything is made anew, so that nothing of the later state remains, and an error changes nothing.
@@ -233,6 +235,14 @@ public:
   }
 
 private:
+  /// The scene as text, which only checkpoints need: made where it is first asked for.
+  const std::vector<std::string>& lines()
+  {
+    if (lines_.empty())
+      lines_ = sceneLines(*scene_, effectSchema());
+    return lines_;
+  }
+
   void makeRun(std::unique_ptr<Run<D>>& run)
   {
     run = std::make_unique<Run<D>>(scene_, std::vector<Effect<D>>{}, ranks());
@@ -303,8 +313,8 @@ private:
     return lines;
   }
 
-  Teuchos::ParameterList scene_;
-  std::vector<std::string> lines_; ///< of the scene
+  Teuchos::RCP<Teuchos::ParameterList> scene_;
+  std::vector<std::string> lines_; ///< of the scene; empty: not yet made
   std::unique_ptr<Run<D>> run_;
   std::set<std::string> balance_; ///< columns of the energy balance from effects
   std::unique_ptr<FieldWriter<D>> writer_;
@@ -314,10 +324,10 @@ private:
   Kokkos::Timer timer_;
 };
 
-std::unique_ptr<Simulation::Engine> Simulation::Engine::make(const Teuchos::ParameterList& scene,
-                                                             const Ranks& ranks)
+std::unique_ptr<Simulation::Engine>
+Simulation::Engine::make(const Teuchos::RCP<Teuchos::ParameterList>& scene, const Ranks& ranks)
 {
-  if (scene.sublist("Domain").get<int>("Dimension") == 2)
+  if (scene->sublist("Domain").get<int>("Dimension") == 2)
     return std::make_unique<EngineOf<2>>(scene, ranks);
   return std::make_unique<EngineOf<3>>(scene, ranks);
 }

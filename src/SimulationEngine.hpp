@@ -29,15 +29,16 @@ public:
   explicit Engine(const Ranks& ranks) : ranks_(ranks) {}
   virtual ~Engine() = default;
 
-  /// For the dimension of a validated scene.
-  static std::unique_ptr<Engine> make(const Teuchos::ParameterList& scene, const Ranks& ranks);
+  /// For the dimension of a validated scene, which is shared and must not change afterwards.
+  static std::unique_ptr<Engine> make(const Teuchos::RCP<Teuchos::ParameterList>& scene, const Ranks& ranks);
 
   const Ranks& ranks() const { return ranks_; }
   virtual void initialize() = 0;
   virtual double stableTimeStep() const = 0;
   virtual double stepFraction() const = 0;
   virtual void advance(double until) = 0;
-  virtual nlohmann::json report() const = 0;
+  virtual bool trySolve() = 0;
+  virtual nlohmann::json report(std::size_t mostBodies) const = 0;
   virtual std::string plan() const = 0;
   virtual std::map<std::string, double> stageSeconds() const = 0;
   virtual void writeFields(const std::string& folder) = 0;

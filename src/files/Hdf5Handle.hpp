@@ -10,6 +10,9 @@ namespace Rhegma
 {
 
 /// Switches off the error messages of HDF5; errors become exceptions here.
+///
+/// What HDF5 could not read because it is damaged it may not be able to close either, and prints that when
+/// the program ends. After damage it therefore stays silent.
 class Silence
 {
 public:
@@ -18,11 +21,24 @@ public:
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  ~Silence()
+  {
+    if (!stays_)
+      H5Eset_auto2(H5E_DEFAULT, function_, data_);
+  }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;
 
+  /// To be called with what shows damage: HDF5 then stays silent. \param whole whether there is none \return
+  /// the same
+  static bool unlessDamaged(bool whole)
+  {
+    stays_ = stays_ || !whole;
+    return whole;
+  }
+
 private:
+  inline static bool stays_ = false;
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };
@@ -31,6 +47,17 @@ private:
 inline std::string unwritable(const std::string& path)
 {
   return path + " can't be written; is the disk full or the file open elsewhere?";
+}
+
+/// Access to a file that HDF5 does not lock: run.lock keeps other runs out, and a program that reads the
+/// file, or has it open for writing, must not change what a run does.
+inline hid_t accessWithoutLock()
+{
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+#if H5_VERSION_GE(1, 10, 7)
+  H5Pset_file_locking(access, 0, 1);
+#endif
+  return access;
 }
 
 /// An identifier of HDF5 that closes itself.
@@ -47,7 +74,7 @@ public:
   ~Handle()
   {
     if (id_ >= 0)
-      close_(id_);
+      Silence::unlessDamaged(close_(id_) >= 0);
   }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
@@ -64,9 +91,10 @@ public:
   /// Closes, which writes the remaining data.
   void close()
   {
-    const herr_t status = close_(id_);
+    const bool closed = Silence::unlessDamaged(close_(id_) >= 0);
     id_ = -1;
-    require(status);
+    if (!closed)
+      fail();
   }
 
 private:

@@ -13,7 +13,9 @@ namespace Geometry
 namespace
 {
 
+using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
+using Array = Teuchos::Array<double>;
 
 /// The section's path as users write it: `Bodies > Beam`.
 std::string where(const ParameterList& list)
@@ -32,12 +34,16 @@ std::string where(const ParameterList& list)
 
 std::string needed(int numbers) { return std::to_string(numbers) + " numbers (type=\"Array(double)\")"; }
 
-bool has(const ParameterList& list, const std::string& name)
+/// A parameter, or null: it is absent, or an empty array.
+const ParameterEntry* find(const ParameterList& list, const std::string& name)
 {
-  if (!list.isParameter(name))
-    return false;
-  return !list.isType<Teuchos::Array<double>>(name) || list.get<Teuchos::Array<double>>(name).size() > 0;
+  const ParameterEntry* const entry = list.getEntryPtr(name);
+  const bool empty =
+      entry != nullptr && entry->isType<Array>() && Teuchos::getValue<Array>(*entry).size() == 0;
+  return empty ? nullptr : entry;
 }
+
+bool has(const ParameterList& list, const std::string& name) { return find(list, name) != nullptr; }
 
 void mustBeFinite(const ParameterList& list, const std::string& name, double value)
 {
@@ -47,38 +53,43 @@ void mustBeFinite(const ParameterList& list, const std::string& name, double val
 
 double number(const ParameterList& list, const std::string& name)
 {
-  if (!has(list, name))
+  const ParameterEntry* const entry = find(list, name);
+  if (entry == nullptr)
     fail(list, name, "is missing; the shape needs this number (type=\"double\").");
-  if (!list.isType<double>(name))
+  if (!entry->isType<double>())
     fail(list, name, "must be one number (type=\"double\").");
-  const double value = list.get<double>(name);
+  const double value = Teuchos::getValue<double>(*entry);
   mustBeFinite(list, name, value);
   return value;
 }
 
-std::string text(const ParameterList& list, const std::string& name, const std::string& allowed)
+std::string text(const ParameterList& list, const std::string& name, const char* allowed)
 {
-  if (!list.isParameter(name) || !list.isType<std::string>(name))
-    fail(list, name, "is missing; write one of " + allowed + " (type=\"string\").");
-  return list.get<std::string>(name);
+  const ParameterEntry* const entry = list.getEntryPtr(name);
+  if (entry == nullptr || !entry->isType<std::string>())
+    fail(list, name, std::string("is missing; write one of ") + allowed + " (type=\"string\").");
+  return Teuchos::getValue<std::string>(*entry);
 }
 
-std::vector<double> numbers(const ParameterList& list, const std::string& name, const std::string& what)
+/// \param what is needed, as a function that makes the text, which is for messages only
+template <class What>
+const Array& numbers(const ParameterList& list, const std::string& name, const What& what)
 {
-  if (!has(list, name))
-    fail(list, name, "is missing; the shape needs " + what + ".");
-  if (!list.isType<Teuchos::Array<double>>(name))
-    fail(list, name, "must be " + what + ".");
-  const auto& array = list.get<Teuchos::Array<double>>(name);
+  const ParameterEntry* const entry = find(list, name);
+  if (entry == nullptr)
+    fail(list, name, "is missing; the shape needs " + what() + ".");
+  if (!entry->isType<Array>())
+    fail(list, name, "must be " + what() + ".");
+  const auto& array = Teuchos::getValue<Array>(*entry);
   for (const double value : array)
     mustBeFinite(list, name, value);
-  return {array.begin(), array.end()};
+  return array;
 }
 
 template <int D>
 Vector<D> vector(const ParameterList& list, const std::string& name)
 {
-  const auto values = numbers(list, name, needed(D));
+  const Array& values = numbers(list, name, [] { return needed(D); });
   if (values.size() != D)
     fail(list, name,
          "has " + std::to_string(values.size()) + " numbers; in " + std::to_string(D) + "D it must be " +
@@ -121,13 +132,15 @@ Cylinder<D> readCylinder(const ParameterList& list)
 template <int D>
 Polygon<D> readPolygon(const ParameterList& list)
 {
-  const auto flat = numbers(list, "Points", "pairs of numbers x, y, x, y, ... (type=\"Array(double)\")");
+  const Array& flat =
+      numbers(list, "Points",
+              [] { return std::string("pairs of numbers x, y, x, y, ... (type=\"Array(double)\")"); });
   if (flat.size() % 2 != 0 || flat.size() < 6)
     fail(list, "Points",
          "has " + std::to_string(flat.size()) +
              " numbers; a polygon needs x and y of at least three points.");
   Polygon<D> polygon;
-  for (std::size_t i = 0; i < flat.size(); i += 2)
+  for (Array::size_type i = 0; i < flat.size(); i += 2)
     polygon.points.push_back({{flat[i], flat[i + 1]}});
   if (norm(polygon.points.front() - polygon.points.back()) == 0.0)
     polygon.points.pop_back(); // a closing point that repeats the first
@@ -152,7 +165,7 @@ Polygon<D> readPolygon(const ParameterList& list)
 template <int D>
 Primitive<D> readPrimitive(const ParameterList& list)
 {
-  const std::string allowed = D == 2 ? "Box, Ball, Polygon" : "Box, Ball, Cylinder, Polygon";
+  const char* const allowed = D == 2 ? "Box, Ball, Polygon" : "Box, Ball, Cylinder, Polygon";
   const std::string name = text(list, "Shape", allowed);
   if (name == "Box")
     return readBox<D>(list);
@@ -162,7 +175,7 @@ Primitive<D> readPrimitive(const ParameterList& list)
     return readCylinder<D>(list);
   if (name == "Polygon")
     return readPolygon<D>(list);
-  fail(list, "Shape", "\"" + name + "\" is no shape; write one of " + allowed + ".");
+  fail(list, "Shape", "\"" + name + "\" is no shape; write one of " + std::string(allowed) + ".");
 }
 
 template <int D>

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace Rhegma
@@ -121,7 +122,7 @@ std::vector<double> sumsOfBodies(const State<D>& state)
 } // namespace
 
 template <int D>
-void bodyReport(const State<D>& state, nlohmann::json& summary)
+void bodyReport(const State<D>& state, nlohmann::json& summary, std::size_t most)
 {
   using Sums = BodySums<D>;
   const std::vector<const char*> gradient =
@@ -133,7 +134,7 @@ void bodyReport(const State<D>& state, nlohmann::json& summary)
   const std::vector<double> sums = sumsOfBodies(state);
   nlohmann::json& bodies = summary["bodies"];
   bodies = nlohmann::json::array();
-  for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
+  for (std::size_t b = 0; b < std::min(most, state.bodies.info.size()); ++b)
   {
     const double* const sum = sums.data() + b * Sums::size;
     nlohmann::json body;
@@ -145,11 +146,11 @@ void bodyReport(const State<D>& state, nlohmann::json& summary)
     if (state.method.mechanics)
       body["stress"] = named(symmetric, sum + Sums::stressAt, 1.0 / sum[2]);
     body["deformation"] = named(gradient, sum + Sums::deformationAt, 1.0 / sum[1]);
-    bodies.push_back(body);
+    bodies.push_back(std::move(body));
   }
 }
 
-template void bodyReport(const State<2>&, nlohmann::json&);
-template void bodyReport(const State<3>&, nlohmann::json&);
+template void bodyReport(const State<2>&, nlohmann::json&, std::size_t);
+template void bodyReport(const State<3>&, nlohmann::json&, std::size_t);
 
 } // namespace Rhegma

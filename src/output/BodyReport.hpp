@@ -3,6 +3,8 @@
 
 #include "state/State.hpp"
 
+#include <cstddef>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 
 namespace Rhegma
@@ -14,8 +16,9 @@ namespace Rhegma
 /// undeformed volume; of a bar, the stretch from end to end), by component: xx, yy, ...
 ///
 /// Sums over the particles at the call; reads position, velocity, mass, initial volume, deformation gradient,
-/// stress.
+/// stress. \param most bodies that are reported: the first ones
 template <int D>
-void bodyReport(const State<D>& state, nlohmann::json& summary);
+void bodyReport(const State<D>& state, nlohmann::json& summary,
+                std::size_t most = std::numeric_limits<std::size_t>::max());
 
 } // namespace Rhegma

@@ -51,7 +51,7 @@ Handle makeTable(hid_t group, const DataSet& data, const std::string& path)
     const hsize_t chunk[2] = {rowsOfChunk(data), extent[1]};
     made.require(H5Pset_chunk(made, axes, chunk));
     made.require(H5Pset_fletcher32(made));
-    // What is written goes to the file at once, so that a full disk shows where it can be told.
+    // What is written goes to the file at once, so that a full disk is noticed where it can be reported.
     access.require(H5Pset_chunk_cache(access, 1, 0, 1.0));
   }
   return Handle(H5Dcreate2(group, data.name.c_str(), typeOf(data), space, H5P_DEFAULT, made, access),
@@ -82,15 +82,11 @@ std::vector<T> gatherRows(const Ranks& ranks, const DataSet& data, const std::ve
 
 /// How a file of fields is opened, with tables of a form. The file of H5F_LIBVER_V18 is one that a kill
 /// leaves readable, later forms of it are marked as open; tables of H5F_LIBVER_V110 have their index under
-/// checksums as well. The file is not locked: run.lock keeps other runs out, and who reads it must not stop
-/// the run.
+/// checksums as well.
 hid_t accessTo(H5F_libver_t form)
 {
-  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  const hid_t access = accessWithoutLock();
   H5Pset_libver_bounds(access, form, form);
-#if H5_VERSION_GE(1, 10, 7)
-  H5Pset_file_locking(access, 0, 1);
-#endif
   return access;
 }
 
@@ -233,17 +229,22 @@ herr_t findDamage(hid_t group, const char* name, const H5L_info_t*, void*)
 {
   const hid_t object = H5Oopen(group, name, H5P_DEFAULT);
   const bool whole = object >= 0 && (H5Iget_type(object) != H5I_DATASET || readsWhole(object));
-  H5Oclose(object);
-  return whole ? 0 : 1;
+  const bool closed = object >= 0 && H5Oclose(object) >= 0;
+  return whole && closed ? 0 : 1;
 }
+
+/// For H5Literate, which reads all names.
+herr_t passOver(hid_t, const char*, const H5L_info_t*, void*) { return 0; }
 
 bool isWhole(hid_t file, const std::string& name)
 {
   const hid_t group = H5Gopen2(file, name.c_str(), H5P_DEFAULT);
+  // In native order: for any other one HDF5 makes a list of the names, and where their index is damaged it
+  // frees a list that it has not filled.
   const bool whole = group >= 0 && H5Aexists(group, "time") > 0 &&
-                     H5Lvisit(group, H5_INDEX_NAME, H5_ITER_INC, findDamage, nullptr) == 0;
-  H5Gclose(group);
-  return whole;
+                     H5Lvisit(group, H5_INDEX_NAME, H5_ITER_NATIVE, findDamage, nullptr) == 0;
+  const bool closed = group >= 0 && H5Gclose(group) >= 0;
+  return whole && closed;
 }
 
 /// A list for a message; the first few where they are many.
@@ -254,6 +255,44 @@ std::string few(const std::vector<std::string>& names)
   for (std::size_t k = 0; k < std::min(names.size(), most); ++k)
     text += (k > 0 ? ", " : "") + names[k];
   return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
+}
+
+/// Compares the snapshots of a file with their checksums, and leaves the file as it is. Throws OutputError
+/// where some of the first `count` are missing, or any is damaged: to remove one that HDF5 can't read may end
+/// the program when it closes the file.
+void refuseDamage(const std::string& path, int count)
+{
+  const Handle access(accessWithoutLock(), H5Pclose, path);
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  if (!Silence::unlessDamaged(file >= 0))
+    throw OutputError("HDF5 can't open it");
+  std::vector<std::string> missing, damaged;
+  int frames = 0;
+  htri_t exists = 0;
+  for (;; ++frames)
+  {
+    exists = H5Lexists(file, snapshotName(frames).c_str(), H5P_DEFAULT);
+    if (exists < 0 || (exists == 0 && frames >= count))
+      break;
+    if (exists == 0)
+      missing.push_back(snapshotName(frames));
+    else if (!isWhole(file, snapshotName(frames)))
+      damaged.push_back(snapshotName(frames));
+  }
+  const bool names =
+      exists == 0 && H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, passOver, nullptr) >= 0;
+  const bool closed = H5Fclose(file) >= 0;
+  Silence::unlessDamaged(missing.empty() && damaged.empty() && names && closed);
+  if (!names)
+    throw OutputError("the checksums show damage in the list of its frames");
+  if (!missing.empty() || !damaged.empty())
+    throw OutputError("of its " + std::to_string(frames) + " frames" +
+                      (damaged.empty() ? "" : " the checksums show damage in " + few(damaged)) +
+                      (missing.empty() ? ""
+                                       : (damaged.empty() ? " " : ", and ") + few(missing) +
+                                             (missing.size() == 1 ? " is" : " are") + " missing"));
+  if (!closed)
+    throw OutputError("HDF5 can't close it");
 }
 
 } // namespace
@@ -277,22 +316,12 @@ std::string snapshotName(int number)
 void keepSnapshots(const std::string& path, int count)
 {
   const Silence silence;
+  refuseDamage(path, count);
   const Handle access(accessTo(H5F_LIBVER_V110), H5Pclose, path);
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, path);
-  std::vector<std::string> missing, damaged;
-  for (int k = 0; k < count; ++k)
-    if (H5Lexists(file, snapshotName(k).c_str(), H5P_DEFAULT) <= 0)
-      missing.push_back(snapshotName(k));
-    else if (!isWhole(file, snapshotName(k)))
-      damaged.push_back(snapshotName(k));
-  if (!missing.empty() || !damaged.empty())
-    throw OutputError("of its " + std::to_string(count) + " frames" +
-                      (damaged.empty() ? "" : " the checksums show damage in " + few(damaged)) +
-                      (missing.empty() ? ""
-                                       : (damaged.empty() ? " " : ", and ") + few(missing) +
-                                             (missing.size() == 1 ? " is" : " are") + " missing"));
   for (int k = count; H5Lexists(file, snapshotName(k).c_str(), H5P_DEFAULT) > 0; ++k)
-    file.require(H5Ldelete(file, snapshotName(k).c_str(), H5P_DEFAULT));
+    if (!Silence::unlessDamaged(H5Ldelete(file, snapshotName(k).c_str(), H5P_DEFAULT) >= 0))
+      throw OutputError("its later frame " + snapshotName(k) + " can't be removed");
   file.close();
 }
 

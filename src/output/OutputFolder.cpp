@@ -1,5 +1,6 @@
 #include "output/OutputFolder.hpp"
 
+#include "base/OutputError.hpp"
 #include "files/Hdf5Handle.hpp"
 
 #include <cerrno>
@@ -76,36 +77,63 @@ bool startsWith(const std::string& text, const std::string& start)
   return text.compare(0, start.size(), start) == 0;
 }
 
-/// Whether a file of HDF5 holds something, but no first frame.
-bool holdsOtherThings(const std::string& path)
+/// Whether a file of HDF5 opens, and holds a first frame or nothing yet.
+bool holdsFrames(const std::string& path)
 {
   const Silence silence;
-  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const Handle access(accessWithoutLock(), H5Pclose, path);
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   H5G_info_t info{};
-  const bool other = file >= 0 && H5Gget_info(file, &info) >= 0 && info.nlinks > 0 &&
-                     H5Lexists(file, "t00000", H5P_DEFAULT) <= 0;
+  const bool holds = file >= 0 && H5Gget_info(file, &info) >= 0 &&
+                     (info.nlinks == 0 || H5Lexists(file, "t00000", H5P_DEFAULT) > 0);
   if (file >= 0)
-    H5Fclose(file);
-  return other; // what a kill left need not open
+    Silence::unlessDamaged(H5Fclose(file) >= 0);
+  return holds;
 }
 
-/// Whether a run may have written a file. \param text its beginning
+/// Whether the first line of a text names the columns that each history has.
+bool beginsLikeAHistory(const std::string& text)
+{
+  const std::string header = text.substr(0, text.find_first_of("\r\n")) + ",";
+  return startsWith(header, "time,kinetic,strain,") && header.find(",external_work,") != std::string::npos &&
+         header.find(",residual,") != std::string::npos;
+}
+
+/// Whether a run has written a file. \param text its beginning
 bool isOfRun(const std::string& path, const std::string& name, const std::string& text)
 {
   if (text.empty()) // cut off at once
     return true;
   if (name == "history.csv")
-    return startsWith(text, "time");
+    return beginsLikeAHistory(text);
   if (name == "fields.h5")
-    return startsWith(text, "\x89HDF\r\n") && !holdsOtherThings(path);
+    return startsWith(text, "\x89HDF\r\n") && holdsFrames(path);
   if (name == "checkpoint.h5")
     return startsWith(text, "\x89RHEGMA");
   if (name == "run.lock")
     return startsWith(text, "host: ");
+  if (name == comparisonName)
+    return startsWith(text, "{") && text.find("\"answers\"") != std::string::npos &&
+           text.find("\"verdict\"") != std::string::npos;
   const char* const mark = name == "fields.xdmf"    ? "<Xdmf"
                            : name == "summary.json" ? "\"effects\""
                                                     : "\"manifest_crc32\"";
   return text.find(mark) != std::string::npos;
+}
+
+/// Throws where a file that would be replaced is the scene or is none that a run wrote.
+/// \param listed whether the folder's manifest says that a run wrote it
+void refuseForeignFile(const std::string& folder, const std::string& scene, const std::string& name,
+                       bool listed)
+{
+  const std::string path = folder + "/" + name;
+  std::error_code none;
+  for (const std::string& replaced : {path, path + ".part"})
+    if (std::filesystem::equivalent(replaced, scene, none))
+      refuse(folder, "the run would overwrite its own scene " + scene);
+  if (std::filesystem::exists(path, none) &&
+      !(std::filesystem::is_regular_file(path, none) && (listed || isOfRun(path, name, beginningOf(path)))))
+    refuse(folder, "it holds a " + name + " that no run wrote, and that a run would replace; move it away");
 }
 
 void removeFrom(const std::string& folder, const std::string& name)
@@ -125,20 +153,39 @@ const std::vector<std::string>& resultNames()
 
 void refuseForeignFiles(const std::string& folder, const std::string& scene)
 {
-  std::vector<std::string> names = resultNames();
-  names.push_back("run.lock");
   // Files of a folder that a run lists may be damaged; they are a run's all the same.
   const bool listed = isOfRun("", "manifest.json", beginningOf(folder + "/manifest.json") + " ");
-  for (const std::string& name : names)
+  for (const std::string& name : resultNames())
+    refuseForeignFile(folder, scene, name, listed);
+  refuseForeignFile(folder, scene, "run.lock", listed);
+}
+
+void refuseForeignComparison(const std::string& folder, const std::string& scene)
+{
+  refuseForeignFile(folder, scene, comparisonName, false);
+  refuseForeignFile(folder, scene, "run.lock", false);
+}
+
+void removeOldComparison(const std::string& folder)
+{
+  removeFrom(folder, comparisonName);
+  removeFrom(folder, std::string(comparisonName) + ".part");
+}
+
+std::string setAside(const std::string& path)
+{
+  const std::filesystem::path of(path);
+  const std::string start = (of.parent_path() / of.stem()).string() + ".unread";
+  for (int k = 1;; ++k)
   {
-    const std::string path = folder + "/" + name;
-    std::error_code none;
-    if (!std::filesystem::exists(path, none))
+    const std::string name = start + (k > 1 ? "." + std::to_string(k) : "") + of.extension().string();
+    std::error_code error;
+    if (std::filesystem::symlink_status(name, error).type() != std::filesystem::file_type::not_found)
       continue;
-    if (std::filesystem::equivalent(path, scene, none))
-      refuse(folder, "the run would overwrite its own scene " + scene);
-    if (!std::filesystem::is_regular_file(path, none) || !(listed || isOfRun(path, name, beginningOf(path))))
-      refuse(folder, "it holds a " + name + " that no run wrote, and that a run would replace; move it away");
+    std::filesystem::rename(path, name, error);
+    if (error)
+      throw OutputError(path + " can't be renamed to " + name + ": " + error.message());
+    return name;
   }
 }
 
@@ -146,8 +193,9 @@ void removeOldSummary(const std::string& folder)
 {
   removeFrom(folder, "summary.json");
   removeFrom(folder, "manifest.json");
-  for (const std::string& name : resultNames())
-    removeFrom(folder, name + ".part");
+  // The files that are written to such a name first.
+  for (const char* name : {"summary.json", "manifest.json", "fields.xdmf", "checkpoint.h5"})
+    removeFrom(folder, std::string(name) + ".part");
 }
 
 void removeOldResults(const std::string& folder)

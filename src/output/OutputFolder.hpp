@@ -22,6 +22,19 @@ const std::vector<std::string>& resultNames();
 /// wrote. Nothing is changed.
 void refuseForeignFiles(const std::string& folder, const std::string& scene);
 
+/// Name of the file in which `--twice` compares two runs.
+constexpr const char* comparisonName = "twice.json";
+
+/// The same for the files that `--twice` replaces in the folder around its two runs.
+void refuseForeignComparison(const std::string& folder, const std::string& scene);
+
+/// Removes the comparison of older runs.
+void removeOldComparison(const std::string& folder);
+
+/// Renames a file that can't be used: fields.h5 to fields.unread.h5, or to fields.unread.2.h5 and so on where
+/// that exists. \return the new path Throws OutputError when it can't be renamed.
+std::string setAside(const std::string& path);
+
 /// Removes the summary and the manifest of a run that continues, and partial files of a killed run.
 void removeOldSummary(const std::string& folder);
 

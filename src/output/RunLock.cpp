@@ -80,10 +80,29 @@ bool isAlive(const std::string& process)
   return number > 0 && number != getpid() && (kill(static_cast<pid_t>(number), 0) == 0 || errno == EPERM);
 }
 
-/// Locks an open file. Throws, and closes it, where another run has it.
-void lock(const std::string& folder, int file)
+/// Locks an open file for a run. Whoever only asks shares the lock for a moment, in which no run may be
+/// refused. \return as flock
+int lockAlone(int file)
 {
-  const bool locked = flock(file, LOCK_EX | LOCK_NB) == 0;
+  constexpr int attempts = 2000;
+  for (int k = 0;; ++k)
+  {
+    if (flock(file, LOCK_EX | LOCK_NB) == 0)
+      return 0;
+    if (errno != EWOULDBLOCK || k >= attempts)
+      return -1;
+    if (flock(file, LOCK_SH | LOCK_NB) != 0) // another run has it
+      return -1;
+    flock(file, LOCK_UN);
+    usleep(1000);
+  }
+}
+
+/// Locks an open file. Throws, and closes it, where another run has it.
+/// \param shared only to see that no run has it
+void lock(const std::string& folder, int file, bool shared)
+{
+  const bool locked = (shared ? flock(file, LOCK_SH | LOCK_NB) : lockAlone(file)) == 0;
   const bool taken = !locked && errno == EWOULDBLOCK;
   const Owner owner(file);
   const bool elsewhere = !owner.host.empty() && owner.host != thisHost();
@@ -111,7 +130,7 @@ RunLock::RunLock(const std::string& folder) : path_(folder + name)
     if (file_ < 0)
       throw std::invalid_argument(path_ + " can't be written: " + std::strerror(errno) +
                                   "; remove it, or choose another folder with --output");
-    lock(folder, file_);
+    lock(folder, file_, false);
     if (isStill(path_, file_))
       break;
     close(file_);
@@ -134,7 +153,7 @@ void refuseFolderInUse(const std::string& folder)
   const int file = open((folder + name).c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0)
     return;
-  lock(folder, file);
+  lock(folder, file, true);
   close(file);
 }
 

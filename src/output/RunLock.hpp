@@ -25,7 +25,8 @@ private:
   int file_ = -1;
 };
 
-/// Throws as RunLock does where another run has the folder; makes nothing.
+/// Throws as RunLock does where another run has the folder; makes nothing, and refuses no run that starts
+/// meanwhile.
 void refuseFolderInUse(const std::string& folder);
 
 } // namespace Rhegma

@@ -43,7 +43,8 @@ class Comparison
 public:
   explicit Comparison(double cell) : cell_(cell) {}
 
-  /// \param order of the error in the size of the cells; 0: not smooth, so not extrapolated
+  /// \param order of the error in the size of the cells; 0: not smooth, so not extrapolated. Nor are answers
+  /// of runs that stopped.
   void value(const std::string& name, const std::string& unit, double asIs, double half, int order)
   {
     if (std::isnan(asIs) && std::isnan(half))
@@ -54,7 +55,7 @@ public:
     const double scale = std::max(std::fabs(half), std::numeric_limits<double>::min());
     const double change = asIs == half ? 0.0 : (half - asIs) / scale;
     answer["change"] = change;
-    if (order > 0 && std::fabs(change) <= largestExtrapolated)
+    if (order > 0 && !stopped_ && std::fabs(change) <= largestExtrapolated)
     {
       answer["order"] = order;
       answer["extrapolated"] = half + (half - asIs) / (std::pow(2.0, order) - 1.0);
@@ -78,27 +79,39 @@ public:
         asIs == half ? "the same" : "differs");
   }
 
+  /// Of runs one of which stopped, or both: what comes after that is not known.
+  void stops(bool asIs, bool half)
+  {
+    stopped_ = true;
+    const auto text = [](bool stopped) { return stopped ? "stopped" : "finished"; };
+    add({{"name", "end of the run"}, {"unit", ""}, {"as_is", text(asIs)}, {"half", text(half)}}, false,
+        asIs == half ? "both stopped" : "differs");
+    advice_ = asIs == half ? "see why the runs stopped"
+              : asIs       ? "the run finishes with half the cells: use them, and compare again from there"
+                           : "see why the run stops with half the cells";
+  }
+
   json result() const
   {
-    std::string open;
-    for (const json& answer : answers_)
-      if (!answer["resolved"])
-        open += (open.empty() ? "" : "; ") + answer["name"].get<std::string>() + ": " +
-                answer["verdict"].get<std::string>();
-    const bool resolved = open.empty() && !answers_.empty();
+    const bool resolved = open_.empty() && !answers_.empty();
     const std::string verdict = answers_.empty()
                                     ? "nothing to compare: the scene has no crack, temperature or "
                                       "Reference"
                                 : resolved ? "resolved: no answer moves by more than 5 %, no path or "
                                              "position by more than a cell"
-                                           : "not resolved; use smaller cells";
-    return {
-        {"answers", answers_}, {"resolved", resolved}, {"open", open}, {"verdict", verdict}, {"cell", cell_}};
+                                           : "not resolved: " + open_ + "; " + advice_;
+    return {{"answers", answers_},
+            {"resolved", resolved},
+            {"open", open_},
+            {"verdict", verdict},
+            {"cell", cell_}};
   }
 
 private:
   void add(json answer, bool resolved, const std::string& what)
   {
+    if (!resolved)
+      open_ += (open_.empty() ? "" : "; ") + answer["name"].get<std::string>() + " (" + what + ")";
     answer["resolved"] = resolved;
     answer["verdict"] = what + (resolved ? ": resolved" : ": not resolved");
     answers_.push_back(std::move(answer));
@@ -106,6 +119,9 @@ private:
 
   double cell_; ///< smallest of the scene as it is [m]
   json answers_ = json::array();
+  std::string open_; ///< answers that are not resolved, and what of them
+  std::string advice_ = "use smaller cells";
+  bool stopped_ = false; ///< then the runs end at different times
 };
 
 using Point = std::vector<double>;
@@ -252,6 +268,48 @@ void compareReferences(Comparison& comparison, const json& asIs, const json& hal
                        numberOrNone(other[k], "value"), 0);
 }
 
+/// Whether a run ended before its end.
+bool isStopped(const json& run)
+{
+  const auto status = run.find("status");
+  return status != run.end() && status->is_string() && status->get<std::string>().rfind("finished", 0) != 0;
+}
+
+void compareEnds(Comparison& comparison, const json& asIs, const json& half)
+{
+  if (!isStopped(asIs) && !isStopped(half))
+    return;
+  comparison.stops(isStopped(asIs), isStopped(half));
+  comparison.value("time reached", "s", numberOrNone(asIs, "time"), numberOrNone(half, "time"), 0);
+}
+
+/// How and when a run ended.
+json endOfRun(const json& summary)
+{
+  json end = json::object();
+  for (const char* key : {"status", "time", "steps"})
+    if (summary.contains(key))
+      end[key] = summary[key];
+  return end;
+}
+
+/// Names of the columns of a history; those with a comma are in quotes (RFC 4180).
+std::vector<std::string> columnNames(const std::string& header)
+{
+  std::vector<std::string> names(1);
+  bool quoted = false;
+  for (std::size_t k = 0; k < header.size(); ++k)
+    if (header[k] == '"' && quoted && k + 1 < header.size() && header[k + 1] == '"')
+      names.back() += header[++k];
+    else if (header[k] == '"')
+      quoted = !quoted;
+    else if (header[k] == ',' && !quoted)
+      names.emplace_back();
+    else
+      names.back() += header[k];
+  return names;
+}
+
 std::string cellText(const json& value)
 {
   if (value.is_number())
@@ -266,10 +324,7 @@ HistoryColumns readHistory(const std::string& path)
   std::ifstream file(path);
   std::string line;
   std::getline(file, line);
-  std::vector<std::string> names;
-  std::istringstream head(line);
-  for (std::string name; std::getline(head, name, ',');)
-    names.push_back(name);
+  const std::vector<std::string> names = columnNames(line);
   HistoryColumns columns;
   while (std::getline(file, line))
   {
@@ -285,6 +340,7 @@ nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half)
 {
   Comparison comparison(asIs.summary.contains("cells") ? numberOrNone(asIs.summary["cells"], "smallest")
                                                        : noNumber);
+  compareEnds(comparison, asIs.summary, half.summary);
   const json none = json::array();
   const json& cracks = asIs.summary.contains("cracks") ? asIs.summary["cracks"] : none;
   const json& others = half.summary.contains("cracks") ? half.summary["cracks"] : none;
@@ -303,7 +359,9 @@ nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half)
   }
   compareTemperatures(comparison, asIs.summary, half.summary);
   compareReferences(comparison, asIs.summary, half.summary);
-  return comparison.result();
+  json result = comparison.result();
+  result["runs"] = {{"as_is", endOfRun(asIs.summary)}, {"half", endOfRun(half.summary)}};
+  return result;
 }
 
 std::string comparisonAsText(const nlohmann::json& comparison)
@@ -326,9 +384,11 @@ std::string comparisonAsText(const nlohmann::json& comparison)
                                       : "")
          << "\n";
   }
-  const std::string open = comparison.at("open");
-  text << "Verdict: " << (open.empty() ? "" : open + ". ") << comparison.at("verdict").get<std::string>()
-       << "\n";
+  const json& runs = comparison.at("runs");
+  for (const auto& [name, title] : {std::pair("as_is", "As it is: "), std::pair("half", "With half: ")})
+    if (isStopped(runs.at(name)))
+      text << title << runs.at(name).at("status").get<std::string>() << "\n";
+  text << "Verdict: " << comparison.at("verdict").get<std::string>() << "\n";
   return text.str();
 }
 

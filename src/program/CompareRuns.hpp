@@ -24,8 +24,9 @@ struct RunResults
 /// Compares two runs of a scene.
 /// \param asIs, half of the scene as it is, and with cells of half the size
 /// \return {"answers": [{"name", "unit", "as_is", "half", "change" or "cells", "extrapolated", "order",
-/// "resolved", "verdict"}], "resolved", "verdict"}. An answer is resolved where it moves by at most 5 %; a
-/// path or position where it moves by at most a cell of the first run.
+/// "resolved", "verdict"}], "resolved", "verdict", "open", "cell" [m], "runs": {"as_is", "half": {"status",
+/// "time" [s], "steps"}}}. An answer is resolved where it moves by at most 5 %; a path or position where it
+/// moves by at most a cell of the first run. Runs that stopped are never resolved as a whole.
 nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half);
 
 /// The comparison as a table for a terminal, its last line the verdict.

@@ -3,6 +3,7 @@
 #include "base/RunError.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
+#include "program/Budget.hpp"
 #include "program/Intervals.hpp"
 #include "program/RateCache.hpp"
 #include "scene/Scene.hpp"
@@ -67,13 +68,53 @@ std::string cost(const Forecast& forecast)
   return seconds(forecast.seconds);
 }
 
+std::string counted(long number, const std::string& noun)
+{
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+/// What takes the time: steps, or linear systems of so many unknowns.
+std::string workAsText(const Forecast& forecast)
+{
+  const StepRates& rates = forecast.rates;
+  char text[160];
+  if (rates.unknowns == 0)
+    std::snprintf(text, sizeof text, "%.3g ms a step", 1e3 * rates.step);
+  else
+    std::snprintf(text, sizeof text, "%s, %s of %d unknowns, %.3g ms each",
+                  counted(std::lround(forecast.steps), "load step").c_str(),
+                  counted(std::max(1L, std::lround(forecast.solves)), "linear system").c_str(),
+                  rates.unknowns, 1e3 * rates.solve);
+  return text;
+}
+
+/// What the forecast is made of.
+std::string sourceAsText(const Forecast& forecast)
+{
+  const StepRates& rates = forecast.rates;
+  if (rates.unknowns > 0 && rates.steps == 0)
+    return "; by one linear system, and as many to a load step as most scenes need";
+  const char* const noun = rates.unknowns > 0 ? "load step" : "step";
+  return "; by its first " + (rates.steps == 1 ? std::string(noun) : counted(rates.steps, noun)) +
+         (rates.growth.steps > 1.0 ? " and a run with cells of twice the size" : "");
+}
+
 } // namespace
 
 Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time)
 {
   const Teuchos::ParameterList& times = scene.sublist("Time");
   const double length = times.get<double>("Final Time") - time;
-  const double all = rates.steps + std::ceil(std::max(0.0, length - rates.time) / rates.timeStep);
+  const double rest = std::max(0.0, length - rates.time);
+  const bool grows = rates.growth.steps > 1.0;
+  const double restSteps =
+      rest == 0.0 ? 0.0
+      : grows     ? rates.steps * (rates.growth.steps - 1.0)
+              // The last step of an equilibrium takes what is left, however little rounding leaves.
+              : std::ceil(rest / rates.timeStep - (rates.unknowns > 0 ? 1e-6 : 0.0));
+  const double restSeconds =
+      grows ? rates.step * rates.work * (rates.growth.work - 1.0) / rates.lateWork : rates.step * restSteps;
+  const double all = rates.steps + std::round(restSteps);
   Forecast f;
   f.rates = rates;
   f.steps = std::min(all, double(times.get<int>("Maximum Steps")));
@@ -82,21 +123,23 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
                             ? std::max(1.0, std::floor(fraction * length / fieldInterval(scene)))
                             : 0.0;
   const double samples = std::min(f.steps, fraction * length / historyInterval(scene));
-  const double running = copies * (f.steps * rates.step + samples * rates.sample);
+  const double running = copies * (fraction * (rates.spent + restSeconds) + samples * rates.sample);
   f.seconds = rates.setup + running + frames * rates.frame;
   f.bytes = frames * rates.frameBytes;
+  f.solves = f.steps * rates.solves;
   if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
   {
-    const double rest = timeToRest(*end);
-    if (rest < fraction * length)
-      f.secondsToRest = rates.setup + running * rest / (fraction * length) + rates.frame;
+    const double settled = timeToRest(*end);
+    if (settled < fraction * length)
+      f.secondsToRest = rates.setup + running * settled / (fraction * length) + rates.frame;
   }
   return f;
 }
 
-Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks)
+Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks,
+                      double setup)
 {
-  const double setup = ranks.max(processorSeconds()), time = simulation.time();
+  const double time = simulation.time();
   const RateCache cache(cacheFolder(), machineIdentity(ranks.size()));
   std::optional<StepRates> kept = cache.find(scene);
   if (ranks.max(kept && kept->particles == simulation.particles() ? 0.0 : 1.0) > 0.0)
@@ -104,7 +147,7 @@ Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scen
   StepRates rates = kept ? *kept : measureRates(simulation, scene, ranks, measuringSeconds);
   if (!kept)
   {
-    rates.setup = setup;
+    rates.setup = ranks.max(setup);
     if (ranks.rank() == 0)
       cache.keep(scene, rates);
   }
@@ -118,18 +161,15 @@ std::string asText(const Forecast& forecast)
   const StepRates& rates = forecast.rates;
   if (!rates.failure.empty())
     return "Forecast: none, for in the first steps " + rates.failure;
-  char step[32];
-  std::snprintf(step, sizeof step, "%.3g ms", 1e3 * rates.step);
-  std::string text = "Forecast: " + cost(forecast) + " (" + step + " a step, " +
+  std::string text = "Forecast: " + cost(forecast) + " (" + workAsText(forecast) + ", " +
                      Kokkos::DefaultExecutionSpace::name() + ", " +
-                     std::to_string(Kokkos::DefaultExecutionSpace().concurrency()) +
-                     (Kokkos::DefaultExecutionSpace().concurrency() == 1 ? " thread), " : " threads), ") +
+                     counted(Kokkos::DefaultExecutionSpace().concurrency(), "thread") + "), " +
                      size(rates.memory) + " of memory";
   if (forecast.bytes > 0.0)
     text += ", " + size(forecast.bytes) + " of fields";
   if (forecast.kept)
     return text + "; rates kept from an earlier measurement";
-  text += "; by its first " + std::to_string(rates.steps) + (rates.steps == 1 ? " step" : " steps");
+  text += sourceAsText(forecast);
   char busy[96] = "";
   if (rates.busy > busyMachine)
     std::snprintf(busy, sizeof busy, "; %.1f times as long while the machine is as busy as now", rates.busy);
@@ -137,7 +177,7 @@ std::string asText(const Forecast& forecast)
 }
 
 std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList& scene, const Ranks& ranks,
-                           const Forecast* own)
+                           const Forecast* own, double start)
 {
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
   if (!domain.isType<std::string>("Accuracy"))
@@ -150,6 +190,7 @@ std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList&
     {
       if (!text.empty() && name == chosen)
         continue;
+      const double before = processorSeconds();
       Options other = options;
       other.overrides.push_back("Domain:Accuracy=" + name);
       const SceneResult result = readScene(other.scene, other.overrides, effectSchema());
@@ -170,7 +211,7 @@ std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList&
         Simulation simulation(world, result.list, true);
         simulation.initialize();
         particles = simulation.particles();
-        forecast = makeForecast(simulation, *result.list, ranks);
+        forecast = makeForecast(simulation, *result.list, ranks, start + processorSeconds() - before);
       }
       if (forecast.rates.failure.empty())
         text += (name == chosen ? "Accuracy " + name + ": " : "  with " + name + ": ") +

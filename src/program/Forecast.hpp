@@ -18,7 +18,8 @@ struct Forecast
 {
   StepRates rates;
   bool kept = false;          ///< rates are those of an earlier measurement
-  double steps = 0.0;         ///< to the end
+  double steps = 0.0;         ///< to the end; of an analysis of equilibrium load steps
+  double solves = 0.0;        ///< linear systems to the end, of an analysis of equilibrium
   double seconds = 0.0;       ///< to the end, on a machine without other work [s]
   double secondsToRest = 0.0; ///< to where damping has the run settle and end; 0: it does not [s]
   double bytes = 0.0;         ///< of files
@@ -29,7 +30,9 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
 
 /// Measures the rates on the simulation's own steps, or takes those that are kept for this scene and this
 /// machine. Collective. \param simulation made for this alone: it is advanced \param scene validated
-Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks);
+/// \param setup processor time from the start of a program that runs this scene to its first step [s]
+Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks,
+                      double setup);
 
 /// One line, without its end.
 std::string asText(const Forecast& forecast);
@@ -37,7 +40,8 @@ std::string asText(const Forecast& forecast);
 /// For a scene that leaves its cells to Domain > Accuracy: what it costs, and what 3 % and 10 % would; a line
 /// each. Empty where it does not, or where the cost can't be found. Collective.
 /// \param scene validated \param own forecast of the scene as it is, or null: it is made
+/// \param start processor time that the program took before it read the scene [s]
 std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList& scene, const Ranks& ranks,
-                           const Forecast* own);
+                           const Forecast* own, double start);
 
 } // namespace Rhegma::program

@@ -84,18 +84,24 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
 
 void Production::takeUpFields()
 {
-  const std::string data = folder_ + "/fields.h5", aside = folder_ + "/fields.unread.h5";
-  std::string why;
+  const std::string data = folder_ + "/fields.h5";
+  std::string why, aside;
   if (!scene_.sublist("Output").get<bool>("Fields") || simulation_.continueFields(folder_, &why))
     return;
-  // A kill while a snapshot is written can leave a file that HDF5 does not open.
-  std::error_code none;
-  if (!asFirstRank(ranks_, std::filesystem::exists(data, none)))
-    return;
-  if (ranks_.rank() == 0)
-    std::filesystem::rename(data, aside, none);
-  warnings_.push_back(data + " does not hold the fields of the run up to the checkpoint: " + why +
-                      "; it is renamed to " + aside + ", and new fields are written from here on");
+  onFirstRank<OutputError>(ranks_,
+                           [&]
+                           {
+                             std::error_code none;
+                             if (std::filesystem::exists(data, none))
+                               aside = setAside(data);
+                           });
+  aside = ranks_.firstText(aside);
+  warnings_.push_back(aside.empty()
+                          ? "there is no " + data +
+                                " with the fields of the run up to the checkpoint; new fields are written "
+                                "from here on"
+                          : data + " does not hold the fields of the run up to the checkpoint: " + why +
+                                "; it is renamed to " + aside + ", and new fields are written from here on");
 }
 
 void Production::observe()
@@ -147,7 +153,7 @@ std::string Production::runToEnd()
       }
     checkpoints_.atEnd();
     // The state is whole, and the run may go on from it with another scene.
-    const std::string reason = ranks_.firstText(simulation_.report().value("ended_by", std::string()));
+    const std::string reason = ranks_.firstText(simulation_.report(0).value("ended_by", std::string()));
     if (!reason.empty())
       failure = stoppedBy(reason) + checkpoints_.atStop();
   }
@@ -265,7 +271,7 @@ bool Production::stopIfRequested(double time, long step)
     throw OutputError(why.substr(1));
   stopRequested_ = !why.empty() && why[0] == 'S';
   if (stopRequested_)
-    throw RunError("the run was stopped by " + why.substr(1) + " at t = " + readableTime(time) + ", step " +
+    throw RunError(stoppedBySignal + why.substr(1) + " at t = " + readableTime(time) + ", step " +
                    std::to_string(step) + checkpoints_.atStop());
   return !why.empty();
 }

@@ -20,6 +20,9 @@
 namespace Rhegma::program
 {
 
+/// How the status of a run begins that a signal stopped.
+constexpr const char* stoppedBySignal = "the run was stopped by ";
+
 class Production
 {
 public:

@@ -30,15 +30,20 @@ struct Entry
   double StepRates::*value;
 };
 
-constexpr std::array<Entry, 9> entries{{{"setup", &StepRates::setup},
-                                        {"step", &StepRates::step},
-                                        {"sample", &StepRates::sample},
-                                        {"frame", &StepRates::frame},
-                                        {"frame_bytes", &StepRates::frameBytes},
-                                        {"memory", &StepRates::memory},
-                                        {"time_step", &StepRates::timeStep},
-                                        {"time", &StepRates::time},
-                                        {"busy", &StepRates::busy}}};
+constexpr std::array<Entry, 14> entries{{{"setup", &StepRates::setup},
+                                         {"spent", &StepRates::spent},
+                                         {"work", &StepRates::work},
+                                         {"late_work", &StepRates::lateWork},
+                                         {"solves", &StepRates::solves},
+                                         {"solve", &StepRates::solve},
+                                         {"step", &StepRates::step},
+                                         {"sample", &StepRates::sample},
+                                         {"frame", &StepRates::frame},
+                                         {"frame_bytes", &StepRates::frameBytes},
+                                         {"memory", &StepRates::memory},
+                                         {"time_step", &StepRates::timeStep},
+                                         {"time", &StepRates::time},
+                                         {"busy", &StepRates::busy}}};
 
 std::string processorName()
 {
@@ -121,6 +126,8 @@ try
         rates.*entry.value = kept.at(entry.name).get<double>();
       rates.particles = kept.at("particles").get<int>();
       rates.steps = kept.at("steps").get<int>();
+      rates.unknowns = kept.at("unknowns").get<int>();
+      rates.growth = {kept.at("growth_of_steps").get<double>(), kept.at("growth_of_work").get<double>()};
       return rates;
     }
   return {};
@@ -136,7 +143,12 @@ try
   if (path_.empty() || !rates.failure.empty())
     return;
   const std::string key = keyOf(scene);
-  nlohmann::json fresh = {{"scene", key}, {"particles", rates.particles}, {"steps", rates.steps}};
+  nlohmann::json fresh = {{"scene", key},
+                          {"particles", rates.particles},
+                          {"steps", rates.steps},
+                          {"unknowns", rates.unknowns},
+                          {"growth_of_steps", rates.growth.steps},
+                          {"growth_of_work", rates.growth.work}};
   for (const Entry& entry : entries)
     fresh[entry.name] = rates.*entry.value;
   nlohmann::json scenes = nlohmann::json::array({fresh});

@@ -11,18 +11,16 @@
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
 #include "program/Answer.hpp"
+#include "program/Budget.hpp"
+#include "program/CheckText.hpp"
 #include "program/Forecast.hpp"
 #include "program/Production.hpp"
 #include "program/Twice.hpp"
-#include "scene/Compatibility.hpp"
 #include "scene/Scene.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -135,6 +133,8 @@ EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& sce
       throw std::invalid_argument("Time > Final Time: the checkpoint " + options.restart + " is of time " +
                                   readableTime(simulation.time()) + " already; write a later time");
   }
+  if (!scene.isSublist("Reference"))
+    return earlier;
   const nlohmann::json summary = simulation.report();
   try
   {
@@ -142,10 +142,19 @@ EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& sce
   }
   catch (const std::invalid_argument&)
   {
-    printWarnings(summary, err); // they may tell why the quantity is not there
+    printWarnings(summary, err); // they may say why the quantity is missing
     throw;
   }
   return earlier;
+}
+
+/// What is not freed before the program ends: of a scene with many bodies that takes as long as to read it.
+template <class T>
+T& keepToTheEnd(T* made)
+{
+  static auto* const kept = new std::vector<const void*>; // so that it is not taken for lost
+  kept->push_back(made);
+  return *made;
 }
 
 /// Prints the warnings of a scene before its run. \return whether it may run: with --strict, if there are
@@ -163,100 +172,14 @@ bool mayRun(const Options& options, const nlohmann::json& summary, std::ostream&
   return false;
 }
 
-/// Four digits, with the largest unit that leaves at least 1 before the point.
-std::string inUnits(double value, const std::vector<std::pair<double, const char*>>& units)
+/// \param start processor time that the program took before it read the scene [s]
+int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
+               std::ostream& out, std::ostream& err)
 {
-  char text[40];
-  for (const auto& [size, name] : units)
-    if (value >= size || size == units.back().first)
-    {
-      std::snprintf(text, sizeof text, "%.4g %s", value / size, name);
-      return text;
-    }
-  return {};
-}
-
-/// Masses and weights, by which a wrong unit shows: a line for each of the first ten bodies.
-std::string bodiesAsText(const nlohmann::json& summary)
-{
-  constexpr double g = 9.81;
-  std::string text;
-  int count = 0;
-  for (const auto& body : summary.value("bodies", nlohmann::json::array()))
-    if (++count <= 10)
-    {
-      const double mass = body["mass"];
-      text +=
-          "  Bodies > " + body["name"].get<std::string>() + ": mass " +
-          inUnits(mass, {{1e6, "kt"}, {1e3, "t"}, {1.0, "kg"}, {1e-3, "g"}, {1e-6, "mg"}, {1e-9, "ug"}}) +
-          ", weight " +
-          inUnits(g * mass, {{1e9, "GN"}, {1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {1e-3, "mN"}, {1e-6, "uN"}}) +
-          "\n";
-    }
-  return text + (count > 10 ? "  and " + std::to_string(count - 10) + " more bodies\n" : "");
-}
-
-/// Size of cells and number of particles, which Domain > Accuracy may have chosen.
-std::string cellsAsText(const nlohmann::json& summary, long particles)
-{
-  const double largest = summary["cells"]["largest"], smallest = summary["cells"]["smallest"];
-  return std::to_string(particles) + " particles in cells of " + readableLength(largest) +
-         (smallest < largest ? ", the finest of " + readableLength(smallest) : "");
-}
-
-/// Size of the linear systems of an equilibrium.
-std::string unknownsAsText(const nlohmann::json& summary)
-{
-  if (!summary.contains("equilibrium"))
-    return {};
-  const nlohmann::json& of = summary["equilibrium"];
-  char text[96];
-  std::snprintf(text, sizeof text, "; %d unknowns, a matrix of %.3g MB before it is factored",
-                of["unknowns"].get<int>(), 1e-6 * of["matrix_bytes"].get<double>());
-  return text;
-}
-
-/// Estimated number of steps, by the stable step of the initial state.
-std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterList& scene)
-{
-  const Teuchos::ParameterList& time = scene.sublist("Time");
-  const double step = simulation.stableTimeStep();
-  const double steps = std::ceil((time.get<double>("Final Time") - simulation.time()) / step);
-  if (!(steps >= 1.0 && steps < 1e15))
-    return {};
-  const double most = time.get<int>("Maximum Steps");
-  // Three digits: the step changes as bodies and cells do.
-  const double digits = std::pow(10.0, std::max(0.0, std::floor(std::log10(steps)) - 2.0));
-  char text[96];
-  std::snprintf(text, sizeof text, "; about %.0f steps of %s to %s",
-                std::min(digits * std::round(steps / digits), most), readableTime(step).c_str(),
-                steps > most ? "Time > Maximum Steps" : "Time > Final Time");
-  return text;
-}
-
-/// A hint where a run would wait for a rest that Time > Analysis = Static solves for: the rules then refuse
-/// nothing but the section that makes it rest.
-std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecast& forecast)
-{
-  if (forecast.secondsToRest == 0.0 || world()->getSize() > 1)
-    return {};
-  Teuchos::ParameterList other = scene;
-  other.sublist("Time").set("Analysis", std::string("Static"));
-  std::vector<SceneError> errors;
-  checkRules(other, effectSchema(), errors);
-  const auto another = [&errors](const SceneError& error) { return error.where != errors.front().where; };
-  if (errors.empty() || std::any_of(errors.begin(), errors.end(), another))
-    return {};
-  return "  Time > Analysis = Static, without " + errors.front().where +
-         ", solves for the state of rest directly\n";
-}
-
-int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
-               std::ostream& err)
-{
-  Simulation simulation(world(), scene, !options.twice);
+  Simulation& simulation = keepToTheEnd(new Simulation(world(), scene, true));
   initialize(simulation, *scene, options, err);
-  const nlohmann::json summary = simulation.report();
+  const double setup = processorSeconds();
+  const nlohmann::json& summary = keepToTheEnd(new nlohmann::json(simulation.report(bodiesInText)));
   if (!mayRun(options, summary, err))
     return exitWrongScene;
   out << options.scene << " is a valid scene"
@@ -266,23 +189,25 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
       << std::flush;
   if (options.quiet)
     return exitFinished;
-  out << bodiesAsText(summary);
+  out << bodiesAsText(summary, *scene);
   const Ranks ranks(world());
-  const Forecast forecast = makeForecast(simulation, *scene, ranks);
+  const Forecast forecast = makeForecast(simulation, *scene, ranks, setup);
   out << asText(forecast) << "\n"
-      << equilibriumAsText(*scene, forecast) << costOfAccuracy(options, *scene, ranks, &forecast);
+      << equilibriumAsText(*scene, forecast, ranks)
+      << costOfAccuracy(options, *scene, ranks, &forecast, start);
   return exitFinished;
 }
 
-int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
-             std::ostream& err)
+/// \param start as in checkScene \param beforeFiles called before the run changes files
+int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
+             std::ostream& out, std::ostream& err, const std::function<void()>& beforeFiles)
 {
   const Ranks ranks(world());
   const std::string folder = options.output.empty() ? defaultOutputFolder(options.scene) : options.output;
   if (options.action == Options::Action::Run) // before the work of making all
     onFirstRank<std::invalid_argument>(ranks, [&] { refuseFolderInUse(folder); });
   if (options.action == Options::Action::Run && !options.quiet && options.restart.empty())
-    out << costOfAccuracy(options, *scene, ranks, nullptr) << std::flush;
+    out << costOfAccuracy(options, *scene, ranks, nullptr, start) << std::flush;
   Simulation simulation(world(), scene, !options.twice);
   const EarlierPart earlier = initialize(simulation, *scene, options, err);
   if (options.action == Options::Action::PrintPlan)
@@ -290,8 +215,9 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     out << simulation.plan();
     return exitFinished;
   }
-  if ((!options.quiet || options.strict) && !mayRun(options, simulation.report(), err))
+  if ((!options.quiet || options.strict) && !mayRun(options, simulation.report(0), err))
     return exitWrongScene;
+  beforeFiles();
   Production production(options, *scene, simulation, earlier, out, ranks);
   std::string failure = production.runToEnd();
   const std::string status = !failure.empty()          ? failure
@@ -356,16 +282,18 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
   }
   else
   {
+    const double start = processorSeconds();
     const auto scene = validScene(options, err);
     if (scene.is_null())
       return exitWrongScene;
     try
     {
       if (options.action == Action::Check)
-        return checkScene(options, scene, out, err);
-      const auto runOne = [&](const Options& one, const Teuchos::RCP<Teuchos::ParameterList>& list)
-      { return runScene(one, list, out, err); };
-      return options.twice ? runTwice(options, scene, Ranks(world()), out, runOne) : runOne(options, scene);
+        return checkScene(options, scene, start, out, err);
+      const RunOne runOne = [&](const Options& one, const auto& list, const auto& beforeFiles)
+      { return runScene(one, list, start, out, err, beforeFiles); };
+      return options.twice ? runTwice(options, scene, Ranks(world()), out, err, runOne)
+                           : runOne(options, scene, [] {});
     }
     catch (const std::invalid_argument& error)
     {

@@ -3,6 +3,8 @@
 #include "base/OutputError.hpp"
 #include "output/Summary.hpp"
 #include "parallel/FirstRank.hpp"
+#include "plan/KnownEffects.hpp"
+#include "program/Budget.hpp"
 #include "program/Intervals.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -22,11 +24,6 @@ namespace Rhegma::program
 
 namespace
 {
-
-double wallSeconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// A folder of its own for one snapshot, removed with all that is in it.
 class ScratchFolder
@@ -65,22 +62,14 @@ private:
   std::string path_;
 };
 
-/// Time since it was made. A busy machine may take some times that of the processor by the clock.
-class Budget
-{
-public:
-  explicit Budget(const Ranks& ranks) : ranks_(ranks) {}
-  /// \param seconds of processor time \return whether less is spent, and not much more by the clock
-  bool less(double seconds) const
-  {
-    const double spent = std::max(processorSeconds() - processor_, 0.25 * (wallSeconds() - wall_));
-    return ranks_.max(spent) < seconds;
-  }
+/// Linear systems of a load step and of the end of a run, where none was solved: those of most scenes.
+constexpr double usualSolves = 4.0;
 
-private:
-  const Ranks& ranks_;
-  double wall_ = wallSeconds(), processor_ = processorSeconds();
-};
+/// Load steps that take longer, as a multiple of the time to measure, are not taken.
+constexpr double longestLoadStep = 3.0;
+
+/// Part of a run of which the rest needs no guess of how cells will change.
+constexpr double wellKnown = 0.7;
 
 class Measurement
 {
@@ -117,6 +106,8 @@ public:
     rates.timeStep =
         last.step > first.step ? (last.time - first.time) / measured : simulation_.stableTimeStep();
     rates.busy = ranks_.max(spent > 0.0 ? std::max(1.0, (last.wall - first.wall) / spent) : 1.0);
+    rates.lateWork = (last.work - first.work) / measured;
+    rates.spent = ranks_.max(last.processor - marks.front().processor);
   }
 
   void samples(double seconds, StepRates& rates)
@@ -138,6 +129,39 @@ public:
       }
     }
     rates.sample = std::max(0.0, ranks_.max(processorSeconds() - processor) / taken - rates.step);
+  }
+
+  /// Load steps, each with a sample as in the run. \return whether the analysis is one of equilibrium
+  bool loadSteps(double seconds, StepRates& rates)
+  {
+    const Budget trial(ranks_);
+    if (!simulation_.trySolve())
+      return false;
+    const nlohmann::json found = simulation_.report(0).at("equilibrium");
+    rates.unknowns = found.at("unknowns").get<int>();
+    rates.solve = trial.spent();
+    rates.busy = ranks_.max(trial.busy());
+    rates.timeStep = simulation_.stableTimeStep();
+    rates.solves = usualSolves;
+    rates.step = rates.solves * rates.solve;
+    if (rates.step > longestLoadStep * seconds)
+      return true;
+    const long first = linearSystems();
+    const Budget budget(ranks_);
+    simulation_.sampleEvery(1e-3 * rates.timeStep, [](double, const Simulation::Row&) {});
+    int taken = 0;
+    for (; !over() && (taken == 0 || budget.less(seconds)); ++taken)
+    {
+      // A little less than a load step: of more, by rounding, two would be made.
+      const double step = simulation_.stableTimeStep(), end = simulation_.time() + (1.0 - 1e-9) * step;
+      simulation_.advance(finalTime_ - end > 1e-6 * step ? end : finalTime_);
+    }
+    rates.spent = budget.spent();
+    rates.step = rates.spent / taken;
+    rates.timeStep = simulation_.stableTimeStep();
+    rates.solves = static_cast<double>(linearSystems() - first) / taken;
+    rates.solve = rates.step / std::max(1.0, rates.solves);
+    return true;
   }
 
   void snapshot(StepRates& rates)
@@ -163,9 +187,19 @@ private:
   struct Mark
   {
     long step;
-    double time, processor, wall;
+    double time, work, processor, wall;
   };
-  Mark mark() const { return {simulation_.steps(), simulation_.time(), processorSeconds(), wallSeconds()}; }
+  Mark mark() const
+  {
+    return {simulation_.steps(), simulation_.time(), simulation_.particleSteps(), processorSeconds(),
+            wallSeconds()};
+  }
+  /// That were solved so far; 0 in a dynamic analysis.
+  long linearSystems() const
+  {
+    const nlohmann::json summary = simulation_.report(0);
+    return summary.contains("equilibrium") ? summary["equilibrium"].value("iterations", 0L) : 0L;
+  }
   bool over() const { return simulation_.time() >= finalTime_ || simulation_.ended(); }
 
   /// The last of the steps ends a little early: where it would end only rounding decides.
@@ -182,7 +216,7 @@ private:
 
 double finestCell(const Simulation& simulation)
 {
-  return simulation.report().at("cells").at("smallest").get<double>();
+  return simulation.report(0).at("cells").at("smallest").get<double>();
 }
 
 /// The step to go on with. One that is less than half of the first one, in cells of the same size, is that of
@@ -192,7 +226,22 @@ double lastingStep(double first, double measured, bool sameCells)
   return sameCells && measured < 0.5 * first ? first : measured;
 }
 
+void measureMotion(Measurement& measurement, const Simulation& simulation, double seconds, StepRates& rates)
+{
+  const double firstStep = simulation.stableTimeStep(), finest = finestCell(simulation);
+  const long before = simulation.steps();
+  measurement.steps(0.7 * seconds, rates);
+  rates.steps = static_cast<int>(simulation.steps() - before);
+  rates.timeStep = lastingStep(firstStep, rates.timeStep, finestCell(simulation) == finest);
+  measurement.samples(0.3 * seconds, rates);
+}
+
 } // namespace
+
+double wallSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 double processorSeconds()
 {
@@ -210,13 +259,11 @@ StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& sce
   rates.particles = simulation.particles();
   const double time = simulation.time();
   const long steps = simulation.steps();
-  const double firstStep = simulation.stableTimeStep(), finest = finestCell(simulation);
   try
   {
     Measurement measurement(simulation, scene, ranks);
-    measurement.steps(0.7 * seconds, rates);
-    rates.timeStep = lastingStep(firstStep, rates.timeStep, finestCell(simulation) == finest);
-    measurement.samples(0.3 * seconds, rates);
+    if (!measurement.loadSteps(seconds, rates))
+      measureMotion(measurement, simulation, seconds, rates);
     // A run keeps a copy of its state.
     simulation.hold();
     if (scene.sublist("Output").get<bool>("Fields"))
@@ -226,10 +273,17 @@ StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& sce
   {
     rates.failure = error.what();
   }
+  const int ofSpent = rates.steps;
   rates.steps = static_cast<int>(simulation.steps() - steps);
+  if (rates.unknowns == 0)
+    rates.spent += rates.step * (rates.steps - ofSpent);
   rates.time = simulation.time() - time;
+  rates.work = simulation.particleSteps();
   const std::vector<double> memory = ranks.gatherOnAll({peakMemoryBytes()});
   rates.memory = std::accumulate(memory.begin(), memory.end(), 0.0);
+  if (rates.failure.empty() && time == 0.0 && rates.unknowns == 0 && declaredOptions(scene).adaptive &&
+      rates.time < wellKnown * scene.sublist("Time").get<double>("Final Time"))
+    rates.growth = growthByCoarseRun(scene, rates.time, ranks, seconds).value_or(Growth{});
   return rates;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Simulation.hpp"
 #include "parallel/Ranks.hpp"
+#include "program/CoarseRun.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -16,7 +17,8 @@ namespace Rhegma::program
 struct StepRates
 {
   double setup = 0.0;      ///< from the program's start to the first step [s]
-  double step = 0.0;       ///< [s]
+  double spent = 0.0;      ///< by all steps that were taken [s]
+  double step = 0.0;       ///< mean of the second half of them [s]
   double sample = 0.0;     ///< a row of the history [s]
   double frame = 0.0;      ///< a snapshot of the fields [s]
   double frameBytes = 0.0; ///< the size of its files
@@ -25,17 +27,22 @@ struct StepRates
   double time = 0.0;       ///< simulated by all of them [s]
   double busy = 1.0;       ///< time by the clock over that of the processor, while it was measured
   int particles = 0;       ///< that the scene begins with
-  int steps = 0;           ///< that were taken
+  int steps = 0;           ///< that were taken; of an analysis of equilibrium load steps
+  double work = 0.0;       ///< particles times steps, of those that were taken
+  double lateWork = 0.0;   ///< particles of a step, mean of the second half
+  Growth growth;           ///< of the whole run over those steps, where cells change; 1: not known
+  int unknowns = 0;        ///< of the linear systems of an equilibrium; 0: the analysis is dynamic
+  double solves = 0.0;     ///< linear systems of a load step, mean
+  double solve = 0.0;      ///< of one of them [s]
   std::string failure;     ///< why the scene could not go on; empty if it could
 };
 
-/// Processor time of this thread since its start [s]; on a device, where the host waits, that of the clock.
-double processorSeconds();
-
 /// Takes the first steps of a simulation that is made for this alone, and some with samples and a snapshot in
-/// a folder that is removed again. Collective. \param scene validated \param seconds of the processor that
-/// this may take, about, and no more than four times as many by the clock; one step, one sample and one
-/// snapshot are taken in any case
+/// a folder that is removed again. Of a scene whose cells change, one with larger cells is run too. Of an
+/// equilibrium one linear system is solved; load steps are taken only where that is soon done. Collective.
+/// \param scene validated \param seconds of the processor that this may take, about, as long again for the
+/// larger cells, and no more than four times as many by the clock; one step, one sample and one snapshot are
+/// taken in any case
 StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks,
                        double seconds);
 

@@ -4,8 +4,10 @@ import csv
 import fcntl
 import json
 import math
+import multiprocessing
 import os
 import re
+import socket
 import struct
 import zlib
 
@@ -48,16 +50,17 @@ def read_manifest(folder, found):
 
 
 def is_running(folder):
-    """Whether a run of this machine holds the folder's lock; None where there is no lock."""
-    path = os.path.join(folder, "run.lock")
-    if not os.path.exists(path):
+    """Whether a run holds the folder's lock; None where there is no lock, or one of another machine, which may be held there."""
+    try:
+        with open(os.path.join(folder, "run.lock"), "rb") as file:
+            # Shared: it is had at the same time as by others that only ask, and a run that starts waits for that.
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+            owner = file.readline().decode(errors="replace")
+    except FileNotFoundError:
         return None
-    with open(path, "rb") as file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            return True
-    return False
+    except OSError:
+        return True
+    return None if owner.startswith("host: ") and owner[6:].strip() != socket.gethostname() else False
 
 
 def check_text(path, entry, ended, found):
@@ -68,6 +71,11 @@ def check_text(path, entry, ended, found):
         found.faults.append(f"{path} has {len(content)} bytes, but the run wrote {bytes_then}.")
     elif zlib.crc32(content[:bytes_then]) != entry["crc32"]:
         found.faults.append(f"{path} has changed since the run wrote it (its checksum is another).")
+
+
+def check_size(path, bytes_then, found):
+    if os.path.getsize(path) != bytes_then:
+        found.faults.append(f"{path} has {os.path.getsize(path)} bytes, but the run wrote {bytes_then}.")
 
 
 def check_scene(folder, manifest, found):
@@ -96,17 +104,24 @@ def check_checkpoint(folder, found):
     if zlib.crc32(block[:-4]) != struct.unpack_from("<I", block, BLOCK - 4)[0]:
         found.faults.append(f"{path} is damaged: its first {BLOCK} bytes have changed.")
     elif len(content) != BLOCK + length:
-        found.faults.append(f"{path} has {len(content)} bytes, but the run wrote {BLOCK + length}.")
+        check_size(path, BLOCK + length, found)
     elif zlib.crc32(content[BLOCK:]) != body_crc:
         found.faults.append(f"{path} is damaged: its content has changed since it was written.")
     else:
         found.notes.append(f"{path}: a whole checkpoint.")
 
 
+def in_native_order(each, names):
+    """Names of links. For any other order HDF5 makes a list of them; where their index is damaged it frees a list that it
+    has not filled."""
+    each(lambda name: names.append(name.decode()), idx_type=h5py.h5.INDEX_NAME, order=h5py.h5.ITER_NATIVE)
+
+
 def read_frame(group):
     """Reads all of a frame, so that its checksums are looked at. Its time [s]."""
-    tables = []
-    group.visititems(lambda name, item: tables.append(item) if isinstance(item, h5py.Dataset) else None)
+    names = []
+    in_native_order(group.id.links.visit, names)
+    tables = [group[name] for name in names if isinstance(group[name], h5py.Dataset)]
     for table in tables:
         if table.chunks and table.id.get_num_chunks() != math.prod(-(-n // c) for n, c in zip(table.shape, table.chunks)):
             raise OSError(f"{table.name} lacks chunks")
@@ -116,6 +131,38 @@ def read_frame(group):
     return float(group.attrs["time"])
 
 
+def read_frames(path, answer):
+    """Sends names of all frames, times of those that are whole [s], names of those that are not, and why none can be read."""
+    names, times, damaged, why = [], [], [], None
+    try:
+        file = h5py.File(path, "r")
+        in_native_order(file.id.links.iterate, names)
+        names = sorted(name for name in names if re.fullmatch(r"t\d+", name))
+        for name in names:
+            try:
+                times.append(read_frame(file[name]))
+            except (OSError, RuntimeError, KeyError, ValueError, TypeError):
+                damaged.append(name)
+    except (OSError, RuntimeError, KeyError, ValueError, TypeError) as error:
+        why = str(error)
+    answer.send((names, times, damaged, why))
+
+
+def read_apart(path):
+    """What read_frames sends, from a process of its own: HDF5 can keep what is damaged open, or end its process."""
+    context = multiprocessing.get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    process = context.Process(target=read_frames, args=(path, sender))
+    process.start()
+    sender.close()
+    try:
+        return receiver.recv()
+    except EOFError:
+        return [], [], [], "it ends the program that reads it"
+    finally:
+        process.join()
+
+
 def check_frames(folder, guide, found):
     """Reads all frames. guide: names of those that fields.xdmf lists, or None. Times of those that are whole [s]."""
     path = os.path.join(folder, "fields.h5")
@@ -123,17 +170,9 @@ def check_frames(folder, guide, found):
         if guide:
             found.faults.append(f"{path} is missing, though fields.xdmf lists {len(guide)} frames of it.")
         return []
-    times, damaged = [], []
-    try:
-        with h5py.File(path, "r") as file:
-            names = sorted(name for name in file if re.fullmatch(r"t\d+", name))
-            for name in names:
-                try:
-                    times.append(read_frame(file[name]))
-                except (OSError, RuntimeError, KeyError, ValueError, TypeError):
-                    damaged.append(name)
-    except (OSError, RuntimeError, KeyError, ValueError) as error:
-        found.faults.append(f"{path} can't be read by HDF5 ({error}); its frames are lost or their names are damaged.")
+    names, times, damaged, why = read_apart(path)
+    if why:
+        found.faults.append(f"{path} can't be read by HDF5 ({why}); its frames are lost or their names are damaged.")
         return []
     last = max([int(name[1:]) for name in names] + [int(name[1:]) for name in guide or []], default=-1)
     missing = [f"t{k:05d}" for k in range(last + 1) if f"t{k:05d}" not in names]
@@ -217,27 +256,58 @@ def compare_times(folder, rows, frames, summary, found):
             found.faults.append(f"{folder}: {what} goes to {time:.6g} s, but the summary to {end:.6g} s.")
 
 
-def check_folder(folder):
-    """All that can be said of the files of a run. Found."""
-    found = Found()
-    manifest = read_manifest(folder, found)
-    found.ended = bool(manifest.get("ended"))
-    if not manifest and not found.faults and not os.path.exists(os.path.join(folder, "run.lock")):
-        found.faults.append(f"{folder} has no manifest.json: no run wrote it, or one of an older version, or one that was cut off at once.")
-    running = is_running(folder)
+def check_listed(folder, manifest, found):
+    """The files that the manifest lists."""
     for name, entry in manifest.get("files", {}).items():
         path = os.path.join(folder, name)
         if not os.path.exists(path):
             if entry["bytes"]:
                 found.faults.append(f"{path} is missing, but the run wrote it.")
+        elif name == "fields.h5":  # with checksums of its own
+            check_size(path, entry["bytes"], found)
         elif name != "history.csv" and "crc32" in entry:
             check_text(path, entry, True, found)
-    check_scene(folder, manifest, found)
-    check_checkpoint(folder, found)
-    frames = check_frames(folder, check_guide(folder, found), found)
-    rows = check_history(folder, manifest, found)
-    compare_times(folder, rows, frames, check_summary(folder, manifest, found), found)
+
+
+def no_manifest(folder):
+    """What a folder without a manifest is."""
+    runs = [name for name in ("as_is", "half") if os.path.isdir(os.path.join(folder, name))]
+    if runs and os.path.exists(os.path.join(folder, "twice.json")):
+        return f"{folder} has no manifest.json; it is of rhegma --twice, whose runs are in {' and '.join(runs)}: check these."
+    return f"{folder} has no manifest.json: no run wrote it, or one of an older version, or one that was cut off at once."
+
+
+def how_it_stands(folder):
+    """Of a run that has not ended: whether it goes on."""
+    if is_running(folder):
+        return f"A run is going on in {folder}."
+    if os.path.exists(os.path.join(folder, "run.lock")) and is_running(folder) is None:
+        return f"A run of another machine may be going on in {folder}: {folder}/run.lock says which."
+    return f"The run in {folder} was cut off: --restart with its checkpoint continues it, else run it again."
+
+
+def check_folder(folder):
+    """All that can be said of the files of a run. Found."""
+    found = Found()
+
+    def read(check, *arguments, failed=None):
+        """A check; of a file that can't be read that is said."""
+        try:
+            return check(*arguments, found)
+        except OSError as error:
+            found.faults.append(f"{error.filename or folder} can't be read ({error.strerror}).")
+            return failed
+
+    manifest = read(read_manifest, folder, failed={})
+    found.ended = bool(manifest.get("ended"))
+    if not manifest and not found.faults and not os.path.exists(os.path.join(folder, "run.lock")):
+        found.faults.append(no_manifest(folder))
+    read(check_listed, folder, manifest)
+    read(check_scene, folder, manifest)
+    read(check_checkpoint, folder)
+    frames = read(check_frames, folder, read(check_guide, folder), failed=[])
+    rows = read(check_history, folder, manifest)
+    read(compare_times, folder, rows, frames, read(check_summary, folder, manifest))
     if not found.ended and not found.faults:
-        found.notes.append(f"A run is going on in {folder}." if running else
-                           f"The run in {folder} was cut off: --restart with its checkpoint continues it, else run it again.")
+        found.notes.append(how_it_stands(folder))
     return found

@@ -163,3 +163,29 @@ def ball():
             "Boundaries": {"Weight": {"Type": "Gravity", "Acceleration": [0.0, 0.0, -9.81]}},
         }
     )
+
+
+def empty_grid(count):
+    """A scene for many parts, with their positions at distances of 1, and the side of a square around them."""
+    side = int(count**0.5) + 1
+    scene = plate().remove("Cracks").remove("Energy Release").remove("Boundaries").remove("Bodies")
+    scene.set("Domain > Lower Corner", [-1.0, -1.0]).set("Domain > Upper Corner", [side + 1.0, side + 1.0])
+    scene.set("Domain > Cell Size", 0.25).set("Domain > Shape Functions", "Linear")
+    return scene, [(float(k % side), float(k // side)) for k in range(count)], float(side)
+
+
+def many_bodies(count, **different):
+    """Boxes of four particles each, which do not touch."""
+    scene, positions, _ = empty_grid(count)
+    rest = {"Material": "Polymer", "Shape": "Box", "Particles Per Cell": 1, **different}
+    return scene.set("Bodies", {f"Body {k}": {"Lower Corner": [x, y], "Upper Corner": [x + 0.5, y + 0.5], **rest}
+                                for k, (x, y) in enumerate(positions)})
+
+
+def many_cracks(count):
+    """Short cracks in one plate, a crack to 16 particles: cracks have to be three cells apart."""
+    scene, positions, side = empty_grid(count)
+    scene.set("Bodies", {"Plate": {"Material": "Polymer", "Shape": "Box", "Particles Per Cell": 1,
+                                   "Lower Corner": [0.0, 0.0], "Upper Corner": [side, side]}})
+    return scene.set("Cracks", {f"Crack {k}": {"Points": [x + 0.4, y + 0.4, x + 0.6, y + 0.4]}
+                                for k, (x, y) in enumerate(positions)})

@@ -91,7 +91,7 @@ class WrongArguments(ProgramTest):
         self.assertEqual(answer.status, 0, answer)
         self.assertIn("warning: Materials > Polymer: its wave speed is", answer.messages)
         heat = {"Specific Heat": 1400.0, "Conductivity": 0.2, "Thermal Expansion": 7e-5}
-        for temperature, words in ((20.0, "warning: Bodies > Plate: it starts at 20 K"), (293.0, "")):
+        for temperature, words in ((20.0, "warning: Thermal > Initial Temperature: bodies start at 20 K"), (293.0, "")):
             scene = plate().set("Thermal", {"Initial Temperature": temperature})
             scene.set("Energy Release > Crack Closure", False)
             for name, value in heat.items():
@@ -108,9 +108,9 @@ class WrongArguments(ProgramTest):
         answer = rhegma(self.write("cooled.xml", scene.text()), "--check")
         self.assertEqual(answer.status, 0, answer)
         for words in (
-            "Bodies > Plate: it starts at 20.",
-            "Boundaries > Cooled: it starts at 20 K",
-            "Boundaries > Blown: Ambient Temperature starts at 25 K",
+            "Bodies > Plate > Temperature Field: it starts at 20.",
+            "Boundaries > Cooled > Temperature: it starts at 20 K",
+            "Boundaries > Blown > Ambient Temperature: it starts at 25 K",
         ):
             self.assertIn("warning: " + words, answer.messages)
 

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """Runs that are killed, and go on.
 
-RHEGMA_KILLS in the environment is how many (12 where it is not set), RHEGMA_SEED the seed of their moments (that number).
+In the environment:
+RHEGMA_KILLS  runs that are killed (12)
+RHEGMA_SEED   seed of the moments of the kills (the number of kills)
+as in RHEGMA_KILLS=100 python3 test_killed_runs.py.
 """
 
 import os

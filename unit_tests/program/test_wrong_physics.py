@@ -2,13 +2,15 @@
 """Scenes of wrong physics, at random: errors of wrong_physics.py in the scenes of xml_inputs are all said, in the right place, and
 right scenes are not warned of, or say in a comment which warning they deserve.
 
-RHEGMA_SEED and RHEGMA_SCENES in the environment choose other ones and how many."""
+RHEGMA_SEED and RHEGMA_SCENES in the environment choose other ones and how many. With --table it prints them as the table of
+docs/plausibility.md."""
 
 import glob
 import os
 import random
 import re
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
@@ -25,8 +27,39 @@ FILES = sorted(glob.glob(os.path.join(SOURCE, "xml_inputs", "examples", "*.xml")
                + glob.glob(os.path.join(SOURCE, "xml_inputs", "verification", "*.xml")))
 
 
+# What is no number and should not be printed as one; a name after ">" may be anything.
+NON_NUMBER = re.compile(r"(?<!> )(?<![\w.])-?(?:nan|inf)(?![\w.])")
+
+
 def messages_of(answer):
     return [line[len("rhegma: "):] for line in answer.messages.splitlines()]
+
+
+def draw(rng, number):
+    """A wrong scene, its name and error, and the places that may be named."""
+    template = TEMPLATES[number % len(TEMPLATES)]
+    for _ in range(200):
+        scene = FileScene(rng.choice(FILES))
+        place = template(scene, rng)
+        if place is not None:
+            return scene, template, place
+    raise AssertionError(f"no scene for {template.__name__}")
+
+
+def print_table():
+    """A row for each wrong scene: the scene, the error that was made, and what is said of it."""
+    rng = random.Random(SEED)
+    print("| | scene | error | message |\n|--:|:--|:--|:--|")
+    with tempfile.TemporaryDirectory() as folder:
+        for number in range(COUNT):
+            scene, template, place = draw(rng, number)
+            path = os.path.join(folder, "scene.xml")
+            with open(path, "w") as text:
+                text.write(scene.text())
+            answer = rhegma(path, "--check", "--quiet")
+            said = next((m for m in messages_of(answer) if re.search(place, m)), "nothing").replace("|", "\\|")
+            print(f"| {number + 1} | {os.path.relpath(scene.path, os.path.join(SOURCE, 'xml_inputs'))[:-4]} | {template.__doc__} "
+                  f"| {said} |")
 
 
 class RightScenes(ProgramTest):
@@ -64,28 +97,102 @@ class Extremes(ProgramTest):
         self.assertTrue(any("Propagation > Speed Limit is 1e-09 m/s" in line and "no crack grows" in line for line in warnings), answer)
 
 
-class WrongPhysics(ProgramTest):
-    def make(self, rng, number):
-        """A wrong scene: its file, what was done, and the places that may be named."""
-        template = TEMPLATES[number % len(TEMPLATES)]
-        for _ in range(200):
-            scene = FileScene(rng.choice(FILES))
-            place = template(scene, rng)
-            if place is not None:
-                name = f"{number:03d}_{template.__name__}_{os.path.basename(scene.path)}"
-                return self.write(name, scene.text()), name, place
-        raise AssertionError(f"no scene for {template.__name__}")
+    def changed(self, file, **changes):
+        """Warnings and errors of an example with changes: parameters by path, None removes."""
+        scene = FileScene(os.path.join(SOURCE, "xml_inputs", file + ".xml"))
+        for place, value in changes.items():
+            if value is None:
+                scene.remove(place)
+            else:
+                scene.set(place, value)
+        answer = rhegma(self.write("changed.xml", scene.text()), "--check")
+        self.assertIsNone(NON_NUMBER.search(answer.messages + answer.output), answer)
+        return messages_of(answer)
 
+    def assert_said(self, messages, pattern):
+        self.assertTrue(any(re.search(pattern, m) for m in messages), f"{pattern} in\n" + "\n".join(messages))
+
+    def test_thickness_beyond_sense(self):
+        for value in (1e308, 1e300, 1e150, 1e-300):
+            with self.subTest(value):
+                said = self.changed("examples/dcb", **{"Domain > Thickness": value})
+                self.assert_said(said, r"warning: Domain > Thickness is \S+, a number beyond sense")
+        answer = rhegma(os.path.join(SOURCE, "xml_inputs", "examples", "kalthoff.xml"), "--set", "Domain:Thickness=1e300",
+                        "--set", "Time:Maximum Steps=3", "--output", self.path("thick"))
+        self.assertIsNone(NON_NUMBER.search(answer.messages + answer.output), answer)
+
+    def test_warnings_and_errors_are_both_said(self):
+        """A hole in the contour is an error of the contour, and thin."""
+        bore = {"Operation": "Cut", "Shape": "Ball", "Centre": [0.02, 0.04], "Radius": 1e-3}
+        said = self.changed("examples/edge_crack", **{"Bodies > Strip > Operations": {"Bore": bore},
+                                                      "Damping > Mass Rate": 4.0})
+        self.assert_said(said, "^Energy Release > Outer Radius: ")
+        self.assert_said(said, "^warning: Bodies > Strip > Operations > Bore: the hole is 2 mm thin")
+        self.assert_said(said, "^warning: Damping > Mass Rate is 4 1/s: of an oscillation 99")
+
+    def test_warnings_of_bodies_that_overlap(self):
+        twin = {"Material": "Acrylic", "Shape": "Box", "Lower Corner": [0.02, 0.02], "Upper Corner": [0.021, 0.06]}
+        said = self.changed("examples/edge_crack", **{"Bodies > Twin": twin})
+        self.assert_said(said, "^Bodies > Twin: overlaps")
+        self.assert_said(said, "^warning: Bodies > Twin: the body is 1 mm thin")
+
+    def test_what_is_thrown_or_hits_something_is_meant(self):
+        """The lower traction alone accelerates the strip: by more than its length, if it is not thrown on purpose."""
+        alone = {"Boundaries > Top": None}
+        flies = "warning: Boundaries > Bottom: no load balances it, and nothing supports Bodies > Strip along x, y, so it flies 105"
+        self.assert_said(self.changed("examples/edge_crack", **alone), flies)
+        wall = {"Type": "Velocity", "Components": "xy", "Value": [0.0, 0.0], "Lower Corner": [-0.01, -0.2],
+                "Upper Corner": [0.05, -0.1]}
+        target = {"Material": "Acrylic", "Shape": "Box", "Lower Corner": [0.0, -0.1], "Upper Corner": [0.04, -0.05]}
+        meant = {
+            "thrown": {"Bodies > Strip > Velocity": [0.0, -1.0]},
+            "at a wall": {"Domain > Lower Corner": [-0.01, -0.2], "Boundaries > Wall": wall},
+            "at a target": {"Domain > Lower Corner": [-0.01, -0.2], "Bodies > Target": target},
+            "with room": {"Domain > Lower Corner": [-0.01, -0.2]},
+            "held": {"Boundaries > Wall": dict(wall, **{"Lower Corner": [-0.01, 0.078], "Upper Corner": [0.05, 0.09]})},
+            "shortly": {"Time > Final Time": 1e-3},
+        }
+        for name, changes in meant.items():
+            with self.subTest(name):
+                said = self.changed("examples/edge_crack", **alone, **changes)
+                self.assertFalse(any("so it flies" in m for m in said), said)
+
+    def test_a_shock_is_no_gravity_in_millimetres(self):
+        weight = {"Type": "Gravity", "Acceleration": [0.0, -9810.0]}
+        self.assert_said(self.changed("examples/dcb", **{"Boundaries > Weight": weight}),
+                         r"Boundaries > Weight > Acceleration is 9810 m/s2 up to the end, 1000 times")
+        for right in (dict(weight, History="0:1, 1e-3:0"), dict(weight, Acceleration=[0.0, -1962.0])):
+            said = self.changed("examples/dcb", **{"Boundaries > Weight": right})
+            self.assertFalse(any("Weight" in m for m in said), said)
+
+    def test_plastic_zone(self):
+        """Below the stress of the loads, with a zone that is large, and with a small one."""
+        law = {"Materials > Acrylic > Model": "J2 Plastic"}
+        for stress, pattern in ((2e6, "so that it yields as a whole"), (8e6, "more than a tenth of the crack"), (1e9, None)):
+            with self.subTest(stress):
+                said = self.changed("examples/edge_crack", **law, **{"Materials > Acrylic > Yield Stress": stress})
+                if pattern:
+                    self.assert_said(said, "Materials > Acrylic > Yield Stress is .*" + pattern)
+                self.assertEqual(any("Yield Stress" in m for m in said), pattern is not None, said)
+        law = {"Materials > Polymer > Model": "J2 Plastic", "Materials > Polymer > Yield Stress": 1e6}
+        self.assert_said(self.changed("examples/strip_running", **law),
+                         "Propagation > Toughness is .* yield at Materials > Polymer > Yield Stress = 1000000 Pa")
+
+
+class WrongPhysics(ProgramTest):
     def test_wrong_physics_is_said(self):
         print(f"seed {SEED}, {COUNT} scenes", flush=True)
         rng = random.Random(SEED)
         for number in range(COUNT):
-            path, name, place = self.make(rng, number)
+            scene, template, place = draw(rng, number)
+            name = f"{number:03d}_{template.__name__}_{os.path.basename(scene.path)}"
+            path = self.write(name, scene.text())
             answer = rhegma(path, "--check", "--quiet")
             with self.subTest(name, seed=SEED):
                 self.assertIn(answer.status, (0, 1), answer)
                 for noise in NOISE:
                     self.assertNotIn(noise, answer.messages)
+                self.assertIsNone(NON_NUMBER.search(answer.messages), answer)
                 fitting = [m for m in messages_of(answer) if re.search(place, m)]
                 self.assertTrue(fitting, f"no message on {place}:\n{answer}")
                 if answer.status == 0:  # a warning: an error where the user asks for that
@@ -93,4 +200,7 @@ class WrongPhysics(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    if sys.argv[1:] == ["--table"]:
+        print_table()
+    else:
+        unittest.main()

@@ -6,13 +6,14 @@ import re
 from file_scene import LENGTHS, value_of, where
 
 # Each template changes a scene and gives a regular expression of the places that may be named, or None where the scene has
-# nothing to which it applies.
+# nothing to which it applies. Its docstring is the error that it makes, for the table of docs/plausibility.md.
 
 
 FREE = r"|Bodies > .* can (move|turn)"  # in equilibrium a body that nothing holds is an error of its own
 
 
 def support_away(scene, rng):
+    """a support lies next to the body instead of on it"""
     names = scene.boundaries("Velocity")
     if not names or not scene.cell:
         return None
@@ -26,6 +27,7 @@ def support_away(scene, rng):
 
 
 def mirror_away(scene, rng):
+    """a plane of symmetry lies next to the body"""
     names = scene.boundaries("Symmetry")
     if not names or not scene.cell:
         return None
@@ -39,6 +41,7 @@ def mirror_away(scene, rng):
 
 
 def load_away(scene, rng):
+    """a load lies 100 cells away from its body"""
     names = scene.boundaries("Traction", "Point Load", "Line Load")
     if not names:
         return None
@@ -51,6 +54,7 @@ def load_away(scene, rng):
 
 
 def no_load(scene, rng):
+    """a load is zero"""
     names = scene.boundaries("Traction", "Point Load", "Line Load")
     if not names:
         return None
@@ -63,6 +67,7 @@ def no_load(scene, rng):
 
 
 def late_load(scene, rng):
+    """a load starts long after the end"""
     names = scene.boundaries("Traction", "Point Load", "Line Load")
     if not names:
         return None
@@ -87,12 +92,14 @@ def free_body(scene, rng, extents, name):
 
 
 def thin_body(scene, rng):
+    """a body is thinner than two cells"""
     extents = [4.0] * scene.dimension
     extents[rng.randrange(scene.dimension)] = rng.uniform(0.6, 1.9)
     return free_body(scene, rng, extents, "Sliver")
 
 
 def thin_hole(scene, rng):
+    """a hole is thinner than two cells"""
     names = scene.boxes()
     if not names or not scene.cell or scene.has("Adaptivity") or scene.has("Domain > Accuracy"):
         return None
@@ -109,6 +116,7 @@ def thin_hole(scene, rng):
 
 
 def hole_beside(scene, rng):
+    """a hole lies next to its body"""
     names = scene.boxes()
     if not names or not scene.cell:
         return None
@@ -121,6 +129,7 @@ def hole_beside(scene, rng):
 
 
 def all_in_millimetres(scene, rng):
+    """all lengths are in millimetres"""
     if any(element.get("type") == "string" and re.search(r"\b[xy]\b", element.get("value"))
            for element in scene.root.iter("Parameter") if element.get("name") in ("Field", "Temperature Field")):
         return None  # lengths in formulas
@@ -129,6 +138,7 @@ def all_in_millimetres(scene, rng):
 
 
 def one_body_in_millimetres(scene, rng):
+    """the lengths of one body are in millimetres"""
     names = scene.boxes()
     if not names:
         return None
@@ -138,6 +148,7 @@ def one_body_in_millimetres(scene, rng):
 
 
 def crack_in_millimetres(scene, rng):
+    """a crack is in millimetres"""
     names = [n for n in scene.lists("Cracks")]
     if not names:
         return None
@@ -147,6 +158,7 @@ def crack_in_millimetres(scene, rng):
 
 
 def cells_in_millimetres(scene, rng):
+    """the cell size is in millimetres"""
     if not scene.cell:
         return None
     scene.scale({"Cell Size"}, 1000.0)
@@ -154,6 +166,7 @@ def cells_in_millimetres(scene, rng):
 
 
 def modulus_in_megapascal(scene, rng):
+    """Young's modulus is in MPa or GPa"""
     name = rng.choice(scene.lists("Materials"))
     place = f"Materials > {name} > Young Modulus"
     if not scene.moves() or not isinstance(scene.get(place), float):
@@ -163,6 +176,7 @@ def modulus_in_megapascal(scene, rng):
 
 
 def density_in_grams(scene, rng):
+    """the density is in g/cm3"""
     name = rng.choice(scene.lists("Materials"))
     if not scene.moves() or scene.get(f"Materials > {name} > Density") > 3e4:
         return None
@@ -171,6 +185,7 @@ def density_in_grams(scene, rng):
 
 
 def no_step(scene, rng):
+    """the final time is shorter than a step"""
     if not scene.moves() or not scene.has("Time > Final Time"):
         return None
     factor = 10 ** rng.uniform(-12, -7)
@@ -179,6 +194,7 @@ def no_step(scene, rng):
 
 
 def endless(scene, rng):
+    """the final time is millions of times too long"""
     if not scene.moves() or scene.has("Time > Maximum Steps"):
         return None
     factor = 10 ** rng.uniform(6.5, 12)
@@ -187,6 +203,7 @@ def endless(scene, rng):
 
 
 def short_crack(scene, rng):
+    """a crack is shorter than three cells"""
     names = [n for n in scene.lists("Cracks") if scene.has(f"Cracks > {n} > Points")] if scene.dimension == 2 else [
         n for n in scene.lists("Cracks") if scene.has(f"Cracks > {n} > Radius")]
     if not names or not scene.cell or not scene.moves():
@@ -214,7 +231,7 @@ def toughness(scene):
 
 
 def toughness_in_megajoule(scene, rng):
-    """J/m2 written in MJ/m2, or in mJ/mm2 by who thinks in grams."""
+    """the toughness is in MJ/m2 or less"""
     Gc = toughness(scene)
     if Gc is None:
         return None
@@ -223,7 +240,7 @@ def toughness_in_megajoule(scene, rng):
 
 
 def toughness_in_pascal(scene, rng):
-    """K_Ic in Pa m^0.5 in place of Gc."""
+    """K_Ic in Pa m^0.5 instead of the toughness"""
     Gc = toughness(scene)
     name = scene.lists("Materials")[0]
     E = scene.get(f"Materials > {name} > Young Modulus")
@@ -234,6 +251,7 @@ def toughness_in_pascal(scene, rng):
 
 
 def heavy_damping(scene, rng):
+    """the damping is in other units"""
     if not scene.moves() or not scene.lists("Bodies"):
         return None
     scene.set("Damping", {"Mass Rate": 10 ** rng.uniform(12, 16)} if not scene.has("Damping") else {
@@ -242,6 +260,7 @@ def heavy_damping(scene, rng):
 
 
 def heavy_loads(scene, rng):
+    """loads are a million times too large"""
     names = scene.boundaries("Traction", "Point Load", "Line Load")
     if not names:
         return None
@@ -251,6 +270,7 @@ def heavy_loads(scene, rng):
 
 
 def fast_bodies(scene, rng):
+    """bodies are thousands of times too fast"""
     names = [n for n in scene.lists("Bodies") if any(scene.get(f"Bodies > {n} > Velocity", [0]))]
     if not names:
         return None
@@ -259,6 +279,7 @@ def fast_bodies(scene, rng):
 
 
 def touching_twin(scene, rng):
+    """a second body touches the first"""
     names = scene.boxes()
     if not names or not scene.cell or not scene.moves():
         return None
@@ -283,6 +304,7 @@ NUMBERS = [("Domain > Thickness", [1e308, 1e-12]), ("Density", [1e30, 1e-30, -12
 
 
 def senseless_number(scene, rng):
+    """a number that no quantity has"""
     found = []
     for section in scene.root:
         for element in section.iter("Parameter"):
@@ -302,6 +324,7 @@ def senseless_number(scene, rng):
 
 
 def hot_source_away(scene, rng):
+    """a heat source is nowhere near a body"""
     names = scene.lists("Thermal > Sources")
     if not names:
         return None
@@ -313,6 +336,7 @@ def hot_source_away(scene, rng):
 
 
 def held_temperature_away(scene, rng):
+    """a held temperature is nowhere near a body"""
     names = scene.boundaries("Temperature")
     if not names:
         return None
@@ -324,8 +348,112 @@ def held_temperature_away(scene, rng):
     return where("Boundaries", name)
 
 
+def toughness_in_megapascal(scene, rng):
+    """K_Ic in MPa m^0.5 instead of the toughness"""
+    Gc = toughness(scene)
+    E = scene.get(f"Materials > {scene.lists('Materials')[0]} > Young Modulus")
+    if Gc is None or not isinstance(E, float):
+        return None
+    scene.set("Propagation > Toughness", repr(1e-6 * math.sqrt(E * Gc)))
+    return where("Propagation", "Toughness")
+
+
+def thin_hole_in_a_held_body(scene, rng):
+    """a hole is thinner than two cells, in a body that a support holds everywhere"""
+    place = thin_hole(scene, rng)
+    if place is None or not scene.moves():
+        return None
+    low, high = scene.get("Domain > Lower Corner"), scene.get("Domain > Upper Corner")
+    everywhere = {"Type": "Velocity", "Components": "xyz"[: scene.dimension], "Lower Corner": low, "Upper Corner": high,
+                  "Value": [0.0] * scene.dimension}
+    scene.set(*("Boundaries > Everywhere", everywhere) if scene.has("Boundaries") else ("Boundaries", {"Everywhere": everywhere}))
+    return place
+
+
+def thickness_in_millimetres(scene, rng):
+    """the thickness is in millimetres"""
+    sizes = [max(h - l for l, h in zip(*scene.corners(n))) for n in scene.boxes()]
+    if not sizes or scene.get("Domain > Plane") != "Stress":
+        return None
+    scene.set("Domain > Thickness", max(sizes) * rng.uniform(2.1, 40))
+    return where("Domain", "Thickness")
+
+
+def yield_in_megapascal(scene, rng):
+    """the yield stress is in MPa"""
+    names = [n for n in scene.lists("Materials") if scene.get(f"Materials > {n} > Model") == "Linear Elastic"]
+    if not scene.has("Energy Release") or not scene.moves() or scene.has("Thermal") or len(names) != len(
+            scene.lists("Materials")) or not scene.boundaries("Traction", "Point Load", "Line Load"):
+        return None
+    for name in names:
+        scene.set(f"Materials > {name} > Model", "J2 Plastic")
+        scene.set(f"Materials > {name} > Yield Stress", rng.uniform(50, 400))
+    return "(" + "|".join(where("Materials", name, "Yield Stress") for name in names) + ") is"
+
+
+def nothing_acts(scene, rng):
+    """nothing loads or moves the bodies"""
+    if not scene.moves() or any(scene.has(s) for s in ("Thermal", "Combustion", "Face Pressure")):
+        return None
+    for name in scene.lists("Boundaries"):
+        if scene.get(f"Boundaries > {name} > Type") != "Symmetry":
+            scene.remove(f"Boundaries > {name}")
+    for body in scene.lists("Bodies"):
+        for motion in ("Velocity", "Angular Velocity"):
+            if scene.has(f"Bodies > {body} > {motion}"):
+                scene.remove(f"Bodies > {body} > {motion}")
+    return "Boundaries: nothing loads or moves"
+
+
+def gravity_in_millimetres(scene, rng):
+    """gravity is in mm/s2"""
+    if not scene.moves():
+        return None
+    weight = {"Type": "Gravity", "Acceleration": [0.0] * (scene.dimension - 1) + [-9810.0]}
+    scene.set(*("Boundaries > Weight", weight) if scene.has("Boundaries") else ("Boundaries", {"Weight": weight}))
+    return where("Boundaries", "Weight", "Acceleration")
+
+
+def opposite_load_forgotten(scene, rng):
+    """a load is not balanced, and nothing supports its body"""
+    names = scene.boundaries("Traction", "Point Load", "Line Load")
+    bodies = scene.boxes()
+    if not names or not scene.moves() or scene.lists("Bodies") != bodies or len(bodies) != 1:
+        return None
+    kept = rng.choice(names)
+    if not scene.has(f"Boundaries > {kept} > Force") and not scene.has(f"Boundaries > {kept} > Stress"):
+        return None
+    if scene.has(f"Boundaries > {kept} > History"):
+        return None
+    for name in scene.lists("Boundaries"):
+        if name != kept:
+            scene.remove(f"Boundaries > {name}")
+    # As far as ten times its length: in kN, if that takes more than the force has.
+    low, high = scene.corners(bodies[0])
+    sizes = [h - l for l, h in zip(low, high)]
+    density = scene.get(f"Materials > {scene.get(f'Bodies > {bodies[0]} > Material')} > Density")
+    thickness = scene.get("Domain > Thickness", 1.0) if scene.dimension == 2 else 1.0
+    force = 20 * density * math.prod(sizes) * thickness * max(sizes) / scene.get("Time > Final Time") ** 2
+    place = f"Boundaries > {kept} > " + ("Force" if scene.has(f"Boundaries > {kept} > Force") else "Stress")
+    now = math.hypot(*scene.get(place)) * (1.0 if place.endswith("Force") else thickness * min(sizes))
+    factor = max(1.0, force / now)
+    scene.set(place, [x * factor for x in scene.get(place)])
+    return where("Boundaries", kept) + ".* flies"
+
+
+def damping_that_never_settles(scene, rng):
+    """Mass Rate is far below what brings the body to rest"""
+    if not scene.get("Damping > Stop When Settled") == "true" or any(
+            scene.has(f"Damping > {v} Viscosity") for v in ("Shear", "Bulk")):
+        return None
+    scene.set("Damping > Mass Rate", rng.uniform(1, 10))
+    return where("Damping", "Mass Rate") + ".* settled"
+
+
 TEMPLATES = [support_away, mirror_away, load_away, no_load, late_load, thin_body, thin_hole, hole_beside,
              all_in_millimetres, one_body_in_millimetres, crack_in_millimetres, cells_in_millimetres,
              modulus_in_megapascal, density_in_grams, no_step, endless, short_crack, toughness_in_megajoule,
              toughness_in_pascal, heavy_damping, heavy_loads, fast_bodies, touching_twin, senseless_number,
-             hot_source_away, held_temperature_away]
+             hot_source_away, held_temperature_away,
+             toughness_in_megapascal, thin_hole_in_a_held_body, thickness_in_millimetres, yield_in_megapascal,
+             nothing_acts, gravity_in_millimetres, opposite_load_forgotten, damping_that_never_settles]

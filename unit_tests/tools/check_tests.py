@@ -1,5 +1,6 @@
 """Tests of rhegma-check on made-up folders."""
 
+import fcntl
 import json
 import os
 import zlib
@@ -18,8 +19,8 @@ class Check(ToolTest):
         write_fields(self.out, [(0.0, {"particles": {"mass": [1.0, 2.0]}}), (2.0, {"particles": {"mass": [1.0, 2.0]}})])
         self.write_manifest(True)
 
-    def write_manifest(self, ended):
-        files = {}
+    def write_manifest(self, ended, more=None):
+        files = dict(more or {})
         for name in ("history.csv", "summary.json"):
             with open(os.path.join(self.out, name), "rb") as file:
                 content = file.read()
@@ -89,6 +90,87 @@ class Check(ToolTest):
         status, output, messages = run("rhegma-check", self.out)
         self.assertEqual((status, messages), (2, ""))
         self.assertIn("was cut off", output)
+
+    def test_exit_status_is_that_of_the_help(self):
+        """0: whole; 1: damaged, missing, or no folder of a run; 2: going on or cut off."""
+        help_text = " ".join(run("rhegma-check", "--help")[1].split())
+        for words in ("0: whole", "1: something is missing, damaged or can't be read, or DIR is not the folder of a run",
+                      "2: the run is still going on or was cut off"):
+            self.assertIn(words, help_text)
+        self.assertEqual(run("rhegma-check", self.out)[0], 0)
+        for name in ("history.csv", "summary.json", "manifest.json"):
+            path = os.path.join(self.out, name)
+            with open(path, "rb") as file:
+                content = file.read()
+            os.remove(path)
+            self.assertEqual(run("rhegma-check", self.out)[0], 1, f"{name} is missing")
+            os.mkdir(path)
+            self.assertEqual(run("rhegma-check", self.out)[0], 1, f"{name} is a folder")
+            os.rmdir(path)
+            for damaged in (b"", content[:-1], content + b"\n", b"?" + content[1:]):
+                with open(path, "wb") as file:
+                    file.write(damaged)
+                self.assertEqual(run("rhegma-check", self.out)[0], 1, f"{name}: {damaged[-40:]}")
+            with open(path, "wb") as file:
+                file.write(content)
+        self.assertEqual(run("rhegma-check", self.out)[0], 0)
+        self.write_manifest(False)
+        self.assertEqual(run("rhegma-check", self.out)[0], 2)
+        self.assertEqual(run("rhegma-check", self.path("nowhere"))[0], 1)
+        self.assertEqual(run("rhegma-check")[0], 1)
+
+    def test_what_can_not_be_read(self):
+        path = os.path.join(self.out, "summary.json")
+        os.remove(path)
+        os.mkdir(path)
+        self.assert_fault("summary.json can't be read (Is a directory)")
+
+    def test_fields_of_another_size(self):
+        path = os.path.join(self.out, "fields.h5")
+        size = os.path.getsize(path)
+        self.write_manifest(True, {"fields.h5": {"bytes": size}})
+        self.assertEqual(run("rhegma-check", self.out)[0], 0)
+        with open(path, "ab") as file:
+            file.write(b"more")
+        self.assert_fault(f"fields.h5 has {size + 4} bytes, but the run wrote {size}")
+
+    def test_fields_that_hdf5_does_not_open(self):
+        with open(os.path.join(self.out, "fields.h5"), "r+b") as file:
+            file.truncate(os.path.getsize(file.name) // 2)
+        self.assert_fault("fields.h5 can't be read by HDF5")
+
+    def test_folder_of_two_runs(self):
+        for name in ("as_is", "half"):
+            os.makedirs(self.path("twice", name))
+        with open(self.path("twice", "twice.json"), "w") as file:
+            file.write("{}")
+        status, _, messages = run("rhegma-check", self.path("twice"))
+        self.assertEqual(status, 1)
+        self.assertIn("whose runs are in as_is and half", messages)
+
+    def lock(self, host):
+        path = os.path.join(self.out, "run.lock")
+        with open(path, "w") as file:
+            file.write(f"host: {host}\nprocess: 1\nstarted: 2020-01-01 00:00:00 UTC\n")
+        return path
+
+    def test_run_that_goes_on(self):
+        self.write_manifest(False)
+        with open(self.lock(os.uname().nodename), "rb") as file:
+            # Whoever asks at the same time is no run.
+            fcntl.flock(file, fcntl.LOCK_SH)
+            self.assertIn("was cut off", run("rhegma-check", self.out)[1])
+            fcntl.flock(file, fcntl.LOCK_EX)
+            status, output, messages = run("rhegma-check", self.out)
+        self.assertEqual((status, messages), (2, ""))
+        self.assertIn("A run is going on", output)
+
+    def test_run_of_another_machine(self):
+        self.write_manifest(False)
+        self.lock("elsewhere")
+        status, output, messages = run("rhegma-check", self.out)
+        self.assertEqual((status, messages), (2, ""))
+        self.assertIn("A run of another machine may be going on", output)
 
     def test_no_run(self):
         os.remove(os.path.join(self.out, "manifest.json"))

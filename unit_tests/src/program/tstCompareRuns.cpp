@@ -74,7 +74,8 @@ TEST(CompareRuns, DoesNotExtrapolateFromCellsThatAreTooLarge)
   const json comparison = compareRuns(atRest(10.0), atRest(15.0));
   EXPECT_FALSE(answer(comparison, "G_J of Notch.0").contains("extrapolated"));
   EXPECT_FALSE(comparison["resolved"].get<bool>());
-  EXPECT_NE(comparisonAsText(comparison).find("G_J of Notch.0: moves by 33.33 %: not resolved"),
+  EXPECT_NE(comparisonAsText(comparison)
+                .find("Verdict: not resolved: G_J of Notch.0 (moves by 33.33 %); use smaller cells\n"),
             std::string::npos);
 }
 
@@ -84,8 +85,7 @@ TEST(CompareRuns, MeasuresPathsInCells)
 {
   const json apart = compareRuns(running(0.32, 0.1), running(0.0, 0.2));
   EXPECT_NEAR(answer(apart, "path of Notch.0")["cells"].get<double>(), 3.2, 1e-9);
-  EXPECT_NE(comparisonAsText(apart).find("path of Notch.0: differs by 3.2 cells: not resolved"),
-            std::string::npos);
+  EXPECT_NE(comparisonAsText(apart).find("path of Notch.0 (differs by 3.2 cells)"), std::string::npos);
   const json alike = compareRuns(running(0.0, 0.1), running(0.0, 0.2));
   EXPECT_TRUE(answer(alike, "path of Notch.0")["resolved"].get<bool>());
   EXPECT_NEAR(answer(alike, "last position of Notch.0")["cells"].get<double>(), 10.0, 1e-9);
@@ -102,6 +102,31 @@ TEST(CompareRuns, SaysThatEndsDiffer)
   EXPECT_EQ(answer(comparison, "end of Notch.0")["as_is"], "arrested");
   EXPECT_EQ(answer(comparison, "end of Notch.0")["half"], "ended");
   EXPECT_FALSE(comparison["resolved"].get<bool>());
+}
+
+/// Where a run stops, what both have is compared all the same, nothing is extrapolated, and the reason is
+/// said.
+TEST(CompareRuns, ComparesRunsThatStop)
+{
+  RunResults stopped = atRest(10.4), finished = atRest(10.2);
+  stopped.summary["status"] = "the run stopped at t = 1 ms, step 7: crack Notch, front 0 stopped";
+  stopped.summary["time"] = 1e-3;
+  finished.summary["status"] = "finished at Time > Maximum Steps";
+  finished.summary["time"] = 2e-3;
+  const json better = compareRuns(stopped, finished);
+  EXPECT_EQ(answer(better, "end of the run")["as_is"], "stopped");
+  EXPECT_EQ(answer(better, "end of the run")["half"], "finished");
+  EXPECT_EQ(answer(better, "time reached")["change"].get<double>(), 0.5);
+  EXPECT_FALSE(answer(better, "G_J of Notch.0").contains("extrapolated"));
+  EXPECT_FALSE(better["resolved"].get<bool>());
+  EXPECT_EQ(better["runs"]["as_is"]["status"], stopped.summary["status"]);
+  const std::string text = comparisonAsText(better);
+  EXPECT_NE(text.find("As it is: the run stopped at t = 1 ms"), std::string::npos) << text;
+  EXPECT_NE(text.find("the run finishes with half the cells"), std::string::npos) << text;
+  const json worse = compareRuns(finished, stopped);
+  EXPECT_NE(comparisonAsText(worse).find("With half: the run stopped"), std::string::npos);
+  EXPECT_FALSE(compareRuns(stopped, stopped)["resolved"].get<bool>());
+  EXPECT_FALSE(answer(compareRuns(stopped, stopped), "end of the run")["resolved"].get<bool>());
 }
 
 /// An error of the second order: 100 - 4, 100 - 1.
@@ -129,11 +154,12 @@ TEST(CompareRuns, MissesNothing)
 TEST(CompareRuns, ReadsAHistory)
 {
   const std::string path = "history_of_test_" + std::to_string(getpid()) + ".csv";
-  std::ofstream(path) << "time,Notch.0.x\n0,1.5\n1,nan\n";
+  std::ofstream(path) << "time,\"A, \"\"B\"\".0.x\",Notch.0.x\n0,2.5,1.5\n1,2.5,nan\n";
   const HistoryColumns columns = readHistory(path);
   std::remove(path.c_str());
   EXPECT_EQ(columns.at("time"), (std::vector<double>{0.0, 1.0}));
   EXPECT_EQ(columns.at("Notch.0.x").front(), 1.5);
+  EXPECT_EQ(columns.at("A, \"B\".0.x").back(), 2.5);
   EXPECT_TRUE(readHistory(path).empty());
 }
 

@@ -35,6 +35,9 @@ StepRates rates()
 {
   StepRates r;
   r.setup = 0.5;
+  r.spent = 0.01;
+  r.work = 640.0;
+  r.lateWork = 64.0;
   r.step = 1e-3;
   r.sample = 2e-3;
   r.frame = 5e-3;
@@ -107,6 +110,108 @@ TEST(Forecast, ToWhereDampingHasItSettle)
   EXPECT_EQ(forecastOf(rates(), damped, 0.0).secondsToRest, 0.0);
 }
 
+/// The first steps were the dear ones: what they took is known, and the rest is as the last of them.
+TEST(Forecast, KnowsWhatTheFirstStepsTook)
+{
+  StepRates slowFirst = rates();
+  slowFirst.spent = 0.3;
+  const Forecast f = forecastOf(slowFirst, scene(), 0.0);
+  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.3 + 0.09 + 0.02) + 0.02, 2e-3);
+}
+
+/// A run that has come to its end in its first steps takes what these took, however they differ.
+TEST(Forecast, OfARunThatIsOver)
+{
+  StepRates whole = rates();
+  whole.time = 1.0;
+  whole.spent = 0.7;
+  const Forecast f = forecastOf(whole, scene(), 0.0);
+  EXPECT_EQ(f.steps, 10.0);
+  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.7 + 10 * 0.002) + 0.02, 1e-9);
+}
+
+/// Cells that are refined later: 15 times the steps, of four times as many particles in the mean.
+TEST(Forecast, OfCellsThatChange)
+{
+  StepRates changing = rates();
+  changing.growth = {15.0, 60.0};
+  const Forecast f = forecastOf(changing, scene(), 0.0);
+  EXPECT_EQ(f.steps, 150.0);
+  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.01 + 0.59 + 0.02) + 0.02, 1e-9);
+  EXPECT_NE(asText(f).find("by its first 10 steps and a run with cells of twice the size"), std::string::npos)
+      << asText(f);
+}
+
+/// Two of twenty load steps were taken, with three linear systems each.
+TEST(Forecast, CountsLoadStepsAndLinearSystems)
+{
+  StepRates r;
+  r.setup = 0.5;
+  r.steps = 2;
+  r.time = 0.1;
+  r.timeStep = 0.05;
+  r.spent = 0.6;
+  r.step = 0.3;
+  r.unknowns = 4443;
+  r.solves = 3.0;
+  r.solve = 0.1;
+  r.memory = 1e8;
+  const Forecast f = forecastOf(r, scene(), 0.0);
+  EXPECT_EQ(f.steps, 20.0);
+  EXPECT_EQ(f.solves, 60.0);
+  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * 20 * 0.3, 1e-9);
+  const std::string text = asText(f);
+  for (const char* part : {"6.6 s (20 load steps, 60 linear systems of 4443 unknowns, 100 ms each, ",
+                           "by its first 2 load steps"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+/// A load step that takes long is not taken for a forecast.
+TEST(Forecast, OfOneLinearSystem)
+{
+  StepRates r;
+  r.timeStep = 1.0;
+  r.step = 40.0;
+  r.unknowns = 250000;
+  r.solves = 4.0;
+  r.solve = 10.0;
+  const Forecast f = forecastOf(r, scene(), 0.0);
+  EXPECT_EQ(f.steps, 1.0);
+  EXPECT_NEAR(f.seconds, 1.02 * 40.0, 1e-9);
+  const std::string text = asText(f);
+  for (const char* part :
+       {"1 load step, 4 linear systems of 250000 unknowns, 1e+04 ms each", "by one linear system"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+/// 10 steps of 100 particles in the first second, then 20 of 300 in each.
+TEST(WorkCurve, GivesTheWholeOverItsFirstPart)
+{
+  WorkCurve curve;
+  for (int k = 1; k <= 10; ++k)
+    curve.add(0.1 * k, k, 100.0 * k);
+  for (int k = 1; k <= 40; ++k)
+    curve.add(1.0 + 0.05 * k, 10.0 + k, 1000.0 + 300.0 * k);
+  EXPECT_EQ(curve.end(), 3.0);
+  const auto whole = curve.growth(0.55, 3.0);
+  ASSERT_TRUE(whole);
+  EXPECT_NEAR(whole->steps, 50.0 / 5.5, 1e-9);
+  EXPECT_NEAR(whole->work, 13000.0 / 550.0, 1e-9);
+  // Where it ends before the run, it goes on as in its last third.
+  const auto longer = curve.growth(0.55, 4.0);
+  ASSERT_TRUE(longer);
+  EXPECT_NEAR(longer->steps, 70.0 / 5.5, 1e-9);
+  EXPECT_NEAR(longer->work, 19000.0 / 550.0, 1e-9);
+}
+
+TEST(WorkCurve, OfTooFewStepsSaysNothing)
+{
+  WorkCurve curve;
+  for (int k = 1; k <= 6; ++k)
+    curve.add(0.1 * k, k, 100.0 * k);
+  EXPECT_FALSE(curve.growth(0.2, 0.6));
+}
+
 TEST(Forecast, SaysWhatItIsOf)
 {
   const std::string text = asText(forecastOf(rates(), scene(), 0.0));
@@ -119,12 +224,18 @@ TEST(RateCache, KeepsRatesOfAScene)
   const Folder folder;
   const RateCache cache(folder.path(), "this machine");
   EXPECT_FALSE(cache.find(scene()));
-  cache.keep(scene(), rates());
+  StepRates kept = rates();
+  kept.growth = {15.0, 60.0};
+  kept.unknowns = 12;
+  cache.keep(scene(), kept);
   const auto found = cache.find(scene());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->step, 1e-3);
   EXPECT_EQ(found->timeStep, 0.01);
   EXPECT_EQ(found->particles, 64);
+  EXPECT_EQ(found->spent, 0.01);
+  EXPECT_EQ(found->growth.work, 60.0);
+  EXPECT_EQ(found->unknowns, 12);
   Teuchos::ParameterList other = scene();
   other.sublist("Domain").set("Cell Size", 0.25);
   EXPECT_FALSE(cache.find(other));

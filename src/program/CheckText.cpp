@@ -1,0 +1,112 @@
+#include "program/CheckText.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "plan/EffectSchema.hpp"
+#include "scene/Compatibility.hpp"
+#include "scene/SceneError.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+namespace Rhegma::program
+{
+
+namespace
+{
+
+/// Four digits, with the largest unit that leaves at least 1 before the point.
+std::string inUnits(double value, const std::vector<std::pair<double, const char*>>& units)
+{
+  char text[40];
+  for (const auto& [size, name] : units)
+    if (value >= size || size == units.back().first)
+    {
+      std::snprintf(text, sizeof text, "%.4g %s", value / size, name);
+      return text;
+    }
+  return {};
+}
+
+} // namespace
+
+std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::ParameterList& scene)
+{
+  constexpr double g = 9.81;
+  std::string text;
+  const nlohmann::json& bodies = summary.at("bodies");
+  const std::size_t shown = std::min(bodies.size(), bodiesInText);
+  for (std::size_t k = 0; k < shown; ++k)
+  {
+    const double mass = bodies[k].at("mass");
+    text +=
+        "  Bodies > " + bodies[k].at("name").get<std::string>() + ": mass " +
+        inUnits(mass, {{1e6, "kt"}, {1e3, "t"}, {1.0, "kg"}, {1e-3, "g"}, {1e-6, "mg"}, {1e-9, "ug"}}) +
+        ", weight " +
+        inUnits(g * mass, {{1e9, "GN"}, {1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {1e-3, "mN"}, {1e-6, "uN"}}) +
+        "\n";
+  }
+  const std::size_t all = sublistNames(scene.sublist("Bodies")).size();
+  return text + (all > shown ? "  and " + std::to_string(all - shown) + " more bodies\n" : "");
+}
+
+std::string cellsAsText(const nlohmann::json& summary, long particles)
+{
+  const double largest = summary["cells"]["largest"], smallest = summary["cells"]["smallest"];
+  return std::to_string(particles) + " particles in cells of " + readableLength(largest) +
+         (smallest < largest ? ", the finest of " + readableLength(smallest) : "");
+}
+
+std::string unknownsAsText(const nlohmann::json& summary)
+{
+  if (!summary.contains("equilibrium"))
+    return {};
+  const nlohmann::json& of = summary["equilibrium"];
+  char text[96];
+  std::snprintf(text, sizeof text, "; %d unknowns, a matrix of %.3g MB before it is factored",
+                of["unknowns"].get<int>(), 1e-6 * of["matrix_bytes"].get<double>());
+  return text;
+}
+
+std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  const bool equilibrium = time.get<std::string>("Analysis") != "Dynamic";
+  const double step = simulation.stableTimeStep();
+  const double steps =
+      std::ceil((time.get<double>("Final Time") - simulation.time()) / step - (equilibrium ? 1e-6 : 0.0));
+  if (!(steps >= 1.0 && steps < 1e15))
+    return {};
+  const double most = time.get<int>("Maximum Steps");
+  if (equilibrium)
+    return "; " + std::to_string(std::lround(std::min(steps, most))) +
+           (std::min(steps, most) == 1.0 ? " load step" : " load steps");
+  // Three digits: the step changes as bodies and cells do.
+  const double digits = std::pow(10.0, std::max(0.0, std::floor(std::log10(steps)) - 2.0));
+  char text[96];
+  std::snprintf(text, sizeof text, "; about %.0f steps of %s to %s",
+                std::min(digits * std::round(steps / digits), most), readableTime(step).c_str(),
+                steps > most ? "Time > Maximum Steps" : "Time > Final Time");
+  return text;
+}
+
+std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecast& forecast,
+                              const Ranks& ranks)
+{
+  if (forecast.secondsToRest == 0.0 || ranks.many())
+    return {};
+  Teuchos::ParameterList other = scene;
+  other.sublist("Time").set("Analysis", std::string("Static"));
+  std::vector<SceneError> errors;
+  checkRules(other, effectSchema(), errors);
+  const auto another = [&errors](const SceneError& error) { return error.where != errors.front().where; };
+  if (errors.empty() || std::any_of(errors.begin(), errors.end(), another))
+    return {};
+  return "  Time > Analysis = Static, without " + errors.front().where +
+         ", solves for the state of rest directly\n";
+}
+
+} // namespace Rhegma::program

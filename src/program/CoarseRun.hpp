@@ -1,0 +1,51 @@
+#pragma once
+/// How the cost of a scene changes while its cells do, by a run of the same scene with larger cells.
+
+#include "parallel/Ranks.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace Rhegma::program
+{
+
+/// What a whole run takes, as a multiple of what its part up to some time takes.
+struct Growth
+{
+  double steps = 1.0; ///< number of steps
+  double work = 1.0;  ///< particles times steps
+};
+
+/// Steps and work of a run so far, as functions of its time.
+class WorkCurve
+{
+public:
+  /// After a step. \param time reached [s], later than before \param work particles times steps
+  void add(double time, double steps, double work);
+  /// Time of the last step [s].
+  double end() const { return points_.back().time; }
+  /// The whole over the part up to a time. Where the curve ends before the end of the run, its last third
+  /// goes on. \param part above 0 [s] \param whole length of the run [s] \return none where the curve has too
+  /// few steps
+  std::optional<Growth> growth(double part, double whole) const;
+
+private:
+  struct Point
+  {
+    double time = 0.0, steps = 0.0, work = 0.0;
+  };
+  Point at(double time) const;
+
+  std::vector<Point> points_{Point{}};
+};
+
+/// Takes steps of a scene with cells of twice the size, counts them and their particles. Collective.
+/// \param scene validated \param part of the run that was measured with its own cells [s]
+/// \param seconds of the processor that this may take
+/// \return none where the scene with such cells is refused, fails or takes too long
+std::optional<Growth> growthByCoarseRun(const Teuchos::ParameterList& scene, double part, const Ranks& ranks,
+                                        double seconds);
+
+} // namespace Rhegma::program

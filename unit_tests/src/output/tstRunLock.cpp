@@ -1,0 +1,103 @@
+/// One run in a folder, and others that only ask.
+
+#include "SmallState.hpp"
+#include "output/RunLock.hpp"
+
+#include <chrono>
+#include <fcntl.h>
+#include <memory>
+#include <stdexcept>
+#include <sys/file.h>
+#include <thread>
+#include <unistd.h>
+
+using Rhegma::contents;
+using Rhegma::Folder;
+using Rhegma::refuseFolderInUse;
+using Rhegma::RunLock;
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+/// Shares the lock of a folder, as a program does that asks whether a run goes on.
+class Look
+{
+public:
+  explicit Look(const std::string& path) : file_(open(path.c_str(), O_RDWR | O_CREAT, 0644))
+  {
+    locked_ = flock(file_, LOCK_SH | LOCK_NB) == 0;
+  }
+  ~Look() { close(file_); }
+  bool locked() const { return locked_; }
+
+private:
+  int file_;
+  bool locked_;
+};
+
+std::string refusal(const std::string& folder)
+{
+  try
+  {
+    const RunLock lock(folder);
+    return {};
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+}
+
+} // namespace
+
+TEST(RunLock, KeepsAnotherRunOut)
+{
+  const Folder folder;
+  {
+    const RunLock lock(folder.path());
+    const std::string text = contents(folder.path("run.lock"));
+    for (const char* word : {"host: ", "process: ", "started: "})
+      EXPECT_NE(text.find(word), std::string::npos) << text;
+    const Clock::time_point begin = Clock::now();
+    EXPECT_NE(refusal(folder.path()).find("in use by another run"), std::string::npos);
+    EXPECT_LT(Clock::now() - begin, std::chrono::seconds(1)) << "it waited as if for a look";
+    EXPECT_THROW(refuseFolderInUse(folder.path()), std::invalid_argument);
+    EXPECT_EQ(contents(folder.path("run.lock")), text);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path("run.lock")));
+  EXPECT_EQ(refusal(folder.path()), "");
+}
+
+/// Two that ask at once do not take each other for a run.
+TEST(RunLock, LooksDoNotRefuseEachOther)
+{
+  const Folder folder;
+  const Look look(folder.path("run.lock"));
+  ASSERT_TRUE(look.locked());
+  EXPECT_NO_THROW(refuseFolderInUse(folder.path()));
+}
+
+/// A run that starts while others ask waits for them.
+TEST(RunLock, StartsAlthoughOthersLook)
+{
+  const Folder folder;
+  auto look = std::make_unique<Look>(folder.path("run.lock"));
+  ASSERT_TRUE(look->locked());
+  std::thread end(
+      [&look]
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        look.reset();
+      });
+  EXPECT_EQ(refusal(folder.path()), "");
+  end.join();
+}
+
+TEST(RunLock, ALookMakesNoFile)
+{
+  const Folder folder;
+  refuseFolderInUse(folder.path());
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
