@@ -189,7 +189,9 @@ std::string refusalOf(const Teuchos::ParameterList& scene)
   }
   catch (const std::invalid_argument& error)
   {
-    return error.what();
+    // Warnings of the same scene stand behind the error.
+    const std::string all = error.what();
+    return all.substr(0, all.find("\nwarning:"));
   }
   return "";
 }

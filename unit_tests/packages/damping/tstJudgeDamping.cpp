@@ -1,0 +1,56 @@
+/// Damping that leaves no motion, or never brings a body to rest.
+
+#include "src/plausibility/Warnings.hpp"
+
+namespace Rhegma
+{
+namespace Test
+{
+namespace
+{
+
+/// A plate that is pulled for 0.1 s. \param rate [1/s]
+Teuchos::RCP<Teuchos::ParameterList> dampedPlate(double rate, bool stops)
+{
+  const auto scene = freePlate();
+  scene->sublist("Time").set("Final Time", 0.1);
+  hold(*scene, "Grip", pair(-0.1, -0.1), pair(0.05, 1.1));
+  pull(*scene, 1e6);
+  scene->sublist("Damping").set("Mass Rate", rate);
+  scene->sublist("Damping").set("Stop When Settled", stops);
+  return scene;
+}
+
+const std::string never = "so the run ends before it has settled";
+
+} // namespace
+
+/// exp(-4 / s 0.1 s / 2) = 0.8187, and 0.01 % take 2 ln(1e4) / 0.1 s.
+TEST(Settling, ThatIsNeverReachedIsSaid)
+{
+  const Warnings said = warningsOf(dampedPlate(4.0, true));
+  EXPECT_TRUE(say(said, "Damping > Mass Rate is 4 1/s: of an oscillation 81.87 % are left after the 100 ms"));
+  EXPECT_TRUE(say(said, never));
+  EXPECT_TRUE(say(said, "write at least 184.2 1/s"));
+}
+
+TEST(Settling, IsNotSaidOfARunThatGoesOnOrIsDampedWell)
+{
+  EXPECT_FALSE(say(warningsOf(dampedPlate(4.0, false)), never));
+  EXPECT_FALSE(say(warningsOf(dampedPlate(2000.0, true)), never));
+  const auto viscous = dampedPlate(0.0, true);
+  viscous->sublist("Damping").set("Bulk Viscosity", 1e6); // 1e6 / M w^2 / 2 = 630 / s
+  EXPECT_FALSE(say(warningsOf(viscous), never));
+  const auto ended = dampedPlate(2000.0, true);
+  ended->sublist("Damping").set("End Time", 1e-4);
+  EXPECT_TRUE(say(warningsOf(ended), never));
+}
+
+TEST(Damping, ThatHoldsABodyIsSaid)
+{
+  EXPECT_TRUE(say(warningsOf(dampedPlate(1e9, false)), "it hardly moves at all"));
+  EXPECT_TRUE(say(warningsOf(dampedPlate(1e9, false)), "times 1 over the stable step"));
+}
+
+} // namespace Test
+} // namespace Rhegma

@@ -1,0 +1,88 @@
+/// A toughness against the bonds, the law and the loads of a scene.
+
+#include "src/plausibility/Warnings.hpp"
+
+namespace Rhegma
+{
+namespace Test
+{
+namespace
+{
+
+/// A plate that is pulled, with a crack of 0.5 m along its middle. \param young [Pa] \param stress [Pa]
+Teuchos::RCP<Teuchos::ParameterList> crackedPlate(double young, double stress, const std::string& toughness)
+{
+  const auto scene = freePlate(0.05);
+  scene->sublist("Materials").sublist("Steel").set("Young Modulus", young);
+  for (const bool top : {false, true})
+  {
+    Teuchos::ParameterList& list = boundary(*scene, top ? "Top" : "Bottom", "Traction");
+    list.set<std::string>("Body", "Plate");
+    list.set("From", pair(top ? 1.0 : 0.0, top ? 1.0 : 0.0));
+    list.set("To", pair(top ? 0.0 : 1.0, top ? 1.0 : 0.0));
+    list.set("Stress", pair(0.0, top ? stress : -stress));
+  }
+  scene->sublist("Cracks").sublist("Notch").set("Points", Reals(std::vector<double>{-0.025, 0.5, 0.5, 0.5}));
+  scene->sublist("Energy Release");
+  scene->sublist("Propagation").set("Toughness", toughness);
+  return scene;
+}
+
+/// The same of the plastic law.
+Teuchos::RCP<Teuchos::ParameterList> yieldingPlate(double stress, double yield, const std::string& toughness)
+{
+  const auto scene = crackedPlate(2.1e11, stress, toughness);
+  scene->sublist("Materials").sublist("Steel").set<std::string>("Model", "J2 Plastic");
+  scene->sublist("Materials").sublist("Steel").set("Yield Stress", yield);
+  return scene;
+}
+
+const std::string asK = "if it is a K_Ic of ";
+
+} // namespace
+
+/// Acrylic: 350 J/m2 are 1.02 MPa m^0.5. Written as 1.02, it is less than of ice.
+TEST(ToughnessOfBonds, AsStressIntensityOfAPolymerIsSaid)
+{
+  EXPECT_FALSE(say(warningsOf(crackedPlate(3e9, 1e5, "350")), "Propagation"));
+  const Warnings said = warningsOf(crackedPlate(3e9, 1e5, "1.02"));
+  EXPECT_TRUE(
+      say(said, "Propagation > Toughness is 1.02 J/m2: with the E' of Steel that is a K_Ic of 0.05532 MPa"));
+  EXPECT_TRUE(say(said, asK + "1.02 MPa m^0.5, write 346.8 J/m2"));
+}
+
+/// Glass: 8 J/m2 are 0.75 MPa m^0.5. Written as 0.75, bonds break within less than an atom's distance.
+TEST(ToughnessOfBonds, AsStressIntensityOfGlassIsSaid)
+{
+  EXPECT_FALSE(say(warningsOf(crackedPlate(7e10, 5e5, "8")), "Propagation"));
+  EXPECT_TRUE(
+      say(warningsOf(crackedPlate(7e10, 1e5, "0.75")), "less than an atom's distance; " + asK + "0.75"));
+}
+
+/// One that rises with speed is judged by its largest value, and soft solids are not.
+TEST(ToughnessOfBonds, OfARunningCrackOrASoftSolidIsRight)
+{
+  EXPECT_FALSE(say(warningsOf(crackedPlate(3e9, 1e5, "0:1, 100:1, 200:100")), asK));
+  EXPECT_FALSE(say(warningsOf(crackedPlate(1e6, 10.0, "1")), asK));
+}
+
+TEST(PlasticZoneOfToughness, IsSmallNextToTheCrack)
+{
+  const std::string zone = "ahead of it yield at Materials > Steel > Yield Stress = ";
+  EXPECT_TRUE(
+      say(warningsOf(yieldingPlate(1e7, 1e8, "20000")), zone + "100000000 Pa (Irwin), more than a tenth"));
+  EXPECT_FALSE(say(warningsOf(yieldingPlate(1e7, 1e9, "20000")), zone));
+}
+
+TEST(YieldStress, BelowTheLoadsIsSaid)
+{
+  const std::string place = "Materials > Steel > Yield Stress is ";
+  EXPECT_TRUE(say(warningsOf(yieldingPlate(1e7, 250.0, "20000")),
+                  place + "250 Pa, and Boundaries > Top stresses the body with about 1e+07 Pa"));
+  EXPECT_TRUE(
+      say(warningsOf(yieldingPlate(1e8, 1.1e8, "20000")), place + "110000000 Pa, and under the 1e+08 Pa"));
+  EXPECT_FALSE(say(warningsOf(yieldingPlate(1e7, 1e9, "20000")), place));
+}
+
+} // namespace Test
+} // namespace Rhegma
