@@ -7,12 +7,14 @@
 #include "output/BodyReport.hpp"
 #include "output/CoreRow.hpp"
 #include "output/FieldWriter.hpp"
+#include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
 #include "state/EnergySums.hpp"
 #include "step/GiveHeat.hpp"
 #include "step/Run.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -106,7 +108,10 @@ public:
   void writeFields(const std::string& folder) override
   {
     if (!writer_ && !fieldsBefore_.empty())
-      continueFields(folder);
+      if (const std::string why = continueFields(folder);
+          !why.empty() && asFirstRank(ranks(), std::filesystem::exists(folder + "/fields.h5")))
+        throw OutputError(folder +
+                          "/fields.h5 does not hold the fields of the run up to the checkpoint: " + why);
     if (!writer_)
       writer_ = std::make_unique<FieldWriter<D>>(folder, run_->state().ranks);
     writer_->write(run_->state());

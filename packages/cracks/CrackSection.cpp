@@ -65,6 +65,7 @@ Section crackSection()
       .meaning("How cracked cells are treated. Dual Field: one velocity field on each side of the crack. "
                "Broken Cell: shape functions truncated by visibility. Corrected Broken Cell: the same, made "
                "linearly complete by extrapolation.");
+  s.provide(capability::cracks);
   s.refuse({when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}), when::equilibrium()},
            "equilibrium is verified with the dual field only; write Dual Field");
   s.boolean("Front Springs")

@@ -31,8 +31,9 @@ struct Condition
 /// Capabilities of sections (`Section::provides`): rules need not know which section provides one.
 namespace capability
 {
-constexpr const char* heat = "heat"; ///< temperatures of particles
-}
+constexpr const char* heat = "heat";     ///< temperatures of particles
+constexpr const char* cracks = "cracks"; ///< explicit cracks
+} // namespace capability
 
 /// Conditions.
 namespace when

@@ -1,9 +1,13 @@
 #include "step/Preload.hpp"
 
 #include "base/ReadList.hpp"
+#include "plan/EffectSchema.hpp"
+#include "plan/KnownEffects.hpp"
+#include "scene/Compatibility.hpp"
 #include "step/Run.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 namespace Rhegma
@@ -12,7 +16,37 @@ namespace Rhegma
 namespace
 {
 
-/// The scene of the equilibrium: what makes no forces at rest is left out.
+std::set<std::string> errorsOf(const Teuchos::ParameterList& scene)
+{
+  std::vector<SceneError> errors;
+  checkRules(scene, effectSchema(), errors);
+  std::set<std::string> where;
+  for (const SceneError& error : errors)
+    where.insert(error.where);
+  return where;
+}
+
+/// Removes the sections of effects that errors are about, until none are left. \param whole only errors about
+/// a whole section count \param known errors that do not count
+void removeRefused(Teuchos::ParameterList& scene, bool whole, const std::set<std::string>& known)
+{
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const std::string& where : errorsOf(scene))
+      for (const EffectEntry& effect : knownEffects())
+      {
+        const std::string& name = effect.section.name;
+        const bool about = where == name || (!whole && where.rfind(name + " > ", 0) == 0);
+        if (!about || known.count(where) > 0 || !scene.isSublist(name))
+          continue;
+        scene.remove(name);
+        changed = true;
+      }
+  }
+}
+
+/// The scene of the equilibrium, without effects that equilibrium refuses.
 Teuchos::ParameterList sceneOfEquilibrium(const Teuchos::ParameterList& scene, bool cracks)
 {
   Teuchos::ParameterList other(scene);
@@ -20,12 +54,18 @@ Teuchos::ParameterList sceneOfEquilibrium(const Teuchos::ParameterList& scene, b
   Teuchos::ParameterList& time = other.sublist("Time");
   time.set("Analysis", std::string("Preload"));
   time.set("Initial State", std::string(initialState::unloaded));
-  for (const char* const name : {"Combustion", "Contact", "Damping", "Energy Release", "Load Balance",
-                                 "Mass Matrix", "Measure", "Propagation", "Sub-Cycling"})
-    other.remove(name, false);
+  removeRefused(other, true, {});
   if (!cracks)
-    for (const char* const name : {"Cracks", "Face Pressure"})
-      other.remove(name, false);
+  {
+    const std::set<std::string> known = errorsOf(other);
+    for (const EffectEntry& effect : knownEffects())
+    {
+      const auto& provides = effect.section.provides;
+      if (std::find(provides.begin(), provides.end(), capability::cracks) != provides.end())
+        other.remove(effect.section.name, false);
+    }
+    removeRefused(other, false, known);
+  }
   for (const std::string& name : sublistNames(other.sublist("Bodies")))
     for (const char* const motion : {"Velocity", "Angular Velocity"})
     {

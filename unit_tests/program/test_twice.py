@@ -16,6 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
 from program import SOURCE, rhegma  # noqa: E402
+from ranks import LAUNCHER, ROOT  # noqa: E402
 from restart_case import RestartTest  # noqa: E402
 from scenes import plate  # noqa: E402
 from test_fronts_that_stop import passing  # noqa: E402
@@ -123,6 +124,20 @@ class RunsThatStop(TwiceTest):
         self.assertIn("As it is: the run stopped at t = ", answer.output)
         self.assertIn("less than three cells from crack Other", answer.output)
         self.assertRegex(answer.output.splitlines()[-1], "^Verdict: not resolved: end of the run .*the run finishes with half the cells")
+
+    def test_on_two_ranks(self):
+        """All ranks agree on whether the second run is made, and on the exit status."""
+        ranks = {"launcher": (*LAUNCHER, "-np", "2"), **ROOT}
+        scene = self.write("scene.xml", passing().text())
+        answer = rhegma(scene, "--twice", "--quiet", "--output", self.path("out"), timeout=300, **ranks)
+        self.assertEqual(answer.status, 2, answer)
+        self.assertEqual(self.comparison()["runs"]["half"]["status"], self.status_of("out", "half"))
+        self.assertFalse(self.has("out", "run.lock"))
+        self.write(os.path.join("out", "twice.json"), "notes of my own")
+        answer = rhegma(scene, "--twice", "--quiet", "--output", self.path("out"), timeout=300, **ranks)
+        self.assertEqual(answer.status, 1, answer)
+        self.assertEqual(len([line for line in answer.messages.splitlines() if "no run wrote" in line]), 1, answer)
+        self.assertTrue(self.has("out", "half", "summary.json"))
 
     def test_the_worse_exit_status_counts(self):
         """The first run stops, and the second misses its reference: 2, though 4 is the greater number."""

@@ -1,6 +1,7 @@
 /// End of a run, and settling.
 
 #include "Simulation.hpp"
+#include "base/OutputError.hpp"
 #include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
 
@@ -10,7 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 using namespace Rhegma;
@@ -163,4 +167,41 @@ TEST(Simulation, GivesHeatToItsParticles)
   EXPECT_THROW(simulation.giveHeat(joules), std::invalid_argument);
   Simulation without = example("dcb.xml", {});
   EXPECT_THROW(without.giveHeat(std::vector<double>(without.particles())), std::invalid_argument);
+}
+
+/// An application that goes on from a checkpoint does not lose what it can't continue before it knows of it.
+TEST(Simulation, KeepsFieldsThatItCannotContinue)
+{
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("rhegma-fields-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string path = folder / "fields.h5", checkpoint = folder / "checkpoint.h5";
+  Simulation before = example("dcb.xml", {});
+  before.writeFields(folder);
+  before.checkpoint(checkpoint);
+  const auto restored = [&checkpoint]
+  {
+    const SceneResult result =
+        readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/examples/dcb.xml", {}, effectSchema());
+    Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), result.list);
+    simulation.restore(checkpoint);
+    return simulation;
+  };
+  std::ofstream(path) << "damaged";
+  Simulation after = restored();
+  EXPECT_THROW(after.writeFields(folder), OutputError);
+  EXPECT_EQ(std::filesystem::file_size(path), 7u);
+  after.writeFields(folder); // the application insists
+  EXPECT_GT(std::filesystem::file_size(path), 7u);
+  std::ofstream(path) << "damaged";
+  std::string why;
+  Simulation asked = restored();
+  EXPECT_FALSE(asked.continueFields(folder, &why));
+  EXPECT_NE(why, "");
+  EXPECT_NO_THROW(asked.writeFields(folder));
+  // Where there is none, new fields begin.
+  std::filesystem::remove(path);
+  EXPECT_NO_THROW(restored().writeFields(folder));
+  EXPECT_TRUE(std::filesystem::exists(path));
+  std::filesystem::remove_all(folder);
 }
