@@ -171,6 +171,7 @@ def empty_grid(count):
     scene = plate().remove("Cracks").remove("Energy Release").remove("Boundaries").remove("Bodies")
     scene.set("Domain > Lower Corner", [-1.0, -1.0]).set("Domain > Upper Corner", [side + 1.0, side + 1.0])
     scene.set("Domain > Cell Size", 0.25).set("Domain > Shape Functions", "Linear")
+    scene.set("Boundaries", {"Weight": {"Type": "Gravity", "Acceleration": [0.0, -9.81]}})
     return scene, [(float(k % side), float(k // side)) for k in range(count)], float(side)
 
 

@@ -53,7 +53,8 @@ class Forecast(ProgramTest):
         self.assertIn("kept from an earlier measurement", self.check())
 
         def slower(content):
-            content["scenes"][0]["step"] = 1000.0
+            content["scenes"][0]["step"] = 1000.0  # of steps that are left
+            content["scenes"][0]["spent"] = 1e6  # by those that were taken
         self.change(slower)
         found = LINE.search(self.check())
         self.assertEqual((found[3], float(found[5])), ("h", 1e6))
