@@ -33,7 +33,13 @@ bool isHeld(const std::vector<BoundaryRegion>& supports, int axis, double value,
 
 } // namespace
 
-MirroredSides::MirroredSides(const ParameterList& scene) : supports_(boundaryRegions(scene)) {}
+MirroredSides::MirroredSides(const ParameterList& scene) : supports_(boundaryRegions(scene))
+{
+  supports_.erase(std::remove_if(supports_.begin(), supports_.end(),
+                                 [](const BoundaryRegion& region)
+                                 { return region.kind == BoundaryRegion::Kind::Force; }),
+                  supports_.end());
+}
 
 template <int D>
 bool MirroredSides::has(const Geometry::Bounds<D>& part, int axis, bool upper, double slack) const

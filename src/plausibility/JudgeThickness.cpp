@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace Rhegma
 {
@@ -42,13 +43,11 @@ double widthOf(const std::vector<Vector<2>>& points)
   return smallest;
 }
 
-/// What is thin of a primitive, in metres; axes along which both sides are mirrored count as endless.
-template <int D>
+/// What is thin of a primitive, in metres. \tparam Images factor on the width along an axis
+template <int D, class Images>
 struct Width
 {
-  const MirroredSides& mirrored;
-  double slack; ///< [m]
-  const Part<D>& part;
+  Images images;
 
   double operator()(const Box<D>& box) const
   {
@@ -68,22 +67,40 @@ struct Width
     const double flat = widthOf(polygon.points);
     return D == 2 ? flat : std::min(flat, (polygon.top - polygon.bottom) * images(2));
   }
-
-private:
-  /// How often the width counts: twice with one mirror, endlessly with two.
-  double images(int d) const
-  {
-    const Bounds<D> bounds = part.bounds();
-    const bool low = mirrored.has(bounds, d, false, slack), high = mirrored.has(bounds, d, true, slack);
-    return low && high ? std::numeric_limits<double>::infinity() : low || high ? 2.0 : 1.0;
-  }
 };
 
-/// Whether a cut removes material of what comes before it: by points in its bounds.
+template <int D, class Images>
+double widthOf(const Part<D>& part, const Images& images)
+{
+  return std::visit(Width<D, Images>{images}, part.primitive);
+}
+
+/// Width of a part that is thinner than `least` even with its mirror images: twice its own with one, endless
+/// with two; none: it is not. \param slack of mirrors [m]
+template <int D>
+std::optional<double> thinWidth(const Part<D>& part, double least, const MirroredSides& mirrored,
+                                double slack)
+{
+  if (widthOf(part, [](int) { return 1.0; }) >= least) // as most are
+    return {};
+  const Bounds<D> bounds = part.bounds();
+  const double width =
+      widthOf(part,
+              [&](int d)
+              {
+                const bool low = mirrored.has(bounds, d, false, slack);
+                const bool high = mirrored.has(bounds, d, true, slack);
+                return low && high ? std::numeric_limits<double>::infinity() : low || high ? 2.0 : 1.0;
+              });
+  return width < least ? std::optional<double>(width) : std::nullopt;
+}
+
+/// Whether a cut removes material of what comes before it: by points in its bounds, in an order in which the
+/// first ones lie all over it.
 template <int D>
 bool meetsMaterial(const Shape<D>& shape, std::size_t cut)
 {
-  constexpr int points = D == 2 ? 64 : 24;
+  constexpr int points = D == 2 ? 64 : 24, stride = D == 2 ? 2531 : 8543; // prime to the number of points
   const Shape<D> before(std::vector<Part<D>>(shape.parts().begin(), shape.parts().begin() + cut));
   const Part<D>& part = shape.parts()[cut];
   const Bounds<D> bounds = part.bounds();
@@ -91,7 +108,7 @@ bool meetsMaterial(const Shape<D>& shape, std::size_t cut)
   for (int k = 0; k < all; ++k)
   {
     Vector<D> x;
-    int rest = k;
+    int rest = static_cast<int>(static_cast<long>(k) * stride % all);
     for (int d = 0; d < D; ++d)
     {
       x[d] = bounds.lower[d] + (rest % points + 0.5) / points * (bounds.upper[d] - bounds.lower[d]);
@@ -119,17 +136,17 @@ void judgePart(const State<D>& state, const MirroredSides& mirrored, const Shape
   const Part<D>& part = shape.parts()[k];
   const bool hole = k > 0 && part.operation == Operation::Cut;
   const double cell = spacingAt(state, part.bounds().centre());
-  const double width = std::visit(Width<D>{mirrored, 1e-3 * state.mesh.grid.spacing, part}, part.primitive);
+  const auto width = thinWidth(part, (fewest - 1e-6) * cell, mirrored, 1e-3 * state.mesh.grid.spacing);
   if (hole && !meetsMaterial(shape, k))
     messages.push_back(where() + ": it cuts nothing, for there is no material of the body there; move it "
                                  "or leave it out");
-  else if (width < (fewest - 1e-6) * cell)
+  else if (width)
     messages.push_back(where() + ": the " +
                        (hole     ? "hole"
                         : k == 0 ? "body"
                                  : "added part") +
-                       " is " + readableLength(width) + " thin, " + formatShort(width / cell) + " cells of " +
-                       readableLength(cell) + "; two cells are the least that the grid " +
+                       " is " + readableLength(*width) + " thin, " + formatShort(*width / cell) +
+                       " cells of " + readableLength(cell) + "; two cells are the least that the grid " +
                        (hole ? "keeps open" : "bends and strains") +
                        ": use smaller cells (Domain > Cell Size), or check its size (metres)");
 }
