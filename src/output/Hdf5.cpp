@@ -224,11 +224,25 @@ bool readsWhole(hid_t set)
   return true;
 }
 
+/// Whether the properties of a group or table can be read, which some readers ask for: they are in parts of
+/// the file that its numbers and names do not need.
+bool isDescribed(hid_t object)
+{
+#if H5_VERSION_GE(1, 12, 0)
+  H5O_native_info_t info{};
+  return H5Oget_native_info(object, &info, H5O_NATIVE_INFO_ALL) >= 0;
+#else
+  H5O_info_t info{};
+  return H5Oget_info(object, &info) >= 0;
+#endif
+}
+
 /// H5Lvisit calls it for each object of a snapshot; more than 0 ends that.
 herr_t findDamage(hid_t group, const char* name, const H5L_info_t*, void*)
 {
   const hid_t object = H5Oopen(group, name, H5P_DEFAULT);
-  const bool whole = object >= 0 && (H5Iget_type(object) != H5I_DATASET || readsWhole(object));
+  const bool whole =
+      object >= 0 && isDescribed(object) && (H5Iget_type(object) != H5I_DATASET || readsWhole(object));
   const bool closed = object >= 0 && H5Oclose(object) >= 0;
   return whole && closed ? 0 : 1;
 }
@@ -241,7 +255,7 @@ bool isWhole(hid_t file, const std::string& name)
   const hid_t group = H5Gopen2(file, name.c_str(), H5P_DEFAULT);
   // In native order: for any other one HDF5 makes a list of the names, and where their index is damaged it
   // frees a list that it has not filled.
-  const bool whole = group >= 0 && H5Aexists(group, "time") > 0 &&
+  const bool whole = group >= 0 && isDescribed(group) && H5Aexists(group, "time") > 0 &&
                      H5Lvisit(group, H5_INDEX_NAME, H5_ITER_NATIVE, findDamage, nullptr) == 0;
   const bool closed = group >= 0 && H5Gclose(group) >= 0;
   return whole && closed;
@@ -279,8 +293,8 @@ void refuseDamage(const std::string& path, int count)
     else if (!isWhole(file, snapshotName(frames)))
       damaged.push_back(snapshotName(frames));
   }
-  const bool names =
-      exists == 0 && H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, passOver, nullptr) >= 0;
+  const bool names = exists == 0 && isDescribed(file) &&
+                     H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, passOver, nullptr) >= 0;
   const bool closed = H5Fclose(file) >= 0;
   Silence::unlessDamaged(missing.empty() && damaged.empty() && names && closed);
   if (!names)

@@ -30,17 +30,26 @@ WorkCurve::Point WorkCurve::at(double time) const
           earlier->work + t * (later->work - earlier->work)};
 }
 
-std::optional<Growth> WorkCurve::growth(double part, double whole) const
+std::optional<Growth> WorkCurve::growth(const Part& part, double end) const
 {
   constexpr std::size_t fewest = 8;
-  if (points_.size() <= fewest || !(part > 0.0))
+  if (points_.size() <= fewest || !(part.to > part.from))
     return {};
-  const Point first = at(part), all = at(whole);
-  return Growth{all.steps / first.steps, all.work / first.work};
+  const Point first = at(part.from), second = at(part.to), last = at(end);
+  const double longer = (end - part.to) / (part.to - part.from);
+  return Growth{(last.steps - second.steps) / (second.steps - first.steps) / longer,
+                (last.work - second.work) / (second.work - first.work) / longer};
 }
 
-std::optional<Growth> growthByCoarseRun(const Teuchos::ParameterList& scene, double part, const Ranks& ranks,
-                                        double seconds)
+bool isNoticeable(const Growth& growth)
+{
+  constexpr double factor = 1.25;
+  const auto differs = [](double ratio) { return ratio > factor || ratio < 1.0 / factor; };
+  return differs(growth.steps) || differs(growth.work);
+}
+
+std::optional<Growth> growthByCoarseRun(const Teuchos::ParameterList& scene, const Part& part,
+                                        const Ranks& ranks, double seconds)
 try
 {
   const auto coarse = Teuchos::rcp(new Teuchos::ParameterList(scene));
@@ -59,7 +68,7 @@ try
     curve.add(simulation.time(), static_cast<double>(simulation.steps()), simulation.particleSteps());
   }
   // A curve that ends before it says anything new.
-  if (curve.end() < std::min(whole, 1.5 * part))
+  if (curve.end() < std::min(whole, 1.5 * part.to))
     return {};
   return curve.growth(part, whole);
 }

@@ -11,11 +11,17 @@
 namespace Rhegma::program
 {
 
-/// What a whole run takes, as a multiple of what its part up to some time takes.
+/// What the rest of a run takes for a time, as a multiple of what a part of its beginning took.
 struct Growth
 {
   double steps = 1.0; ///< number of steps
   double work = 1.0;  ///< particles times steps
+};
+
+/// A part of a run [s].
+struct Part
+{
+  double from = 0.0, to = 0.0;
 };
 
 /// Steps and work of a run so far, as functions of its time.
@@ -26,10 +32,9 @@ public:
   void add(double time, double steps, double work);
   /// Time of the last step [s].
   double end() const { return points_.back().time; }
-  /// The whole over the part up to a time. Where the curve ends before the end of the run, its last third
-  /// goes on. \param part above 0 [s] \param whole length of the run [s] \return none where the curve has too
-  /// few steps
-  std::optional<Growth> growth(double part, double whole) const;
+  /// From a part to the rest. Where the curve ends before the run, it goes on as in its last third.
+  /// \param end of the run, later than that of the part [s] \return none where the curve has too few steps
+  std::optional<Growth> growth(const Part& part, double end) const;
 
 private:
   struct Point
@@ -41,11 +46,14 @@ private:
   std::vector<Point> points_{Point{}};
 };
 
+/// Whether the rest takes much more or less than the part.
+bool isNoticeable(const Growth& growth);
+
 /// Takes steps of a scene with cells of twice the size, counts them and their particles. Collective.
-/// \param scene validated \param part of the run that was measured with its own cells [s]
+/// \param scene validated \param part of the run that was measured with its own cells
 /// \param seconds of the processor that this may take
 /// \return none where the scene with such cells is refused, fails or takes too long
-std::optional<Growth> growthByCoarseRun(const Teuchos::ParameterList& scene, double part, const Ranks& ranks,
-                                        double seconds);
+std::optional<Growth> growthByCoarseRun(const Teuchos::ParameterList& scene, const Part& part,
+                                        const Ranks& ranks, double seconds);
 
 } // namespace Rhegma::program

@@ -96,7 +96,7 @@ std::string sourceAsText(const Forecast& forecast)
     return "; by one linear system, and as many to a load step as most scenes need";
   const char* const noun = rates.unknowns > 0 ? "load step" : "step";
   return "; by its first " + (rates.steps == 1 ? std::string(noun) : counted(rates.steps, noun)) +
-         (rates.growth.steps > 1.0 ? " and a run with cells of twice the size" : "");
+         (isNoticeable(rates.growth) ? " and a run with cells of twice the size" : "");
 }
 
 } // namespace
@@ -106,14 +106,10 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
   const Teuchos::ParameterList& times = scene.sublist("Time");
   const double length = times.get<double>("Final Time") - time;
   const double rest = std::max(0.0, length - rates.time);
-  const bool grows = rates.growth.steps > 1.0;
-  const double restSteps =
-      rest == 0.0 ? 0.0
-      : grows     ? rates.steps * (rates.growth.steps - 1.0)
-              // The last step of an equilibrium takes what is left, however little rounding leaves.
-              : std::ceil(rest / rates.timeStep - (rates.unknowns > 0 ? 1e-6 : 0.0));
-  const double restSeconds =
-      grows ? rates.step * rates.work * (rates.growth.work - 1.0) / rates.lateWork : rates.step * restSteps;
+  // The last step of an equilibrium takes what is left, however little rounding leaves.
+  const double evenSteps = std::ceil(rest / rates.timeStep - (rates.unknowns > 0 ? 1e-6 : 0.0));
+  const double restSteps = evenSteps * rates.growth.steps;
+  const double restSeconds = evenSteps * rates.growth.work * rates.step;
   const double all = rates.steps + std::round(restSteps);
   Forecast f;
   f.rates = rates;

@@ -30,10 +30,8 @@ struct Entry
   double StepRates::*value;
 };
 
-constexpr std::array<Entry, 14> entries{{{"setup", &StepRates::setup},
+constexpr std::array<Entry, 12> entries{{{"setup", &StepRates::setup},
                                          {"spent", &StepRates::spent},
-                                         {"work", &StepRates::work},
-                                         {"late_work", &StepRates::lateWork},
                                          {"solves", &StepRates::solves},
                                          {"solve", &StepRates::solve},
                                          {"step", &StepRates::step},

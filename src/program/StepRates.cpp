@@ -106,9 +106,12 @@ public:
     rates.timeStep =
         last.step > first.step ? (last.time - first.time) / measured : simulation_.stableTimeStep();
     rates.busy = ranks_.max(spent > 0.0 ? std::max(1.0, (last.wall - first.wall) / spent) : 1.0);
-    rates.lateWork = (last.work - first.work) / measured;
+    late_ = {first.time, last.time};
     rates.spent = ranks_.max(last.processor - marks.front().processor);
   }
+
+  /// The part of the run that the second half of its first steps is.
+  const Part& late() const { return late_; }
 
   void samples(double seconds, StepRates& rates)
   {
@@ -187,13 +190,9 @@ private:
   struct Mark
   {
     long step;
-    double time, work, processor, wall;
+    double time, processor, wall;
   };
-  Mark mark() const
-  {
-    return {simulation_.steps(), simulation_.time(), simulation_.particleSteps(), processorSeconds(),
-            wallSeconds()};
-  }
+  Mark mark() const { return {simulation_.steps(), simulation_.time(), processorSeconds(), wallSeconds()}; }
   /// That were solved so far; 0 in a dynamic analysis.
   long linearSystems() const
   {
@@ -212,6 +211,7 @@ private:
   Simulation& simulation_;
   double finalTime_;
   Ranks ranks_;
+  Part late_;
 };
 
 double finestCell(const Simulation& simulation)
@@ -259,11 +259,13 @@ StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& sce
   rates.particles = simulation.particles();
   const double time = simulation.time();
   const long steps = simulation.steps();
+  Part late;
   try
   {
     Measurement measurement(simulation, scene, ranks);
     if (!measurement.loadSteps(seconds, rates))
       measureMotion(measurement, simulation, seconds, rates);
+    late = measurement.late();
     // A run keeps a copy of its state.
     simulation.hold();
     if (scene.sublist("Output").get<bool>("Fields"))
@@ -278,12 +280,12 @@ StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& sce
   if (rates.unknowns == 0)
     rates.spent += rates.step * (rates.steps - ofSpent);
   rates.time = simulation.time() - time;
-  rates.work = simulation.particleSteps();
   const std::vector<double> memory = ranks.gatherOnAll({peakMemoryBytes()});
   rates.memory = std::accumulate(memory.begin(), memory.end(), 0.0);
   if (rates.failure.empty() && time == 0.0 && rates.unknowns == 0 && declaredOptions(scene).adaptive &&
       rates.time < wellKnown * scene.sublist("Time").get<double>("Final Time"))
-    rates.growth = growthByCoarseRun(scene, rates.time, ranks, seconds).value_or(Growth{});
+    if (const auto growth = growthByCoarseRun(scene, late, ranks, seconds); growth && isNoticeable(*growth))
+      rates.growth = *growth;
   return rates;
 }
 

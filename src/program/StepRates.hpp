@@ -28,9 +28,7 @@ struct StepRates
   double busy = 1.0;       ///< time by the clock over that of the processor, while it was measured
   int particles = 0;       ///< that the scene begins with
   int steps = 0;           ///< that were taken; of an analysis of equilibrium load steps
-  double work = 0.0;       ///< particles times steps, of those that were taken
-  double lateWork = 0.0;   ///< particles of a step, mean of the second half
-  Growth growth;           ///< of the whole run over those steps, where cells change; 1: not known
+  Growth growth;           ///< from the second half of them to the rest of the run, where cells change
   int unknowns = 0;        ///< of the linear systems of an equilibrium; 0: the analysis is dynamic
   double solves = 0.0;     ///< linear systems of a load step, mean
   double solve = 0.0;      ///< of one of them [s]

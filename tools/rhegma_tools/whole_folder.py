@@ -121,7 +121,10 @@ def read_frame(group):
     """Reads all of a frame, so that its checksums are looked at. Its time [s]."""
     names = []
     in_native_order(group.id.links.visit, names)
-    tables = [group[name] for name in names if isinstance(group[name], h5py.Dataset)]
+    items = [group[name] for name in names]
+    for item in (group, *items):
+        h5py.h5o.get_info(item.id)  # also parts that its numbers do not need, but some readers do
+    tables = [item for item in items if isinstance(item, h5py.Dataset)]
     for table in tables:
         if table.chunks and table.id.get_num_chunks() != math.prod(-(-n // c) for n, c in zip(table.shape, table.chunks)):
             raise OSError(f"{table.name} lacks chunks")
@@ -136,6 +139,7 @@ def read_frames(path, answer):
     names, times, damaged, why = [], [], [], None
     try:
         file = h5py.File(path, "r")
+        h5py.h5o.get_info(file.id)
         in_native_order(file.id.links.iterate, names)
         names = sorted(name for name in names if re.fullmatch(r"t\d+", name))
         for name in names:

@@ -121,7 +121,7 @@ class Flips(RestartTest):
         indices = self.indices(os.path.join(whole, "fields.h5"))
         self.assertGreater(len(indices), 1000)
         # First the heap of names and other parts of the indices, by the marks at their beginnings.
-        marks = (b"FHDB", b"FRHP", b"BTHD", b"BTLF", b"OHDR", b"OCHK")
+        marks = (b"FHDB", b"FRHP", b"BTHD", b"BTLF", b"FSHD", b"OHDR", b"OCHK")
         places = [fields.find(mark) + 13 for mark in marks]
         self.assertGreater(min(places), 12, "a mark is not there")
         places += [generator.choice(indices) if k % 2 else generator.randrange(len(fields)) for k in range(FLIPS)]
@@ -134,6 +134,8 @@ class Flips(RestartTest):
             damaged = bytearray(fields)
             damaged[at] ^= 1 << bit
             self.write(os.path.join("out", "fields.h5"), bytes(damaged))
+            if at in places[: len(marks)]:
+                self.assertNotEqual(check_folder(folder).faults, [], where)
             # Memory that is new or was freed holds no zeros, which would hide that it is used.
             answer = rhegma(scene_path, "--output", folder, "--quiet", "--restart", os.path.join(folder, "checkpoint.h5"),
                             MALLOC_PERTURB_="85")
