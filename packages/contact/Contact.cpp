@@ -20,8 +20,7 @@ Section section()
 {
   Section s("Contact", "Contact of crack faces. Without this section, closed faces overlap freely.");
   s.refuse({when::present("Contact"), when::is("Time", "Initial State", {"Equilibrium"})},
-           "contact in equilibrium is not implemented; write Initial State = Unloaded or Equilibrium Without "
-           "Cracks");
+           "contact in equilibrium is not implemented; write Unloaded or Equilibrium Without Cracks");
   s.refuse({when::present("Contact"), when::equilibrium()},
            "contact of faces in equilibrium is not implemented; leave the section out where faces open, or "
            "write Analysis = Dynamic");

@@ -28,6 +28,12 @@ KILLS = int(os.environ.get("RHEGMA_KILLS", "8"))
 FOREVER = 10.0  # [s], of which the plate takes a few 1e-5 a step
 
 
+def lasting():
+    """The plate for a long time, held, so that the load does not throw it away."""
+    wall = {"Type": "Symmetry", "Axis": "x", "Position": 0.0}
+    return plate().set("Time > Final Time", FOREVER).set("Boundaries > Wall", wall)
+
+
 def block(**more):
     """A square of rubber in a large domain."""
     return Scene(
@@ -202,7 +208,7 @@ def scene_end(scene):
 class StoppedFromOutside(LeftFiles):
     def scene(self):
         """The plate for so long that nobody waits for its end, with fields all the time."""
-        scene = plate().set("Time > Final Time", FOREVER)
+        scene = lasting()
         return scene.set("Output", {"History Interval": 1e-4, "Field Interval": 2e-4})
 
     def start(self, folder):
@@ -303,7 +309,7 @@ def small_files():
 
 class FullDisk(LeftFiles):
     def scene(self):
-        scene = plate().set("Time > Final Time", FOREVER)
+        scene = lasting()
         return self.write("scene.xml", scene.set("Output", {"History Interval": 1e-4, "Field Interval": 1e-3}).text())
 
     def reports(self, answer, folder):
@@ -322,7 +328,7 @@ class FullDisk(LeftFiles):
         path = self.write(
             "scene.xml",
             # Without its crack, whose faces may overlap when the run stops, of which there is a warning too.
-            plate().remove("Cracks").remove("Energy Release").set("Time > Final Time", FOREVER)
+            lasting().remove("Cracks").remove("Energy Release")
             .set("Output", {"History Interval": 1e-6, "Fields": False}).text(),
         )
         answer = rhegma(path, "--output", self.path("out"), "--quiet", preexec=small_files)
