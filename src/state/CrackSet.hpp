@@ -86,9 +86,9 @@ struct CrackFront
   bool grown = false;           ///< it has advanced since the start
   bool ended = false;           ///< it has met the surface of its body or another crack and has no facet
   ReleaseBudget budget{D == 3}; ///< energy of its new faces
-  FrontExtension extension;
-  FrontEvent<D> stop;    ///< the first stop of a node for a numerical reason
-  FrontEvent<D> arrival; ///< the last arrival of a node at a surface or another crack
+  FrontExtension extension;     ///< how far it has advanced since the start
+  FrontEvent<D> stop;           ///< the first stop of a node for a numerical reason
+  FrontEvent<D> arrival;        ///< the last arrival of a node at a surface or another crack
 
   /// Whether any of its nodes is about to advance.
   bool advances() const

@@ -20,7 +20,7 @@ struct FrontEvent
   double release = 0.0; ///< of a stop: energy release rate that was to advance the front [J/m2]
   double toughness = 0.0; ///< that it had reached [J/m2]
 
-  bool happened() const { return !what.empty(); }
+  bool happened() const { return !what.empty(); } ///< whether there was one
 
   /// Such as "less than three cells from crack A, G = 342 J/m2 for Gc = 8 J/m2, at t = 1 us, at 0, 1 m".
   std::string asText() const;

@@ -9,7 +9,8 @@ namespace Rhegma
 {
 
 /// Keeps the first stop of a front, or of nodes of it, for a numerical reason, and reports it in the warnings
-/// of the run. \param advice what helps, for the warning
+/// of the run. \param state of the run \param front that stopped \param stop where, when and why \param
+/// advice what helps, for the warning
 template <int D>
 void recordStop(State<D>& state, CrackFront<D>& front, const FrontEvent<D>& stop, const std::string& advice)
 {
