@@ -79,14 +79,16 @@ class OneRun(RestartTest):
         with open(path, "rb") as file:
             fcntl.flock(file, fcntl.LOCK_SH)
             wanted = 4 * os.path.getsize(path)
-            self.wait_for_size(run, path, wanted)
+            largest = self.wait_for_size(run, path, wanted)
             self.assertIsNone(run.poll(), "the run has ended")
-            self.assertGreater(os.path.getsize(path), wanted)
+            self.assertGreater(largest, wanted)
 
     def wait_for_size(self, run, path, size):
+        """The first size beyond `size` that is seen: HDF5 cuts the file again to what is in it when a frame is whole."""
         end = time.monotonic() + 60
-        while os.path.getsize(path) <= size and run.poll() is None and time.monotonic() < end:
+        while (now := os.path.getsize(path)) <= size and run.poll() is None and time.monotonic() < end:
             time.sleep(0.01)
+        return now
 
     def test_run_of_another_machine(self):
         folder = self.path("out")
