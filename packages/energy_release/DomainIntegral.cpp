@@ -2,10 +2,10 @@
 
 #include "energy_release/CrackPath.hpp"
 #include "energy_release/CrackTipFields.hpp"
-#include "energy_release/FacePressureNearTip.hpp"
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
+#include "energy_release/PressedPath.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
 #include "state/Subdomain.hpp"
@@ -265,11 +265,12 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
 /// Intensities by Williams' field about the tip of the crack in the cells. Each iteration finds the remaining
 /// offset, which falls by a factor of 50 or so.
 template <class Work>
-DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, Work& work)
+DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, const PressedPath& faces,
+                                 Work& work)
 {
   constexpr int turns = 4;
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
-  const double scale = 0.5 * work.disk.effectiveModulus / state.method.thickness;
+  const double thickness = state.method.thickness, scale = 0.5 * work.disk.effectiveModulus / thickness;
   DomainIntegral sum;
   const Vector<D> middle = front.position + offsetAside(state, front, work.weight.radii) * front.normal;
   for (int turn = 1;; ++turn)
@@ -280,10 +281,14 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
                             Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, sums[0], sums[1],
                             sums[2], sums[3], sums[4]);
     sumParts(state, sums, 5);
-    const double modeI = sums[1], modeII = sums[2], reciprocalI = sums[3], reciprocalII = sums[4];
-    sum.J = sums[0] / state.method.thickness;
+    sum.J = sums[0] / thickness;
     if (!work.intensities)
       return sum;
+    double ofFaces[2] = {}, reciprocalOfFaces[2] = {};
+    faces.addInteraction(sum.tipOffset, work.disk.moduli, ofFaces, reciprocalOfFaces);
+    const double modeI = sums[1] + thickness * ofFaces[0], modeII = sums[2] + thickness * ofFaces[1];
+    const double reciprocalI = sums[3] + thickness * reciprocalOfFaces[0],
+                 reciprocalII = sums[4] + thickness * reciprocalOfFaces[1];
     sum.modeI = scale * modeI;
     sum.modeII = scale * modeII;
     const double square = modeI * modeI + modeII * modeII;
@@ -333,15 +338,11 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.negative = -front.crack - 1;
   work.moving =
       state.clock.step > 0 && state.mesh.nodes.motion.extent(0) > 0; // nodes are empty before the first step
-  // The contribution of a pressure behind the front to J follows from its intensity.
-  work.intensities = intensities || state.cracks.pressure.extent(0) > 0;
-  DomainIntegral sum = integrateAboutTip(state, front, work);
+  work.intensities = intensities;
+  const PressedPath faces(state, front, work.weight);
+  DomainIntegral sum = integrateAboutTip(state, front, faces, work);
+  sum.J += faces.release(state);
   sum.lost = work.disk.empty;
-  if (!work.intensities)
-    return sum;
-  const double lost = intensityLostAtFront(state, front, sum.tipOffset);
-  sum.J += lost * (2.0 * sum.modeI + lost) / work.disk.effectiveModulus;
-  sum.modeI += lost;
   return sum;
 }
 

@@ -41,8 +41,8 @@ struct DomainIntegral
 /// Where the crack turns inside the disk, J is that of a shift of the disk along the crack (q a vector along
 /// it, in the front's direction ahead of it), as faces across the shift would add to it.
 ///
-/// Loads inside the disk, such as pressure on the faces, are in the integrals when `a` is the acceleration by
-/// internal forces alone (InternalAcceleration.hpp).
+/// Loads inside the disk are in the integrals when `a` is without them (InternalAcceleration.hpp). The work
+/// of a pressure on the faces is added as it follows from the faces (PressedPath.hpp).
 ///
 /// Displacement gradients and velocities are taken relative to the mean turn and motion of the disk, which
 /// changes no integral of the exact field but reduces round-off; a rotated body is measured in its turned

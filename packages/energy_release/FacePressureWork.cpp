@@ -1,8 +1,9 @@
 #include "energy_release/FacePressureWork.hpp"
 
+#include "energy_release/NodalDisplacement.hpp"
 #include "geometry/Cross.hpp"
 #include "state/Subdomain.hpp"
-#include "transfer/FacePoints.hpp"
+#include "transfer/LocalSpacing.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -16,8 +17,9 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Parts of a triangle's edge into which it is cut: the shape functions are not linear within it.
-constexpr int partsOfEdge = 4;
+/// Longest edge of the parts that triangles are cut into [cells]: the shape functions are not linear within
+/// them.
+constexpr double longestPart = 0.5;
 
 /// A force at a position [N], to be multiplied by the gradients of the nodal weights there.
 struct PointForce
@@ -25,122 +27,89 @@ struct PointForce
   Vector<3> position, force;
 };
 
-/// The triangles of a crack with their openings, on the host.
-class PressedTriangles
+/// A part of a triangle: the numbers of its corners in the list of forces, and the force of a unit opening on
+/// each [N/m].
+struct Part
 {
-public:
-  PressedTriangles(const CrackSet<3>& cracks, const FrontLine& line, double reach)
-      : vertex_(onHost(cracks.vertex)),
-        face_(onHost(cracks.face)),
-        simplex_(onHost(cracks.simplex)),
-        pressure_(onHost(cracks.pressure)),
-        sight_(line, 0.0),
-        reach_(reach)
-  {
-  }
+  std::array<int, 3> corner;
+  std::array<Vector<3>, 3> force;
+  Vector<3> normal; ///< from side -1 to side +1
+};
 
-  /// Adds the forces of triangle s, unless it is further from the front than `reach`.
-  void add(int s, std::vector<PointForce>& forces) const
+/// The parts of triangles of a crack near a front, on the host.
+struct PressedParts
+{
+  std::vector<PointForce> corners;
+  std::vector<Part> parts;
+  std::vector<Vector<3>> middles; ///< of the parts
+
+  /// Cuts a triangle. \param number parts of an edge
+  void add(const Vector<3> (&corner)[3], double pressure, int number)
   {
-    Vector<3> corner[3];
-    double square[3], nearest = 1e300; // of the opening along the normal, with its sign
-    for (int i = 0; i < 3; ++i)
-    {
-      Vector<3> opening;
-      for (int d = 0; d < 3; ++d)
-      {
-        corner[i][d] = vertex_(simplex_(s, i), d);
-        opening[d] = face_(simplex_(s, i), 1, d) - face_(simplex_(s, i), 0, d);
-      }
-      const FrontFoot foot = sight_.locate(corner[i]);
-      nearest = std::min(nearest, foot.distance);
-      const double open = dot(opening, foot.normal);
-      square[i] = open * std::fabs(open);
-    }
-    if (nearest >= reach_)
-      return;
     const Vector<3> area = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const Vector<3> normal = (1.0 / norm(area)) * area;
-    const int first = static_cast<int>(forces.size());
-    const auto number = [&](int i, int j) { return first + i * (partsOfEdge + 1) - i * (i - 1) / 2 + j; };
-    for (int i = 0; i <= partsOfEdge; ++i)
-      for (int j = 0; i + j <= partsOfEdge; ++j)
+    const int first = static_cast<int>(corners.size());
+    const auto at = [&](int i, int j) { return first + i * (number + 1) - i * (i - 1) / 2 + j; };
+    for (int i = 0; i <= number; ++i)
+      for (int j = 0; i + j <= number; ++j)
       {
-        const double a = double(i) / partsOfEdge, b = double(j) / partsOfEdge;
-        forces.push_back({(1.0 - a - b) * corner[0] + a * corner[1] + b * corner[2], {0.0, 0.0, 0.0}});
+        const double a = double(i) / number, b = double(j) / number;
+        corners.push_back({(1.0 - a - b) * corner[0] + a * corner[1] + b * corner[2], {0.0, 0.0, 0.0}});
       }
-    // Near a front the opening is proportional to the root of the distance, and its square is smooth also for
-    // an ellipse: the square is interpolated.
-    const auto addPart = [&](const std::array<int, 3>& part, double a, double b)
-    {
-      const double mean = (1.0 - a - b) * square[0] + a * square[1] + b * square[2];
-      const double force = 0.5 * pressure_(s) * std::copysign(std::sqrt(std::fabs(mean)), mean);
-      for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < number; ++i)
+      for (int j = 0; i + j < number; ++j)
       {
-        const Vector<3> opposite = forces[part[(i + 2) % 3]].position - forces[part[(i + 1) % 3]].position;
-        forces[part[i]].force = forces[part[i]].force + force * cross(normal, opposite);
-      }
-    };
-    constexpr double third = 1.0 / (3.0 * partsOfEdge);
-    for (int i = 0; i < partsOfEdge; ++i)
-      for (int j = 0; i + j < partsOfEdge; ++j)
-      {
-        const double a = double(i) / partsOfEdge, b = double(j) / partsOfEdge;
-        addPart({number(i, j), number(i + 1, j), number(i, j + 1)}, a + third, b + third);
-        if (i + j + 1 < partsOfEdge)
-          addPart({number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)}, a + 2.0 * third,
-                  b + 2.0 * third);
+        addPart({at(i, j), at(i + 1, j), at(i, j + 1)}, normal, pressure);
+        if (i + j + 1 < number)
+          addPart({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, normal, pressure);
       }
   }
 
 private:
-  View<double* [3]>::HostMirror vertex_;
-  View<double* [2][3]>::HostMirror face_;
-  View<int* [3]>::HostMirror simplex_;
-  View<double*>::HostMirror pressure_;
-  FrontSight sight_;
-  double reach_;
+  void addPart(const std::array<int, 3>& corner, const Vector<3>& normal, double pressure)
+  {
+    Part part{corner, {}, normal};
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector<3> opposite =
+          corners[corner[(i + 2) % 3]].position - corners[corner[(i + 1) % 3]].position;
+      part.force[i] = 0.5 * pressure * cross(normal, opposite);
+    }
+    parts.push_back(part);
+    middles.push_back((1.0 / 3.0) * (corners[corner[0]].position + corners[corner[1]].position +
+                                     corners[corner[2]].position));
+  }
 };
 
+/// The parts of the triangles of a crack within `reach` of a front that pressure acts on.
+PressedParts partsNear(const State<3>& state, const Crack<3>& crack, const FrontLine& line, double reach)
+{
+  const auto vertex = onHost(state.cracks.vertex);
+  const auto simplex = onHost(state.cracks.simplex);
+  const auto pressure = onHost(state.cracks.pressure);
+  const FrontSight sight(line, 0.0);
+  PressedParts all;
+  for (int s = crack.firstSimplex; s < crack.firstSimplex + crack.numSimplices; ++s)
+  {
+    Vector<3> corner[3];
+    double nearest = 1e300, longest = 0.0;
+    for (int i = 0; i < 3; ++i)
+      for (int d = 0; d < 3; ++d)
+        corner[i][d] = vertex(simplex(s, i), d);
+    for (int i = 0; i < 3; ++i)
+    {
+      nearest = std::min(nearest, sight.locate(corner[i]).distance);
+      longest = std::max(longest, norm(corner[(i + 1) % 3] - corner[i]));
+    }
+    if (pressure(s) == 0.0 || nearest >= reach + longest)
+      continue;
+    const double part = longestPart * spacingAt(state, corner[0]);
+    all.add(corner, pressure(s), std::max(1, static_cast<int>(std::ceil(longest / part))));
+  }
+  return all;
+}
+
 } // namespace
-
-bool isPressed(const State<3>& state)
-{
-  return state.clock.step > 0 && state.cracks.pressure.extent(0) > 0 &&
-         state.cracks.pressure.extent(0) == state.cracks.simplex.extent(0);
-}
-
-void addAccelerationByPressure(const State<3>& state, const NodalAcceleration<3>& acceleration)
-{
-  if (!isPressed(state))
-    return;
-  FacePoints<3> points;
-  points.update(state);
-  const View<double* [3]> force("rhegma::forceOfFacePressure", acceleration.extent(0));
-  const View<double*> pressure = state.cracks.pressure;
-  const View<int*> simplex = points.simplex();
-  const FacePoints<3> p = points;
-  forEachPushing(
-      "rhegma::forceOfFacePressure", points.count(), KOKKOS_LAMBDA(const int k) {
-        const double size = pressure(simplex(k)) * p.currentSize(k);
-        for (int d = 0; d < 3; ++d)
-        {
-          for (int e = 0; e < p.above.count(k); ++e)
-            Kokkos::atomic_add(&force(p.above.node(k, e), d), p.above.weight(k, e) * size * p.normal(k, d));
-          for (int e = 0; e < p.below.count(k); ++e)
-            Kokkos::atomic_add(&force(p.below.node(k, e), d), -p.below.weight(k, e) * size * p.normal(k, d));
-        }
-      });
-  sumOverRanks(state, force.data(), 3, 0, 3);
-  const Nodes<3> nodes = state.mesh.nodes;
-  Kokkos::parallel_for(
-      "rhegma::accelerationByFacePressure", Kokkos::RangePolicy<ExecSpace>(0, acceleration.extent(0)),
-      KOKKOS_LAMBDA(const int n) {
-        const double mass = nodes.sums(n, Nodes<3>::massAt);
-        for (int d = 0; d < 3; ++d)
-          acceleration(n, d) += mass > 0.0 ? force(n, d) / mass : 0.0;
-      });
-}
 
 void addForceOfPressure(const State<3>& state, int crack, const FrontLine& line, const FrontTube& tube,
                         const View<double* [3]>& force)
@@ -148,11 +117,18 @@ void addForceOfPressure(const State<3>& state, int crack, const FrontLine& line,
   if (!isPressed(state) || line.empty())
     return;
   // Functions of nodes in the tube reach two of the largest cells further.
-  const PressedTriangles triangles(state.cracks, line, tube.radii.outer + 2.0 * state.mesh.grid.spacing);
-  const Crack<3>& own = state.cracks.cracks[crack];
-  std::vector<PointForce> forces;
-  for (int s = own.firstSimplex; s < own.firstSimplex + own.numSimplices; ++s)
-    triangles.add(s, forces);
+  const double reach = tube.radii.outer + 2.0 * state.mesh.grid.spacing;
+  PressedParts cut = partsNear(state, state.cracks.cracks[crack], line, reach);
+  const std::vector<Vector<3>> opening =
+      openingAt(state, displacementOfNodes(state, regionAround(line, 2.0 * reach)), crack, cut.middles);
+  std::vector<PointForce>& forces = cut.corners;
+  for (std::size_t k = 0; k < cut.parts.size(); ++k)
+  {
+    const Part& part = cut.parts[k];
+    const double open = dot(opening[k], part.normal);
+    for (int i = 0; i < 3; ++i)
+      forces[part.corner[i]].force = forces[part.corner[i]].force + open * part.force[i];
+  }
 
   ObservedPoints<3> points;
   points.onAllRanks = true;

@@ -1,23 +1,16 @@
 #pragma once
 /// The contribution of a pressure on the faces of a crack to J along its fronts in 3D.
 
+#include "energy_release/AccelerationByPressure.hpp"
 #include "energy_release/FrontLine.hpp"
 #include "energy_release/FrontTube.hpp"
-#include "energy_release/InternalAcceleration.hpp"
 
 namespace Rhegma::energy_release
 {
 
-/// Whether anything presses on the faces of cracks (CrackSet::pressure).
-bool isPressed(const State<3>& state);
-
-/// Adds the acceleration by the pressure to that of nodes: the integral over the tube is then without the
-/// work of the pressure, much of which is done within a cell of the front, where u,k is singular. Collective.
-void addAccelerationByPressure(const State<3>& state, const NodalAcceleration<3>& acceleration);
-
-/// Adds that work to the configurational forces of nodes, as it follows from the opening, by integration by
-/// parts, where the opening is accurate (Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405, for the
-/// term - int p [u_n],e q dS):
+/// Adds the work of the pressure to the configurational forces of nodes, which are without it
+/// (AccelerationByPressure.hpp), as it follows from the opening, by integration by parts, where the opening
+/// is accurate (Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405, for the term - int p [u_n],e q dS):
 ///
 ///     G_n = int p [u_n] grad N_n dS
 ///

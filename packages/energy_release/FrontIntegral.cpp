@@ -17,23 +17,6 @@ namespace
 
 constexpr int D = 3;
 
-Region<D> regionAround(const FrontLine& line, double reach)
-{
-  Region<D> box{line.nodes[0].position, line.nodes[0].position};
-  for (const FrontNode<D>& s : line.nodes)
-    for (int d = 0; d < D; ++d)
-    {
-      box.lower[d] = std::min(box.lower[d], s.position[d]);
-      box.upper[d] = std::max(box.upper[d], s.position[d]);
-    }
-  for (int d = 0; d < D; ++d)
-  {
-    box.lower[d] -= reach;
-    box.upper[d] += reach;
-  }
-  return box;
-}
-
 /// A node in the tube.
 struct TubeNode
 {
@@ -227,7 +210,6 @@ std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, in
   // Nodes that particles in the tube touch are touched by others.
   internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.mesh.grid.spacing),
                        acceleration);
-  addAccelerationByPressure(state, acceleration);
   const View<double* [D]> force =
       configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration);
   addForceOfPressure(state, crack, line, tube, force);

@@ -1,5 +1,6 @@
 #include "energy_release/InternalAcceleration.hpp"
 
+#include "energy_release/AccelerationByPressure.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
@@ -8,16 +9,6 @@ namespace Rhegma::energy_release
 
 namespace
 {
-
-struct Disk
-{
-  Vector<2> centre;
-  double radius;
-  KOKKOS_INLINE_FUNCTION bool holds(const Vector<2>& x) const
-  {
-    return dot(x - centre, x - centre) <= radius * radius;
-  }
-};
 
 /// Adds the forces of a block of particles to the nodes.
 template <int D, class Range, class Connect>
@@ -109,6 +100,7 @@ void accelerate(const State<D>& state, const Range& range, NodalAcceleration<D>&
   sumOverRanks(state, force.data(), D + 1, 0, D + 1);
   addSprings(state, force);
   divideByMass<D>(force);
+  addAccelerationByPressure(state, force);
 }
 
 } // namespace
