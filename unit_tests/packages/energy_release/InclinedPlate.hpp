@@ -13,14 +13,16 @@ namespace Rhegma
 namespace Test
 {
 
-/// A crack in an infinite plate in plane stress, and the stress far away in its frame.
+/// A crack in an infinite plate in plane stress, the stress far away in its frame, and the pressure on its
+/// faces.
 struct InclinedCrack
 {
   ElasticSolid solid;
   double halfLength;              ///< [m]
   double angle, x, y;             ///< of the crack and of its middle [m]
   double opening, sliding, along; ///< [Pa]
-  double modeI() const { return opening * std::sqrt(std::acos(-1.0) * halfLength); }
+  double pressure = 0.0;          ///< [Pa]
+  double modeI() const { return (opening + pressure) * std::sqrt(std::acos(-1.0) * halfLength); }
   double modeII() const { return sliding * std::sqrt(std::acos(-1.0) * halfLength); }
 };
 
@@ -33,7 +35,8 @@ inline InclinedCrack pulled(const ElasticSolid& solid, double halfLength, double
   return {solid, halfLength, angle, x, y, load * c * c, -load * s * c, load * s * s};
 }
 
-/// The displacement by Westergaard's functions (Westergaard, J. Appl. Mech. 6 (1939) A49; Sih, Int. J. Fract.
+/// The displacement by Westergaard's functions, that under pressure as under tension from all sides less the
+/// tension of the plate without a crack (Westergaard, J. Appl. Mech. 6 (1939) A49; Sih, Int. J. Fract.
 /// Mech. 2 (1966) 628) over the time of loading, as a scene takes it.
 inline std::string displacement(const InclinedCrack& crack, double loading)
 {
@@ -45,11 +48,12 @@ inline std::string displacement(const InclinedCrack& crack, double loading)
        << "); p = c*X + s*Y; q = c*Y - s*X;"
        << "r = sqrt(sqrt(((p-a)^2 + q^2) * ((p+a)^2 + q^2))); h = (atan2(q, p-a) + atan2(q, p+a)) / 2;"
        << "f = r*cos(h); g = r*sin(h); m = (p*cos(h) + q*sin(h)) / r; n = (q*cos(h) - p*sin(h)) / r;"
-       << "P = (" << crack.opening << "); T = (" << crack.sliding << "); N = (" << crack.along - crack.opening
-       << ");"
-       << "u = (P*(" << 0.5 * (k - 1.0) << "*f - q*n) + T*(" << 0.5 * (k + 1.0) << "*g + q*m) + N*"
+       << "P = (" << crack.opening + crack.pressure << "); T = (" << crack.sliding << "); N = ("
+       << crack.along - crack.opening << ");"
+       << "D = (" << -0.5 * (k - 1.0) * crack.pressure << ");"
+       << "u = (P*(" << 0.5 * (k - 1.0) << "*f - q*n) + D*p + T*(" << 0.5 * (k + 1.0) << "*g + q*m) + N*"
        << 0.25 * (k + 1.0) << "*p) / " << 2.0 * shear << ";"
-       << "v = (P*(" << 0.5 * (k + 1.0) << "*g - q*m) - T*(" << 0.5 * (k - 1.0) << "*f + q*n) + N*("
+       << "v = (P*(" << 0.5 * (k + 1.0) << "*g - q*m) + D*q - T*(" << 0.5 * (k - 1.0) << "*f + q*n) + N*("
        << 0.25 * (k - 3.0) << ")*q) / " << 2.0 * shear << ";"
        << "(c*u - s*v) / " << loading << ", (s*u + c*v) / " << loading;
   return text.str();
