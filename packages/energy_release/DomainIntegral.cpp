@@ -3,6 +3,7 @@
 #include "energy_release/CrackPath.hpp"
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/FacePressureNearTip.hpp"
+#include "energy_release/FaceTractionNearTip.hpp"
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
@@ -267,6 +268,7 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
 template <class Work>
 DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, Work& work)
 {
+  const FaceTractions faces(state, front, work.weight.radii);
   constexpr int turns = 4;
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
   const double scale = 0.5 * work.disk.effectiveModulus / state.method.thickness;
@@ -280,8 +282,12 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
                             Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, sums[0], sums[1],
                             sums[2], sums[3], sums[4]);
     sumParts(state, sums, 5);
-    const double modeI = sums[1], modeII = sums[2], reciprocalI = sums[3], reciprocalII = sums[4];
-    sum.J = sums[0] / state.method.thickness;
+    const Vector<2> onFaces = faces.intensities(sum.tipOffset),
+                    ofFaces = faces.reciprocals(sum.tipOffset, work.disk.effectiveModulus);
+    const double modeI = sums[1] + onFaces[0] / scale, modeII = sums[2] + onFaces[1] / scale;
+    const double reciprocalI = sums[3] + state.method.thickness * ofFaces[0],
+                 reciprocalII = sums[4] + state.method.thickness * ofFaces[1];
+    sum.J = sums[0] / state.method.thickness + faces.release();
     if (!work.intensities)
       return sum;
     sum.modeI = scale * modeI;
