@@ -181,7 +181,9 @@ typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const St
     patch.touching = patch.gap <= touchingGap * state.mesh.grid.spacing;
     patch.normalMultiplier = patch.pressure;
     patch.shearMultiplier = patch.shear;
-    evaluate(patch);
+    patch.touch = !patch.touching                             ? Touch::Open
+                  : contact_.law() == Law::Frictionless ? Touch::Sliding
+                                                        : Touch::Sticking;
     groups.emplace_back();
     for (Part& part : patch.parts)
     {
@@ -192,7 +194,6 @@ typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const St
           groups.back().push_back(row);
     }
   }
-  first_ = true;
   return groups;
 }
 
@@ -204,23 +205,58 @@ Stiffness ContactInEquilibrium<D>::stiffnessOf(const Patch& patch) const
 }
 
 template <int D>
-void ContactInEquilibrium<D>::evaluate(Patch& patch) const
+Vector<D - 1> ContactInEquilibrium<D>::slipOf(const Patch& patch) const
+{
+  Vector<D - 1> slip;
+  for (int t = 0; t < D - 1; ++t)
+    slip[t] = patch.moved[1 + t];
+  return slip;
+}
+
+template <int D>
+void ContactInEquilibrium<D>::press(Patch& patch) const
 {
   const Stiffness k = stiffnessOf(patch);
-  const double shifted = patch.gap + patch.moved[0] - patch.normalMultiplier / k.normal;
-  Vector<D - 1> moved;
-  for (int t = 0; t < D - 1; ++t)
-    moved[t] = patch.moved[1 + t];
-  const Vector<D - 1> slip = (1.0 / k.tangential) * patch.shearMultiplier;
-  patch.now = returnMap(contact_.law(), contact_.friction(), k, shifted, patch.touching, moved, slip,
-                        patch.shear);
-  const bool sticks = contact_.law() == Law::Stick ||
-                      k.tangential * norm(slip + moved) <= contact_.friction() * patch.now.pressure;
-  patch.touch = !(patch.now.pressure > 0.0)  ? Touch::Open
-                : patch.touching && sticks ? Touch::Sticking
-                                           : Touch::Sliding;
-  if (patch.touch != Touch::Open && contact_.law() == Law::Frictionless)
+  patch.now = {};
+  if (patch.touch == Touch::Open)
+    return;
+  patch.now.pressure = patch.normalMultiplier - k.normal * (patch.gap + patch.moved[0]);
+  patch.now.shear = patch.touch == Touch::Sticking
+                        ? patch.shearMultiplier + k.tangential * slipOf(patch)
+                        : (contact_.friction() * patch.now.pressure) * patch.direction;
+}
+
+template <int D>
+void ContactInEquilibrium<D>::choose(Patch& patch) const
+{
+  const Stiffness k = stiffnessOf(patch);
+  const Vector<D - 1> before = patch.direction,
+                      trial = patch.shearMultiplier + k.tangential * slipOf(patch);
+  const Return<D - 1> law = returnMap(contact_.law(), contact_.friction(), k,
+                                      patch.gap + patch.moved[0] - patch.normalMultiplier / k.normal,
+                                      patch.touching, Vector<D - 1>{}, (1.0 / k.tangential) * trial, {});
+  const bool slid = patch.touch == Touch::Sliding && norm(before) > 0.0;
+  patch.normalMultiplier = law.pressure;
+  patch.shearMultiplier = law.shear;
+  patch.direction = {};
+  const double size = norm(law.shear), limit = contact_.friction() * law.pressure;
+  const bool sticks = patch.touching && (contact_.law() == Law::Stick ||
+                                         (contact_.law() == Law::Coulomb && norm(trial) <= limit));
+  if (!(law.pressure > 0.0))
+    patch.touch = Touch::Open;
+  else if (slid && dot(trial, before) < limit) // it would slide back: it sticks
+  {
+    patch.touch = Touch::Sticking;
+    patch.shearMultiplier = limit * before;
+  }
+  else if (sticks)
+    patch.touch = Touch::Sticking;
+  else
+  {
     patch.touch = Touch::Sliding;
+    if (size > 0.0)
+      patch.direction = (1.0 / size) * law.shear;
+  }
 }
 
 template <int D>
@@ -233,7 +269,7 @@ void ContactInEquilibrium<D>::add(const Values& displacement, const Values& forc
       for (int c = 0; c < D; ++c)
         for (int d = 0; d < D; ++d)
           patch.moved[c] += part.jump[c][d] * jumpOf<D>(displacement, part.plusRow, part.minusRow, d);
-    evaluate(patch);
+    press(patch);
     Vector<D> traction; // its change, on side +1
     traction[0] = patch.now.pressure - patch.pressure;
     for (int t = 0; t < D - 1; ++t)
@@ -253,47 +289,30 @@ void ContactInEquilibrium<D>::add(const Values& displacement, const Values& forc
 
 /// \param C minus the derivative of the traction on side +1 (normal, tangents) by the mean jump [Pa/m]
 template <int D>
-bool ContactInEquilibrium<D>::derive(const Patch& patch, Touch touch, bool symmetric,
-                                     double (&C)[D][D]) const
+bool ContactInEquilibrium<D>::derive(const Patch& patch, bool symmetric, double (&C)[D][D]) const
 {
   const Stiffness k = stiffnessOf(patch);
   C[0][0] = k.normal;
-  if (touch == Touch::Sticking)
+  if (patch.touch == Touch::Sticking)
     for (int t = 1; t < D; ++t)
       C[t][t] = k.tangential;
-  const double shear = norm(patch.now.shear);
-  if (touch != Touch::Sliding || !(shear > 0.0))
+  if (patch.touch == Touch::Sticking || symmetric)
     return true;
-  Vector<D - 1> trial, along;
-  for (int t = 0; t < D - 1; ++t)
-  {
-    trial[t] = patch.shearMultiplier[t] + k.tangential * patch.moved[1 + t];
-    along[t] = patch.now.shear[t] / shear;
-  }
-  // The limit of the shear traction is in the direction of the trial one.
-  const double turned = k.tangential * shear / norm(trial);
   for (int s = 0; s < D - 1; ++s)
-  {
-    for (int t = 0; t < D - 1; ++t)
-      C[1 + s][1 + t] = turned * ((s == t ? 1.0 : 0.0) - along[s] * along[t]);
-    C[1 + s][0] = symmetric ? 0.0 : -contact_.friction() * k.normal * along[s];
-  }
-  return symmetric || contact_.friction() == 0.0;
+    C[1 + s][0] = -contact_.friction() * k.normal * patch.direction[s];
+  return contact_.friction() == 0.0;
 }
 
 template <int D>
 bool ContactInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addBlock)
 {
   bool isSymmetric = true;
-  for (Patch& patch : patches_)
+  for (const Patch& patch : patches_)
   {
-    patch.derived = patch.touch;
-    if (first_ && patch.touching)
-      patch.derived = contact_.law() == Law::Frictionless ? Touch::Sliding : Touch::Sticking;
-    if (patch.derived == Touch::Open)
+    if (patch.touch == Touch::Open)
       continue;
     double C[D][D] = {};
-    isSymmetric = derive(patch, patch.derived, symmetric, C) && isSymmetric;
+    isSymmetric = derive(patch, symmetric, C) && isSymmetric;
     for (const Part& a : patch.parts)
       for (const Part& b : patch.parts)
       {
@@ -315,22 +334,14 @@ bool ContactInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addBl
 }
 
 template <int D>
-bool ContactInEquilibrium<D>::hasChangedBranch() const
-{
-  return std::any_of(patches_.begin(), patches_.end(),
-                     [](const Patch& patch) { return patch.touch != patch.derived; });
-}
-
-template <int D>
 bool ContactInEquilibrium<D>::update()
 {
-  first_ = false;
   bool closed = false;
   for (Patch& patch : patches_)
   {
-    closed = closed || patch.now.pressure > 0.0 || patch.normalMultiplier > 0.0;
-    patch.normalMultiplier = patch.now.pressure;
-    patch.shearMultiplier = patch.now.shear;
+    const bool before = patch.touch != Touch::Open;
+    choose(patch);
+    closed = closed || before || patch.touch != Touch::Open;
   }
   return closed;
 }
@@ -395,14 +406,15 @@ void ContactInEquilibrium<D>::accept(const State<D>& state)
   for (const Patch& patch : patches_)
   {
     stored -= 0.5 * patch.area * (patch.pressure + patch.now.pressure) * patch.moved[0];
-    lost += patch.area * patch.now.heat;
+    const double heat = 0.5 * dot(patch.shear + patch.now.shear, slipOf(patch));
+    lost += patch.area * heat;
     for (const int k : patch.points)
     {
       PointContact<D>& point = found[k];
       point.acts = true;
       point.gap = patch.gap + patch.moved[0];
       point.pressure = patch.now.pressure;
-      point.heat = patch.now.heat;
+      point.heat = patch.area / patch.size * heat;
       for (int t = 0; t < D - 1; ++t)
         for (int s = 0; s < D - 1; ++s)
           point.shear[s] +=

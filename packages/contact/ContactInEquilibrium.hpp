@@ -20,15 +20,20 @@ enum class Touch
   Sliding
 };
 
-/// Contact without overlap by augmented Lagrangians (Simo and Laursen, Comput. Struct. 42 (1992) 97).
+/// Contact without overlap by augmented Lagrangians (Simo and Laursen, Comput. Struct. 42 (1992) 97) and an
+/// active set (Hueber, Stadler and Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572).
 ///
 /// The law is that of the face points in dynamics (ContactLaw.hpp), a pressure kn <-g> and a return map of the
 /// shear traction, at patches of face points (FacePatches.hpp) with their mean gap and slip, and shifted by
-/// multipliers: p = <l - kn g>. After each iteration of Newton's method the multipliers take the tractions
-/// found, so that gap and elastic slip go to zero with the residual; kn sets only how fast.
+/// multipliers: p = <l - kn g>. After each iteration of Newton's method the law says which patches are open,
+/// stick or slide in the next one, and the multipliers take the tractions found, so that gap and elastic slip
+/// go to zero with the residual; kn sets only how fast. A patch that slides and would slide back sticks next.
 ///
-/// Faces that touch at the start of a step are taken to be closed and to stick by the first iteration. Faces
-/// that meet within a step have no shear traction at its end, as in dynamics.
+/// Faces that touch at the start of a step are taken to stick by the first iteration. Faces that meet within
+/// a step have no shear traction at its end, as in dynamics.
+///
+/// Forces act on nodes with two fields, in proportion to the areas of their faces (FaceNodes.hpp), equal and
+/// opposite on both.
 template <int D>
 class ContactInEquilibrium : public StepForce<D>
 {
@@ -43,7 +48,6 @@ public:
   Groups begin(const State<D>& state, const View<int*>& rowOf) override;
   void add(const Values& displacement, const Values& force) override;
   bool addStiffness(bool symmetric, const AddBlock& addBlock) override;
-  bool hasChangedBranch() const override;
   bool update() override;
   int iterationFactor() const override { return 3; }
   std::vector<HeldDirection<D>> heldDirections() const override;
@@ -95,9 +99,9 @@ private:
     double normalMultiplier = 0.0;     ///< [Pa]
     Vector<D - 1> shearMultiplier{};   ///< [Pa]
     Vector<D> moved{};                 ///< jump over the step by the last `add`: normal, tangents [m]
-    Return<D - 1> now{};               ///< by the last `add`
-    Touch touch = Touch::Open;         ///< by the last `add`
-    Touch derived = Touch::Open;       ///< of the last `addStiffness`
+    Touch touch = Touch::Open;         ///< that `add` and `addStiffness` take
+    Vector<D - 1> direction{};         ///< of the shear traction while sliding, of unit length or zero
+    Return<D - 1> now{};               ///< tractions by the last `add`
   };
 
   Vector<D> tangent(int point, int which) const;
@@ -106,15 +110,19 @@ private:
   void addJumps(Patch& patch, const std::map<int, Frame>& frames, const std::vector<FaceNode<D>>& nodes,
                 const std::vector<double>& scale) const;
   Stiffness stiffnessOf(const Patch& patch) const;
-  void evaluate(Patch& patch) const;
-  bool derive(const Patch& patch, Touch touch, bool symmetric, double (&C)[D][D]) const;
+  /// Slip over the step.
+  Vector<D - 1> slipOf(const Patch& patch) const;
+  /// Tractions of a patch as it is taken to touch.
+  void press(Patch& patch) const;
+  /// How a patch touches by the law, at the displacement of the last `add`, and its multipliers.
+  void choose(Patch& patch) const;
+  bool derive(const Patch& patch, bool symmetric, double (&C)[D][D]) const;
 
   FaceContact<D>& contact_;
   View<int*> patchOf_; ///< of each point
   std::vector<Patch> patches_;
   std::vector<std::string> names_; ///< of cracks
   std::vector<Vector<D>> reference_; ///< of each point: where its first tangent points, before projection
-  bool first_ = true;                ///< no displacement has been accepted in this step
 };
 
 } // namespace Rhegma::contact

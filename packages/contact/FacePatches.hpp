@@ -12,7 +12,7 @@ namespace Rhegma::contact
 /// pressure for each face point, half a cell apart, there are more constraints than motions of the faces
 /// against each other, and pressures swing from point to point (Babuska, Numer. Math. 20 (1973) 179; for
 /// cracks that cut cells Bechet, Moes and Wohlmuth, Int. J. Numer. Meth. Eng. 78 (2009) 931).
-constexpr double patchSpacing = 2.0;
+constexpr double patchSpacing = 3.0;
 
 /// Cosine of the largest angle between the normals of a patch's points and that of its middle.
 constexpr double patchAlignment = 0.95;

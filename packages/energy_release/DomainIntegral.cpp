@@ -284,10 +284,17 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     sumParts(state, sums, 5);
     const Vector<2> onFaces = faces.intensities(sum.tipOffset),
                     ofFaces = faces.reciprocals(sum.tipOffset, work.disk.effectiveModulus);
-    const double modeI = sums[1] + onFaces[0] / scale, modeII = sums[2] + onFaces[1] / scale;
+    // Of closed faces the tractions are those with which M has the K_I of their opening: the integral over the
+    // particles scatters less than the tractions.
+    const double opening =
+        faces.closed() ? faces.intensityOfOpening(sum.tipOffset, work.disk.effectiveModulus) : 0.0;
+    const double corrected =
+        faces.closed() && onFaces[0] > 0.0 ? (opening - scale * sums[1]) / onFaces[0] : 1.0;
+    const double modeI = sums[1] + corrected * onFaces[0] / scale,
+                 modeII = sums[2] + corrected * onFaces[1] / scale;
     const double reciprocalI = sums[3] + state.method.thickness * ofFaces[0],
                  reciprocalII = sums[4] + state.method.thickness * ofFaces[1];
-    sum.J = sums[0] / state.method.thickness + faces.release();
+    sum.J = sums[0] / state.method.thickness + corrected * faces.release();
     if (!work.intensities)
       return sum;
     sum.modeI = scale * modeI;
@@ -340,7 +347,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.moving =
       state.clock.step > 0 && state.mesh.nodes.motion.extent(0) > 0; // nodes are empty before the first step
   // The contribution of a pressure behind the front to J follows from its intensity.
-  work.intensities = intensities || state.cracks.pressure.extent(0) > 0;
+  work.intensities = intensities || state.cracks.pressure.extent(0) > 0 || state.cracks.tractions;
   DomainIntegral sum = integrateAboutTip(state, front, work);
   sum.lost = work.disk.empty;
   if (!work.intensities)

@@ -59,21 +59,46 @@ FaceTractions::FaceTractions(const State<2>& state, const CrackFront<2>& front, 
     const double from = passed;
     passed += point.size;
     const double q = weightAt(norm(point.position - front.position), radii);
-    if (q == 0.0 || (point.traction[0] == 0.0 && point.traction[1] == 0.0))
+    if (q == 0.0)
       continue;
+    const Vector<2> middle = jump(0.5 * (from + passed)), step = jump(passed) - jump(from);
     pieces_.push_back({from,
                        passed,
                        q,
                        {dot(point.traction, front.normal), dot(point.traction, front.direction)},
-                       dot(point.traction, jump(passed) - jump(from))});
+                       {dot(step, front.normal), dot(step, front.direction)},
+                       dot(middle, front.normal)});
   }
+  closed_ = !pieces_.empty() && std::all_of(pieces_.begin(), pieces_.end(),
+                                            [](const Piece& piece) { return piece.traction[0] > 0.0; });
+  if (closed_)
+    smoothen();
+}
+
+void FaceTractions::smoothen()
+{
+  Vector<2> force{};
+  double length = 0.0;
+  for (const Piece& piece : pieces_)
+  {
+    const double part = piece.q * (piece.to - piece.from);
+    force = force + part * piece.traction;
+    length += part;
+  }
+  for (Piece& piece : pieces_)
+    piece.traction = (1.0 / length) * force;
+}
+
+double FaceTractions::startOf(const Piece& piece, double tipOffset) const
+{
+  return piece.from == 0.0 ? 0.0 : piece.from + tipOffset;
 }
 
 double FaceTractions::release() const
 {
   double sum = 0.0;
   for (const Piece& piece : pieces_) // the distance behind the front grows against the direction
-    sum += piece.q * piece.work;
+    sum += piece.q * dot(piece.traction, piece.step);
   return sum;
 }
 
@@ -83,12 +108,24 @@ Vector<2> FaceTractions::intensities(double tipOffset) const
   for (const Piece& piece : pieces_)
   {
     // int s^-1/2 ds
+    const double from = startOf(piece, tipOffset);
     const double weighed =
-        2.0 * (std::sqrt(std::max(piece.to + tipOffset, 0.0)) - std::sqrt(std::max(piece.from + tipOffset, 0.0)));
+        2.0 * (std::sqrt(std::max(piece.to + tipOffset, 0.0)) - std::sqrt(std::max(from, 0.0)));
     sum = sum + (piece.q * weighed) * piece.traction;
   }
-  // Of the first piece, what lies ahead of the front in the cells.
   return std::sqrt(2.0 / std::acos(-1.0)) * sum;
+}
+
+double FaceTractions::intensityOfOpening(double tipOffset, double effectiveModulus) const
+{
+  double product = 0.0, square = 0.0;
+  for (const Piece& piece : pieces_)
+  {
+    const double behind = std::max(0.5 * (piece.from + piece.to) + tipOffset, 0.0);
+    product += piece.q * (piece.to - piece.from) * std::sqrt(behind) * piece.opening;
+    square += piece.q * (piece.to - piece.from) * behind;
+  }
+  return square > 0.0 ? effectiveModulus * std::sqrt(2.0 * std::acos(-1.0)) / 8.0 * product / square : 0.0;
 }
 
 Vector<2> FaceTractions::reciprocals(double tipOffset, double effectiveModulus) const
@@ -98,7 +135,7 @@ Vector<2> FaceTractions::reciprocals(double tipOffset, double effectiveModulus) 
   {
     // int s^1/2 ds
     const double weighed = (std::pow(std::max(piece.to + tipOffset, 0.0), 1.5) -
-                            std::pow(std::max(piece.from + tipOffset, 0.0), 1.5)) /
+                            std::pow(std::max(startOf(piece, tipOffset), 0.0), 1.5)) /
                            1.5;
     sum = sum - (piece.q * weighed) * piece.traction;
   }

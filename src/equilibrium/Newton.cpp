@@ -180,13 +180,6 @@ bool NewtonStep<D>::assemble(const State<D>& state)
 }
 
 template <int D>
-bool NewtonStep<D>::forcesHaveChanged() const
-{
-  return std::any_of(forces_.begin(), forces_.end(),
-                     [](const auto& force) { return force->hasChangedBranch(); });
-}
-
-template <int D>
 void NewtonStep<D>::updateForces(const State<D>& state, double& removed)
 {
   bool changed = false;
@@ -259,7 +252,7 @@ bool NewtonStep<D>::search(const State<D>& state, const Values& change, double b
     if (!residual(state, displacement_, residual_, removed))
       continue;
     const double now = norm(residual_, false);
-    if (now < before || now <= enough || forcesHaveChanged())
+    if (now < before || now <= enough)
       return true;
   }
   return false;

@@ -74,7 +74,6 @@ private:
   bool residual(const State<D>& state, const Values& u, const Values& r, double& removed) const;
   /// \return whether the stiffness is that of a trial displacement that exists
   bool assemble(const State<D>& state);
-  bool forcesHaveChanged() const;
   /// Lets the step's forces learn from an accepted displacement, and finds the residual that then remains.
   void updateForces(const State<D>& state, double& removed);
   /// Free motions of pieces that forces of the step join, as they are now, in a sentence; empty if none.

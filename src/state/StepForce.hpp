@@ -26,8 +26,7 @@ struct HeldDirection
 /// Newton's method needs it. Its value at the start of the step is part of the nodal force before the solve;
 /// `add` adds its change since. Displacements [m] and forces [N] have D numbers a row.
 ///
-/// A law may have branches, such as closed and open: `add` finds the branch for each displacement, and
-/// `addStiffness` is the derivative on it. Before the first `update` of a step it is that of a first guess.
+/// A law may have branches, such as closed and open: `update` chooses them, `begin` by a first guess.
 template <int D>
 class StepForce
 {
@@ -50,18 +49,14 @@ public:
   /// \param symmetric the symmetric part alone is wanted \return whether what was added is symmetric
   virtual bool addStiffness(bool symmetric, const AddBlock& addBlock) = 0;
 
-  /// Whether the last `add` found another branch than the last `addStiffness` had: then the residual need not
-  /// have fallen.
-  virtual bool hasChangedBranch() const { return false; }
-
-  /// Improves what the force takes as known, such as multipliers, at the displacement of the last `add`, which
-  /// has been accepted. \return whether the force has changed
+  /// Chooses branches, and improves what the force takes as known, such as multipliers, at the displacement of
+  /// the last `add`, which has been accepted. \return whether the force may have changed
   virtual bool update() { return false; }
 
   /// Times as many iterations as a smooth law may take.
   virtual int iterationFactor() const { return 1; }
 
-  /// Where the force resists motion now, in addition to supports; asked where `resistsPartly` is set.
+  /// Where the force resists motion now, in addition to supports.
   virtual std::vector<HeldDirection<D>> heldDirections() const { return {}; }
 
   /// Whether pieces that only this force joins may have free motions, as closed faces that slide.
