@@ -267,7 +267,7 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
   state.cracks.addTractions = [account](const State<D>& s, const View<double * [D + 1]>& force)
   {
     if (account->equilibrium)
-      account->equilibrium->addForces(s, force);
+      account->equilibrium->balance(s, force);
     else
       account->contact.addForces(force);
   };

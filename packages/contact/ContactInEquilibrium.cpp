@@ -14,13 +14,20 @@ namespace Rhegma::contact
 namespace
 {
 
-/// Stiffness of contact over that of dynamics, which a step of time limits: multipliers then converge by two
-/// digits an iteration, and conjugate gradients still take few iterations.
-constexpr double stiffening = 100.0;
+/// Stiffness of contact over that of dynamics, which a step of time limits: multipliers then converge by one or
+/// two digits an iteration.
+constexpr double stiffening = 1000.0;
+
+/// The same of what keeps the nodes of a patch together. It is less than that of contact, as neighbouring
+/// patches have nodes in common: their multipliers converge with the ratio of both.
+constexpr double joining = 20.0;
 
 /// Gap below which faces touch at the start of a step, in cells: gaps of closed faces go to zero with the
 /// residual.
 constexpr double touchingGap = 1e-9;
+
+/// Rounding of the shear traction of faces that slide, as a part of its limit.
+constexpr double atLimit = 1e-6;
 
 /// Jump of a displacement between two rows along an axis; a row of -1 does not move.
 template <int D>
@@ -87,7 +94,12 @@ void ContactInEquilibrium<D>::addJumps(Patch& patch, const std::map<int, Frame>&
     part.minus = nodes[i].minus;
     for (int c = 0; c < D; ++c)
       for (int d = 0; d < D; ++d)
+      {
         part.jump[c][d] = scale[i] / patch.area * frame.axes[c][d];
+        part.axes[c][d] = frame.axes[c][d] / frame.area;
+      }
+    part.weight = std::fabs(scale[i]) * frame.area;
+    patch.weights += part.weight;
     patch.parts.push_back(part);
   }
 }
@@ -151,8 +163,7 @@ void ContactInEquilibrium<D>::collect(const State<D>& state)
 }
 
 template <int D>
-template <class Forces>
-void ContactInEquilibrium<D>::addForces(const State<D>& state, const Forces& force)
+void ContactInEquilibrium<D>::addForces(const State<D>& state, const View<double * [D + 1]>& force)
 {
   collect(state);
   for (const Patch& patch : patches_)
@@ -165,6 +176,31 @@ void ContactInEquilibrium<D>::addForces(const State<D>& state, const Forces& for
         force(part.plus, d) += patch.area * onPlus;
         force(part.minus, d) -= patch.area * onPlus;
       }
+}
+
+template <int D>
+void ContactInEquilibrium<D>::balance(const State<D>& state, const View<double * [D + 1]>& force)
+{
+  collect(state);
+  const View<double * [D + 1]>& spring = state.cracks.spring;
+  std::vector<char> done(force.extent(0), 0);
+  for (const Patch& patch : patches_)
+    for (const Part& part : patch.parts)
+    {
+      if (!(patch.pressure > 0.0) || done[part.plus] != 0)
+        continue;
+      done[part.plus] = 1;
+      const bool plusIsPrimary = part.plus < state.mesh.nodes.numLattice;
+      const int primary = plusIsPrimary ? part.plus : part.minus;
+      for (int d = 0; d < D; ++d)
+      {
+        const double ofSpring = spring.extent(0) > 0 ? spring(primary, d) : 0.0;
+        const double apart = 0.5 * (force(part.plus, d) - force(part.minus, d)) +
+                             (plusIsPrimary ? ofSpring : -ofSpring);
+        force(part.plus, d) -= apart;
+        force(part.minus, d) += apart;
+      }
+    }
 }
 
 template <int D>
@@ -181,6 +217,8 @@ typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const St
     patch.touching = patch.gap <= touchingGap * state.mesh.grid.spacing;
     patch.normalMultiplier = patch.pressure;
     patch.shearMultiplier = patch.shear;
+    const double limit = contact_.friction() * patch.pressure;
+    patch.slid = limit > 0.0 && norm(patch.shear) > (1.0 - atLimit) * limit;
     patch.touch = !patch.touching                             ? Touch::Open
                   : contact_.law() == Law::Frictionless ? Touch::Sliding
                                                         : Touch::Sticking;
@@ -211,6 +249,18 @@ Vector<D - 1> ContactInEquilibrium<D>::slipOf(const Patch& patch) const
   for (int t = 0; t < D - 1; ++t)
     slip[t] = patch.moved[1 + t];
   return slip;
+}
+
+template <int D>
+Vector<D> ContactInEquilibrium<D>::jointStiffness(const Patch& patch) const
+{
+  Vector<D> joint{};
+  const Stiffness dynamic = contact_.stiffnessOf(patch.crack);
+  const Stiffness k{joining * dynamic.normal, joining * dynamic.tangential};
+  joint[0] = patch.touch == Touch::Open ? 0.0 : k.normal;
+  for (int t = 1; t < D; ++t)
+    joint[t] = patch.touch == Touch::Sticking && !patch.slid ? k.tangential : 0.0;
+  return joint;
 }
 
 template <int D>
@@ -264,12 +314,21 @@ void ContactInEquilibrium<D>::add(const Values& displacement, const Values& forc
 {
   for (Patch& patch : patches_)
   {
-    patch.moved = Vector<D>{};
-    for (const Part& part : patch.parts)
+    patch.moved = patch.middle = Vector<D>{};
+    for (Part& part : patch.parts)
+    {
+      part.own = Vector<D>{};
       for (int c = 0; c < D; ++c)
         for (int d = 0; d < D; ++d)
-          patch.moved[c] += part.jump[c][d] * jumpOf<D>(displacement, part.plusRow, part.minusRow, d);
+        {
+          const double jump = jumpOf<D>(displacement, part.plusRow, part.minusRow, d);
+          patch.moved[c] += part.jump[c][d] * jump;
+          part.own[c] += part.axes[c][d] * jump;
+        }
+      patch.middle = patch.middle + (part.weight / patch.weights) * part.own;
+    }
     press(patch);
+    const Vector<D> joint = jointStiffness(patch);
     Vector<D> traction; // its change, on side +1
     traction[0] = patch.now.pressure - patch.pressure;
     for (int t = 0; t < D - 1; ++t)
@@ -278,7 +337,8 @@ void ContactInEquilibrium<D>::add(const Values& displacement, const Values& forc
       for (int c = 0; c < D; ++c)
         for (int d = 0; d < D; ++d)
         {
-          const double one = patch.area * part.jump[c][d] * traction[c];
+          const double one = patch.area * part.jump[c][d] * traction[c] -
+                             joint[c] * part.weight * (part.own[c] - patch.middle[c]) * part.axes[c][d];
           if (part.plusRow >= 0)
             force(D * part.plusRow + d) += one;
           if (part.minusRow >= 0)
@@ -313,6 +373,7 @@ bool ContactInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addBl
       continue;
     double C[D][D] = {};
     isSymmetric = derive(patch, symmetric, C) && isSymmetric;
+    const Vector<D> joint = jointStiffness(patch);
     for (const Part& a : patch.parts)
       for (const Part& b : patch.parts)
       {
@@ -322,6 +383,11 @@ bool ContactInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addBl
             for (int i = 0; i < D && C[c][e] != 0.0; ++i)
               for (int j = 0; j < D; ++j)
                 block[D * i + j] += patch.area * a.jump[c][i] * C[c][e] * b.jump[e][j];
+        for (int c = 0; c < D; ++c)
+          for (int i = 0; i < D && joint[c] != 0.0; ++i)
+            for (int j = 0; j < D; ++j)
+              block[D * i + j] += joint[c] * a.weight * ((&a == &b ? 1.0 : 0.0) - b.weight / patch.weights) *
+                                  a.axes[c][i] * b.axes[c][j];
         for (int k = 0; k < D * D; ++k)
           opposite[k] = -block[k];
         for (const int row : {a.plusRow, a.minusRow})
@@ -430,8 +496,6 @@ void ContactInEquilibrium<D>::serialize(Archive& archive)
   archive("patches", patchOf_);
 }
 
-template void ContactInEquilibrium<2>::addForces(const State<2>&, const View<double * [3]>&);
-template void ContactInEquilibrium<3>::addForces(const State<3>&, const View<double * [4]>&);
 template class ContactInEquilibrium<2>;
 template class ContactInEquilibrium<3>;
 

@@ -33,7 +33,8 @@ enum class Touch
 /// a step have no shear traction at its end, as in dynamics.
 ///
 /// Forces act on nodes with two fields, in proportion to the areas of their faces (FaceNodes.hpp), equal and
-/// opposite on both.
+/// opposite on both. The nodes of a patch that presses have one normal jump, and one tangential jump until it
+/// slides: forces on them whose sum is zero keep them together.
 template <int D>
 class ContactInEquilibrium : public StepForce<D>
 {
@@ -56,8 +57,11 @@ public:
 
   /// Adds the forces of the points' tractions at the start of a step, as the nodes take them [N], to the first D
   /// columns of a row a node. Needs the nodes of the step.
-  template <class Forces>
-  void addForces(const State<D>& state, const Forces& force);
+  void addForces(const State<D>& state, const View<double * [D + 1]>& force);
+
+  /// Adds to the internal forces on nodes, front springs left out, what contact exerts in equilibrium with
+  /// them [N].
+  void balance(const State<D>& state, const View<double * [D + 1]>& force);
 
   /// Gives the points the tractions and gaps found by the last `add`, and adds the work of contact over the
   /// step to its energies.
@@ -79,6 +83,9 @@ private:
     int plus = 0, minus = 0;       ///< nodes of its fields
     int plusRow = -1, minusRow = -1; ///< their rows
     double jump[D][D] = {};
+    double weight = 0.0;    ///< size of its area [m2]
+    double axes[D][D] = {}; ///< of the normal and the tangents
+    Vector<D> own{};        ///< jump of its fields along these, by the last `add` [m]
   };
   /// Sums over the points of a patch, each times its area and the weight of a node there [m2].
   struct Frame
@@ -94,10 +101,13 @@ private:
     std::vector<int> points;           ///< that act
     std::vector<Part> parts;           ///< of the mean jump, a node with two fields each
     bool touching = false;             ///< at the start of the step
+    bool slid = false;                 ///< then
     double gap = 0.0, pressure = 0.0;  ///< then [m, Pa]
     Vector<D - 1> shear{};             ///< then [Pa]
     double normalMultiplier = 0.0;     ///< [Pa]
     Vector<D - 1> shearMultiplier{};   ///< [Pa]
+    double weights = 0.0;              ///< of the nodes [m2]
+    Vector<D> middle{};                ///< mean of their own jumps, by the last `add` [m]
     Vector<D> moved{};                 ///< jump over the step by the last `add`: normal, tangents [m]
     Touch touch = Touch::Open;         ///< that `add` and `addStiffness` take
     Vector<D - 1> direction{};         ///< of the shear traction while sliding, of unit length or zero
@@ -114,6 +124,8 @@ private:
   Vector<D - 1> slipOf(const Patch& patch) const;
   /// Tractions of a patch as it is taken to touch.
   void press(Patch& patch) const;
+  /// Stiffness that keeps the jumps of a patch's nodes together, of the normal and the tangents [Pa/m].
+  Vector<D> jointStiffness(const Patch& patch) const;
   /// How a patch touches by the law, at the displacement of the last `add`, and its multipliers.
   void choose(Patch& patch) const;
   bool derive(const Patch& patch, bool symmetric, double (&C)[D][D]) const;

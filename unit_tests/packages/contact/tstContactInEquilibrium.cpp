@@ -17,7 +17,7 @@ using Values = View<double*>;
 
 constexpr double alpha = 1.0, friction = 0.3;
 constexpr double overlap = 2e-8; ///< [m]
-const double stiff = 100.0 * alpha * modulus / cell, stiffAlong = 100.0 * alpha * shear / cell; ///< [Pa/m]
+const double stiff = 1000.0 * alpha * modulus / cell, stiffAlong = 1000.0 * alpha * shear / cell; ///< [Pa/m]
 
 /// A joint at rest with the contact of one law; rows are nodes.
 struct Joint
