@@ -69,9 +69,9 @@ struct Account
 {
   explicit Account(FaceContact<D> c) : contact(std::move(c)) {}
   FaceContact<D> contact;
-  std::unique_ptr<ClosedVisibility> visibility; ///< in place of `contact`, if a 2D scene asks for it
+  std::unique_ptr<ClosedVisibility> visibility;         ///< in place of `contact`, if a 2D scene asks for it
   std::shared_ptr<ContactInEquilibrium<D>> equilibrium; ///< of `contact`, unless bodies move
-  double recorded = 0.0;                        ///< energy that stands in the energy balance [J]
+  double recorded = 0.0;                                ///< energy that stands in the energy balance [J]
   Balance<D> balance;
 };
 

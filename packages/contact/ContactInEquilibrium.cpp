@@ -14,8 +14,8 @@ namespace Rhegma::contact
 namespace
 {
 
-/// Stiffness of contact over that of dynamics, which a step of time limits: multipliers then converge by one or
-/// two digits an iteration.
+/// Stiffness of contact over that of dynamics, which a step of time limits: multipliers then converge by one
+/// or two digits an iteration.
 constexpr double stiffening = 1000.0;
 
 /// The same of what keeps the nodes of a patch together. It is less than that of contact, as neighbouring
@@ -195,8 +195,8 @@ void ContactInEquilibrium<D>::balance(const State<D>& state, const View<double *
       for (int d = 0; d < D; ++d)
       {
         const double ofSpring = spring.extent(0) > 0 ? spring(primary, d) : 0.0;
-        const double apart = 0.5 * (force(part.plus, d) - force(part.minus, d)) +
-                             (plusIsPrimary ? ofSpring : -ofSpring);
+        const double apart =
+            0.5 * (force(part.plus, d) - force(part.minus, d)) + (plusIsPrimary ? ofSpring : -ofSpring);
         force(part.plus, d) -= apart;
         force(part.minus, d) += apart;
       }
@@ -205,7 +205,7 @@ void ContactInEquilibrium<D>::balance(const State<D>& state, const View<double *
 
 template <int D>
 typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const State<D>& state,
-                                                                         const View<int*>& rowOf)
+                                                                        const View<int*>& rowOf)
 {
   collect(state);
   names_.clear();
@@ -219,7 +219,7 @@ typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const St
     patch.shearMultiplier = patch.shear;
     const double limit = contact_.friction() * patch.pressure;
     patch.slid = limit > 0.0 && norm(patch.shear) > (1.0 - atLimit) * limit;
-    patch.touch = !patch.touching                             ? Touch::Open
+    patch.touch = !patch.touching                       ? Touch::Open
                   : contact_.law() == Law::Frictionless ? Touch::Sliding
                                                         : Touch::Sticking;
     groups.emplace_back();
@@ -280,8 +280,7 @@ template <int D>
 void ContactInEquilibrium<D>::choose(Patch& patch) const
 {
   const Stiffness k = stiffnessOf(patch);
-  const Vector<D - 1> before = patch.direction,
-                      trial = patch.shearMultiplier + k.tangential * slipOf(patch);
+  const Vector<D - 1> before = patch.direction, trial = patch.shearMultiplier + k.tangential * slipOf(patch);
   const Return<D - 1> law = returnMap(contact_.law(), contact_.friction(), k,
                                       patch.gap + patch.moved[0] - patch.normalMultiplier / k.normal,
                                       patch.touching, Vector<D - 1>{}, (1.0 / k.tangential) * trial, {});
@@ -483,8 +482,7 @@ void ContactInEquilibrium<D>::accept(const State<D>& state)
       point.heat = patch.area / patch.size * heat;
       for (int t = 0; t < D - 1; ++t)
         for (int s = 0; s < D - 1; ++s)
-          point.shear[s] +=
-              patch.now.shear[t] * dot(tangent(k, t), tangentOf(contact_.points(), k, s));
+          point.shear[s] += patch.now.shear[t] * dot(tangent(k, t), tangentOf(contact_.points(), k, s));
     }
   }
   contact_.accept(state, found, stored, lost);

@@ -23,11 +23,12 @@ enum class Touch
 /// Contact without overlap by augmented Lagrangians (Simo and Laursen, Comput. Struct. 42 (1992) 97) and an
 /// active set (Hueber, Stadler and Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572).
 ///
-/// The law is that of the face points in dynamics (ContactLaw.hpp), a pressure kn <-g> and a return map of the
-/// shear traction, at patches of face points (FacePatches.hpp) with their mean gap and slip, and shifted by
-/// multipliers: p = <l - kn g>. After each iteration of Newton's method the law says which patches are open,
-/// stick or slide in the next one, and the multipliers take the tractions found, so that gap and elastic slip
-/// go to zero with the residual; kn sets only how fast. A patch that slides and would slide back sticks next.
+/// The law is that of the face points in dynamics (ContactLaw.hpp), a pressure kn <-g> and a return map of
+/// the shear traction, at patches of face points (FacePatches.hpp) with their mean gap and slip, and shifted
+/// by multipliers: p = <l - kn g>. After each iteration of Newton's method the law says which patches are
+/// open, stick or slide in the next one, and the multipliers take the tractions found, so that gap and
+/// elastic slip go to zero with the residual; kn sets only how fast. A patch that slides and would slide back
+/// sticks next.
 ///
 /// Faces that touch at the start of a step are taken to stick by the first iteration. Faces that meet within
 /// a step have no shear traction at its end, as in dynamics.
@@ -55,8 +56,8 @@ public:
   bool joinsPieces() const override { return true; }
   std::string reason() const override;
 
-  /// Adds the forces of the points' tractions at the start of a step, as the nodes take them [N], to the first D
-  /// columns of a row a node. Needs the nodes of the step.
+  /// Adds the forces of the points' tractions at the start of a step, as the nodes take them [N], to the
+  /// first D columns of a row a node. Needs the nodes of the step.
   void addForces(const State<D>& state, const View<double * [D + 1]>& force);
 
   /// Adds to the internal forces on nodes, front springs left out, what contact exerts in equilibrium with
@@ -80,7 +81,7 @@ private:
   /// Part of the jump of a node's fields in the mean jump of a patch: of normal and tangents, along the axes.
   struct Part
   {
-    int plus = 0, minus = 0;       ///< nodes of its fields
+    int plus = 0, minus = 0;         ///< nodes of its fields
     int plusRow = -1, minusRow = -1; ///< their rows
     double jump[D][D] = {};
     double weight = 0.0;    ///< size of its area [m2]
@@ -96,22 +97,22 @@ private:
   struct Patch
   {
     int crack = 0;
-    double size = 0.0;                 ///< of the points that act, undeformed [m2]
-    double area = 0.0;                 ///< of the nodes' shares [m2]
-    std::vector<int> points;           ///< that act
-    std::vector<Part> parts;           ///< of the mean jump, a node with two fields each
-    bool touching = false;             ///< at the start of the step
-    bool slid = false;                 ///< then
-    double gap = 0.0, pressure = 0.0;  ///< then [m, Pa]
-    Vector<D - 1> shear{};             ///< then [Pa]
-    double normalMultiplier = 0.0;     ///< [Pa]
-    Vector<D - 1> shearMultiplier{};   ///< [Pa]
-    double weights = 0.0;              ///< of the nodes [m2]
-    Vector<D> middle{};                ///< mean of their own jumps, by the last `add` [m]
-    Vector<D> moved{};                 ///< jump over the step by the last `add`: normal, tangents [m]
-    Touch touch = Touch::Open;         ///< that `add` and `addStiffness` take
-    Vector<D - 1> direction{};         ///< of the shear traction while sliding, of unit length or zero
-    Return<D - 1> now{};               ///< tractions by the last `add`
+    double size = 0.0;                ///< of the points that act, undeformed [m2]
+    double area = 0.0;                ///< of the nodes' shares [m2]
+    std::vector<int> points;          ///< that act
+    std::vector<Part> parts;          ///< of the mean jump, a node with two fields each
+    bool touching = false;            ///< at the start of the step
+    bool slid = false;                ///< then
+    double gap = 0.0, pressure = 0.0; ///< then [m, Pa]
+    Vector<D - 1> shear{};            ///< then [Pa]
+    double normalMultiplier = 0.0;    ///< [Pa]
+    Vector<D - 1> shearMultiplier{};  ///< [Pa]
+    double weights = 0.0;             ///< of the nodes [m2]
+    Vector<D> middle{};               ///< mean of their own jumps, by the last `add` [m]
+    Vector<D> moved{};                ///< jump over the step by the last `add`: normal, tangents [m]
+    Touch touch = Touch::Open;        ///< that `add` and `addStiffness` take
+    Vector<D - 1> direction{};        ///< of the shear traction while sliding, of unit length or zero
+    Return<D - 1> now{};              ///< tractions by the last `add`
   };
 
   Vector<D> tangent(int point, int which) const;
@@ -133,7 +134,7 @@ private:
   FaceContact<D>& contact_;
   View<int*> patchOf_; ///< of each point
   std::vector<Patch> patches_;
-  std::vector<std::string> names_; ///< of cracks
+  std::vector<std::string> names_;   ///< of cracks
   std::vector<Vector<D>> reference_; ///< of each point: where its first tangent points, before projection
 };
 

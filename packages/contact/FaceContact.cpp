@@ -161,7 +161,8 @@ std::vector<FaceTraction<D>> FaceContact<D>::tractions(int crack) const
 {
   const auto of = onHost(points_.crack);
   const auto size = onHost(points_.currentSize);
-  const auto position = onHost(points_.position), normal = onHost(points_.normal), edge = onHost(points_.edge);
+  const auto position = onHost(points_.position), normal = onHost(points_.normal),
+             edge = onHost(points_.edge);
   const auto pressure = onHost(pressure_);
   const auto shear = onHost(shear_);
   std::vector<FaceTraction<D>> all;

@@ -75,19 +75,17 @@ public:
 
   const FacePoints<D>& points() const { return points_; }
   const View<double*>& gap() const { return gap_; }
-  const View<double* [D - 1]>& slip() const { return slip_; }
-  const View<double*>& pressure() const { return pressure_; }
-  const View<double* [D - 1]>& shear() const { return shear_; }
-  Law law() const { return law_; }
+  const View<double* [D - 1]>& slip() const { return slip_; } const View<double*>& pressure() const
+  {
+    return pressure_;
+  }
+  const View<double* [D - 1]>& shear() const { return shear_; } Law law() const { return law_; }
   double friction() const { return law_ == Law::Coulomb ? friction_ : 0.0; }
   bool pointsReplaced() const { return replaced_; } ///< by the last `prepare`
   Stiffness stiffnessOf(int crack) const { return onHost(stiffness_)(crack); }
 
   /// Energy [J] that the layer holds now and that friction has dissipated so far.
-  double stored() const
-  {
-    return stored_;
-  }
+  double stored() const { return stored_; }
   double dissipated() const { return dissipated_; }
 
   /// The same over the points for which `part` is not zero.

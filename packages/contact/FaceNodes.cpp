@@ -10,8 +10,8 @@ namespace Rhegma::contact
 namespace
 {
 
-/// Part of the face of a cell by which the areas of a node's fields may differ inside of a body, where boxes of
-/// particles do not tile it.
+/// Part of the face of a cell by which the areas of a node's fields may differ inside of a body, where boxes
+/// of particles do not tile it.
 constexpr double unbalanced = 0.05;
 
 } // namespace
@@ -41,7 +41,8 @@ std::vector<FaceNode<D>> findFaceNodes(const State<D>& state)
                                      });
                    });
   std::vector<FaceNode<D>> found(nodes.numEnriched);
-  const double whole = std::pow(state.mesh.smallestSpacing(), D - 1) * (D == 2 ? state.method.thickness : 1.0);
+  const double whole =
+      std::pow(state.mesh.smallestSpacing(), D - 1) * (D == 2 ? state.method.thickness : 1.0);
   for (int i = 0; i < nodes.numEnriched; ++i)
   {
     const bool primaryIsPlus = state.cracks.nodeSide(nodes.parent(i)) > 0;

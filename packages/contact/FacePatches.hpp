@@ -18,8 +18,8 @@ constexpr double patchSpacing = 3.0;
 constexpr double patchAlignment = 0.95;
 
 /// Divides the points of each crack among patches: some points, no two of them nearer than `patchSpacing`,
-/// are middles, and the others belong to the nearest middle of a like normal. \return the patch of each point;
-/// patches are numbered in the order of their middles
+/// are middles, and the others belong to the nearest middle of a like normal. \return the patch of each
+/// point; patches are numbered in the order of their middles
 template <int D>
 std::vector<int> findPatches(const State<D>& state, const FacePoints<D>& points);
 

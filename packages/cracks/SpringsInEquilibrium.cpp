@@ -5,7 +5,7 @@ namespace Rhegma::cracks
 
 template <int D>
 typename SpringsInEquilibrium<D>::Groups SpringsInEquilibrium<D>::begin(const State<D>& state,
-                                                                         const View<int*>& rowOf)
+                                                                        const View<int*>& rowOf)
 {
   springs_.clear();
   Groups groups;

@@ -284,8 +284,8 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     sumParts(state, sums, 5);
     const Vector<2> onFaces = faces.intensities(sum.tipOffset),
                     ofFaces = faces.reciprocals(sum.tipOffset, work.disk.effectiveModulus);
-    // Of closed faces the tractions are those with which M has the K_I of their opening: the integral over the
-    // particles scatters less than the tractions.
+    // Of closed faces the tractions are those with which M has the K_I of their opening: the integral over
+    // the particles scatters less than the tractions.
     const double opening =
         faces.closed() ? faces.intensityOfOpening(sum.tipOffset, work.disk.effectiveModulus) : 0.0;
     const double corrected =

@@ -43,11 +43,11 @@ private:
   void smoothen();
   struct Piece
   {
-    double from, to;   ///< distances behind the front, along the crack [m]
-    double q;          ///< weight of the integrals
+    double from, to;    ///< distances behind the front, along the crack [m]
+    double q;           ///< weight of the integrals
     Vector<2> traction; ///< on side +1, along the front's normal and direction [Pa]
-    Vector<2> step;    ///< jump at `to` less that at `from`, in the same axes [m]
-    double opening;    ///< in the middle [m]
+    Vector<2> step;     ///< jump at `to` less that at `from`, in the same axes [m]
+    double opening;     ///< in the middle [m]
   };
   bool closed_ = false;
   /// Distance of a piece's start from the tip of the crack in the cells, to which the first one reaches [m].

@@ -28,8 +28,8 @@ struct StepReport
   double forces = 0.0; ///< largest norm so far of loads, forces of supports or forces out of balance at the
                        ///< start of a step [N]
   double unsupportedLoad = 0.0; ///< sum of the loads on pieces that are held as nothing supports them [N]
-  std::string freeMotion; ///< of pieces that only forces of the step hold; else empty
-  std::string reason;     ///< what keeps it from equilibrium, where that is known; else empty
+  std::string freeMotion;       ///< of pieces that only forces of the step hold; else empty
+  std::string reason;           ///< what keeps it from equilibrium, where that is known; else empty
 };
 
 /// The unknowns of a step and the forces between them.
@@ -93,9 +93,10 @@ private:
   std::vector<int> pieceOf_;
   std::vector<RigidMode<D>> modes_;
   Held held_;
-  std::vector<int> unsupported_;               ///< rows
+  std::vector<int> unsupported_; ///< rows
   std::vector<std::shared_ptr<StepForce<D>>> forces_;
-  std::vector<int> apart_;  ///< piece of each row, without the forces that join pieces; empty if there are none
+  std::vector<int>
+      apart_; ///< piece of each row, without the forces that join pieces; empty if there are none
   int piecesApart_ = 0;
   bool symmetric_ = true; ///< the stiffness
   std::shared_ptr<LinearSystem<D>> system_;

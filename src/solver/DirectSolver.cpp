@@ -118,10 +118,7 @@ bool DirectSolver::factorise(const SparseMatrix& matrix)
   }
 }
 
-int DirectSolver::negativeEigenvalues() const
-{
-  return symmetric_ ? numbered(instance_->data.infog, 12) : 0;
-}
+int DirectSolver::negativeEigenvalues() const { return symmetric_ ? numbered(instance_->data.infog, 12) : 0; }
 
 void DirectSolver::solve(const View<double*>& x)
 {

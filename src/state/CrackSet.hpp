@@ -219,8 +219,8 @@ struct CrackSet
   /// Tractions of closed faces on each other, in the order of the simplices and along each; on all ranks the
   /// same. Empty without contact.
   std::function<std::vector<FaceTraction<D>>(int crack)> tractions;
-  /// Adds them as forces [N] to the internal forces in the first D columns of a row a node, on each rank its own;
-  /// springs are left out of these.
+  /// Adds them as forces [N] to the internal forces in the first D columns of a row a node, on each rank its
+  /// own; springs are left out of these.
   std::function<void(const State<D>&, const View<double * [D + 1]>& force)> addTractions;
 
   bool empty() const { return cracks.empty(); } ///< whether there are no cracks

@@ -70,8 +70,8 @@ struct NodalMotion
   View<int*> coupledRow;         ///< of each node, -1 where its mass is lumped; empty where all masses are
   std::vector<DisplacementDependentForce<D>> displacementDependentForces; ///< of effects that have any
   std::vector<std::shared_ptr<StepForce<D>>> stepForces; ///< the same in equilibrium (StepForce.hpp)
-  CoupledSlots<D> coupledSlots; ///< empty where all masses are lumped
-  Substeps substeps;            ///< of this step
+  CoupledSlots<D> coupledSlots;                          ///< empty where all masses are lumped
+  Substeps substeps;                                     ///< of this step
 };
 
 } // namespace Rhegma

@@ -31,7 +31,7 @@ template <int D>
 class StepForce
 {
 public:
-  using Values = View<double*>;                  ///< D numbers a row
+  using Values = View<double*>;                 ///< D numbers a row
   using Groups = std::vector<std::vector<int>>; ///< rows that are coupled, a group a list
   /// Adds a block of D x D numbers, of a row's force and another row's displacement [N/m].
   using AddBlock = std::function<void(int row, int other, const double (&block)[D * D])>;
@@ -49,8 +49,8 @@ public:
   /// \param symmetric the symmetric part alone is wanted \return whether what was added is symmetric
   virtual bool addStiffness(bool symmetric, const AddBlock& addBlock) = 0;
 
-  /// Chooses branches, and improves what the force takes as known, such as multipliers, at the displacement of
-  /// the last `add`, which has been accepted. \return whether the force may have changed
+  /// Chooses branches, and improves what the force takes as known, such as multipliers, at the displacement
+  /// of the last `add`, which has been accepted. \return whether the force may have changed
   virtual bool update() { return false; }
 
   /// Times as many iterations as a smooth law may take.

@@ -67,8 +67,8 @@ private:
   double spacing_ = 0.0;  ///< of the smallest cells when the points were placed [m]
 };
 
-/// Unit tangents of a face: in 2D along the direction of the crack; in 3D the edge of its simplex and a vector
-/// at a right angle to it, which rotate with it.
+/// Unit tangents of a face: in 2D along the direction of the crack; in 3D the edge of its simplex and a
+/// vector at a right angle to it, which rotate with it.
 KOKKOS_INLINE_FUNCTION Vector<2> faceTangent(const Vector<2>& normal, const Vector<2>&, int)
 {
   return {normal[1], -normal[0]};
@@ -78,8 +78,7 @@ KOKKOS_INLINE_FUNCTION Vector<3> faceTangent(const Vector<3>& n, const Vector<3>
 {
   if (which == 0)
     return edge;
-  return {n[1] * edge[2] - n[2] * edge[1], n[2] * edge[0] - n[0] * edge[2],
-          n[0] * edge[1] - n[1] * edge[0]};
+  return {n[1] * edge[2] - n[2] * edge[1], n[2] * edge[0] - n[0] * edge[2], n[0] * edge[1] - n[1] * edge[0]};
 }
 
 /// Unit tangents of a point.

@@ -94,8 +94,9 @@ TEST(ClosedCracks, PressedBlockHasUniformStress)
     double worst = 0.0;
     for (int p = 0; p < particles.size; ++p)
       for (int c = 0; c < 4; ++c)
-        worst = std::max(worst, std::fabs(particles.stress(p, c) +
-                                          (c == symmetricIndex<2>(1, 1) ? press : c == 3 ? 0.3 * press : 0.0)));
+        worst = std::max(worst, std::fabs(particles.stress(p, c) + (c == symmetricIndex<2>(1, 1) ? press
+                                                                    : c == 3                     ? 0.3 * press
+                                                                                                 : 0.0)));
     std::cout << degrees << " degrees: stress off by " << worst / press << "\n";
     EXPECT_LT(worst, 0.03 * press);
     const Vector<2> traction = meanTraction(run.state());
@@ -187,8 +188,8 @@ TEST(ClosedCracks, MeetTheClosedForm)
     const double c = std::cos(angle), s = std::sin(angle);
     const double normal = load * c * c, shear = load * s * c, drag = friction * normal;
     // The infinite plate slides under the shear that friction does not take; a uniform strain is added.
-    InclinedCrack crack{solid, halfLength, angle, cell * shift(random), cell * shift(random), 0.0, drag - shear,
-                        -load * s * s};
+    InclinedCrack crack{solid, halfLength,   angle,        cell * shift(random), cell * shift(random),
+                        0.0,   drag - shear, -load * s * s};
     Teuchos::ParameterList scene = inclinedPlate(crack, 3.0 * halfLength, cell);
     scene.remove("Damping");
     scene.sublist("Time").set("Analysis", "Static");
@@ -217,7 +218,8 @@ TEST(ClosedCracks, MeetTheClosedForm)
     for (const auto& front : report["cracks"][0]["fronts"])
     {
       const double one = std::fabs(front["K_I"].get<double>()) / (normal * std::sqrt(pi * halfLength)),
-                   two = std::fabs(front["K_II"].get<double>()) / ((shear - drag) * std::sqrt(pi * halfLength));
+                   two =
+                       std::fabs(front["K_II"].get<double>()) / ((shear - drag) * std::sqrt(pi * halfLength));
       std::cout << "; K_I " << one << ", K_II " << two;
       EXPECT_LT(one, 0.01);
       EXPECT_NEAR(two, 1.0, 0.015);

@@ -16,7 +16,7 @@ namespace
 using Values = View<double*>;
 
 constexpr double alpha = 1.0, friction = 0.3;
-constexpr double overlap = 2e-8; ///< [m]
+constexpr double overlap = 2e-8;                                                                  ///< [m]
 const double stiff = 1000.0 * alpha * modulus / cell, stiffAlong = 1000.0 * alpha * shear / cell; ///< [Pa/m]
 
 /// A joint at rest with the contact of one law; rows are nodes.
@@ -108,7 +108,10 @@ TEST(ContactInEquilibrium, ClosesWhereFacesOverlap)
 {
   Joint joint(Law::Stick);
   ASSERT_GE(joint.faces.patches(), 2);
-  joint.forces(joint.displaced([](double x) { return Vector<2>{{0.0, overlap * (x / (0.5 * width) - 1.0)}}; }));
+  joint.forces(joint.displaced(
+      [](double x) {
+        return Vector<2>{{0.0, overlap * (x / (0.5 * width) - 1.0)}};
+      }));
   const int last = joint.faces.patches() - 1;
   EXPECT_EQ(joint.faces.touchOf(last), Touch::Sticking) << "the first guess is that all is closed";
   joint.faces.update();
@@ -149,7 +152,8 @@ TEST(ContactInEquilibrium, SticksBeforeItSlidesBack)
   joint.forces(joint.displaced(-way, 0.0));
   joint.faces.update();
   EXPECT_EQ(joint.faces.touchOf(0), Touch::Sliding);
-  EXPECT_NEAR(joint.forces(joint.displaced(-way, 0.0))[0][0], limit * joint.area(), 1e-13 * limit * joint.area());
+  EXPECT_NEAR(joint.forces(joint.displaced(-way, 0.0))[0][0], limit * joint.area(),
+              1e-13 * limit * joint.area());
 }
 
 /// Slip over two steps, there and back: the work of friction is its traction times the way, but for the
