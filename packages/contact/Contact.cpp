@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "contact/Balance.hpp"
 #include "contact/ClosedVisibility.hpp"
+#include "contact/ContactInEquilibrium.hpp"
 #include "contact/FaceContact.hpp"
 #include "material/MaterialTable.hpp"
 
@@ -21,9 +22,8 @@ Section section()
   Section s("Contact", "Contact of crack faces. Without this section, closed faces overlap freely.");
   s.refuse({when::present("Contact"), when::is("Time", "Initial State", {"Equilibrium"})},
            "contact in equilibrium is not implemented; write Unloaded or Equilibrium Without Cracks");
-  s.refuse({when::present("Contact"), when::equilibrium()},
-           "contact of faces in equilibrium is not implemented; leave the section out where faces open, or "
-           "write Analysis = Dynamic");
+  s.refuse({when::is("Contact", "Law", {"Visibility"}), when::equilibrium()},
+           "Visibility compares velocities, and in equilibrium nothing moves; choose another law");
   s.choice("Law", {"Stick", "Frictionless", "Coulomb", "Visibility"})
       .byDefault("Frictionless")
       .meaning("Tangential behaviour of closed faces: full stick, frictionless slip, or Coulomb friction. "
@@ -69,8 +69,9 @@ struct Account
 {
   explicit Account(FaceContact<D> c) : contact(std::move(c)) {}
   FaceContact<D> contact;
-  std::unique_ptr<ClosedVisibility> visibility; ///< in place of `contact`, if a 2D scene asks for it
-  double recorded = 0.0;                        ///< energy that stands in the energy balance [J]
+  std::unique_ptr<ClosedVisibility> visibility;         ///< in place of `contact`, if a 2D scene asks for it
+  std::shared_ptr<ContactInEquilibrium<D>> equilibrium; ///< of `contact`, unless bodies move
+  double recorded = 0.0;                                ///< energy that stands in the energy balance [J]
   Balance<D> balance;
 };
 
@@ -153,6 +154,8 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
       summary["cracks"][c]["contact"]["closed_points"] =
           account.visibility->closedPoints(static_cast<int>(c));
   summary["energy"]["friction"] = contact.dissipated();
+  if (account.equilibrium)
+    return;
   summary["energy"]["last_fraction"] = account.balance.lastFraction();
   summary["energy"]["smallest_fraction"] = account.balance.smallestFraction();
   summary["energy"]["largest_fraction"] = account.balance.largestFraction();
@@ -214,10 +217,31 @@ void advance(State<D>& state, Account<D>& account, const Velocity& velocity)
 template <int D>
 void advance(State<D>& state, Account<D>& account)
 {
-  if (state.method.scheme == UpdateScheme::Usl)
+  if (account.equilibrium)
+  {
+    account.equilibrium->accept(state);
+    record(state, account);
+  }
+  else if (state.method.scheme == UpdateScheme::Usl)
     advance(state, account, state.mesh.nodes.motion);
   else
     advance(state, account, state.mesh.nodes.projection);
+}
+
+template <int D>
+void addForces(State<D>& state, Account<D>& account)
+{
+  if (!account.equilibrium)
+    return account.contact.addForces(state);
+  const View<double * [D + 1]> force("rhegma::contactForce", state.mesh.nodes.sums.extent(0));
+  account.equilibrium->addForces(state, force);
+  const Nodes<D> nodes = state.mesh.nodes;
+  Kokkos::parallel_for(
+      "rhegma::contact::addForcesOfNodes", Kokkos::RangePolicy<ExecSpace>(0, force.extent(0)),
+      KOKKOS_LAMBDA(const int n) {
+        for (int d = 0; d < D; ++d)
+          nodes.sums(n, Nodes<D>::forceAt + d) += force(n, d);
+      });
 }
 
 template <int D>
@@ -226,7 +250,9 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
   if constexpr (D == 2)
     if (account->visibility)
       account->visibility->install(state);
-  if (!account->visibility)
+  if (account->equilibrium)
+    state.motion.stepForces.push_back(account->equilibrium);
+  else if (!account->visibility)
     state.motion.displacementDependentForces.push_back(
         {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
          { account->contact.addFrozenForces(s, slots, force); },
@@ -235,6 +261,16 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
          { account->contact.addChange(s, slots, displacement, force); }});
   state.cracks.contactEnergy = [account](int crack, double middle, double reach)
   { return energyIn(account->contact, crack, middle, reach); };
+  if (account->visibility)
+    return;
+  state.cracks.tractions = [account](int crack) { return account->contact.tractions(crack); };
+  state.cracks.addTractions = [account](const State<D>& s, const View<double * [D + 1]>& force)
+  {
+    if (account->equilibrium)
+      account->equilibrium->balance(s, force);
+    else
+      account->contact.addForces(force);
+  };
 }
 
 template <int D>
@@ -249,6 +285,8 @@ void serialize(Account<D>& account, Archive& archive)
     account.visibility->serialize(archive);
   else
     account.contact.serialize(archive);
+  if (account.equilibrium)
+    account.equilibrium->serialize(archive);
 }
 
 template <int D>
@@ -261,8 +299,11 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   const auto account =
       std::make_shared<Account<D>>(FaceContact<D>(readLaw(list.get<std::string>("Law")), friction, alpha));
   const bool visibility = list.get<std::string>("Law") == "Visibility";
+  const bool equilibrium = scene.sublist("Time").get<std::string>("Analysis") != "Dynamic";
   if (visibility)
     account->visibility = std::make_unique<ClosedVisibility>();
+  if (equilibrium)
+    account->equilibrium = std::make_shared<ContactInEquilibrium<D>>(account->contact);
   Effect<D> effect;
   effect.name = "Contact";
   effect.balance = {"contact"};
@@ -272,19 +313,21 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
               {}, [account](State<D>& s) { prepare(s, *account); });
   if (!visibility)
     effect.call(Stage::BeforeSolve, "contact of crack faces", {quantity::nodalMass, quantity::enrichedFields},
-                {}, {quantity::nodalForce}, [account](State<D>& s) { account->contact.addForces(s); });
-  effect.call(Stage::AfterSolve, "balance of energy",
-              {quantity::nodalMotion, ifWritten(quantity::constrainedMotion)}, {}, {},
-              [account](State<D>& s)
-              {
-                if (s.clock.observing)
-                  account->balance.measure(s, account->contact.stored());
-              });
+                {}, {quantity::nodalForce}, [account](State<D>& s) { addForces(s, *account); });
+  if (!equilibrium)
+    effect.call(Stage::AfterSolve, "balance of energy",
+                {quantity::nodalMotion, ifWritten(quantity::constrainedMotion)}, {}, {},
+                [account](State<D>& s)
+                {
+                  if (s.clock.observing)
+                    account->balance.measure(s, account->contact.stored());
+                });
   effect.call(Stage::AfterProjection, "gaps of crack faces",
               {quantity::nodalMotion, ifWritten(quantity::projection)}, {quantity::contactGaps}, {},
               [account](State<D>& s) { advance(s, *account); });
-  effect.call(Stage::Observe, "fractions of energy", {quantity::energyBalance, quantity::contactGaps}, {}, {},
-              [account](State<D>& s) { observe(s, *account); });
+  if (!equilibrium)
+    effect.call(Stage::Observe, "fractions of energy", {quantity::energyBalance, quantity::contactGaps}, {},
+                {}, [account](State<D>& s) { observe(s, *account); });
   effect.memory = [account](State<D>&, Archive& archive) { serialize(*account, archive); };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };

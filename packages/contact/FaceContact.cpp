@@ -71,7 +71,8 @@ double FaceContact<D>::prepare(const State<D>& state)
 {
   const View<double*> size = points_.size;
   double change = 0.0;
-  if (points_.update(state))
+  replaced_ = points_.update(state);
+  if (replaced_)
   {
     storeHistory(size);
     const View<int*> everywhere("rhegma::contact::everywhere", points_.count());
@@ -131,6 +132,58 @@ template <int D>
 void FaceContact<D>::addForces(const State<D>& state) const
 {
   scatterTractions(state.mesh.nodes, points_, pressure_, shear_, thickness_);
+}
+
+template <int D>
+void FaceContact<D>::addForces(const View<double * [D + 1]>& force) const
+{
+  const FacePoints<D> points = points_;
+  const View<double*> pressure = pressure_;
+  const View<double * [D - 1]> shear = shear_;
+  const double thickness = thickness_;
+  forEachPushing(
+      "rhegma::contact::addTractions", points.count(), KOKKOS_LAMBDA(const int k) {
+        if (pressure(k) == 0.0)
+          return;
+        const Vector<D> onUpper = (points.size(k) * thickness) * tractionAt(points, pressure, shear, k);
+        for (int d = 0; d < D; ++d)
+        {
+          for (int e = 0; e < points.above.count(k); ++e)
+            Kokkos::atomic_add(&force(points.above.node(k, e), d), points.above.weight(k, e) * onUpper[d]);
+          for (int e = 0; e < points.below.count(k); ++e)
+            Kokkos::atomic_add(&force(points.below.node(k, e), d), -points.below.weight(k, e) * onUpper[d]);
+        }
+      });
+}
+
+template <int D>
+std::vector<FaceTraction<D>> FaceContact<D>::tractions(int crack) const
+{
+  const auto of = onHost(points_.crack);
+  const auto size = onHost(points_.currentSize);
+  const auto position = onHost(points_.position), normal = onHost(points_.normal),
+             edge = onHost(points_.edge);
+  const auto pressure = onHost(pressure_);
+  const auto shear = onHost(shear_);
+  std::vector<FaceTraction<D>> all;
+  for (int k = 0; k < points_.count(); ++k)
+    if (of(k) == crack)
+    {
+      FaceTraction<D> one;
+      Vector<D> n, along;
+      for (int d = 0; d < D; ++d)
+      {
+        one.position[d] = position(k, d);
+        n[d] = normal(k, d);
+        along[d] = edge(k, d);
+      }
+      one.traction = pressure(k) * n;
+      for (int t = 0; t < D - 1; ++t)
+        one.traction = one.traction - shear(k, t) * faceTangent(n, along, t);
+      one.size = size(k);
+      all.push_back(one);
+    }
+  return all;
 }
 
 template <int D>
@@ -210,6 +263,43 @@ void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
       },
       stored, lost);
   stored_ = stored;
+  dissipated_ += lost;
+  note(state);
+}
+
+template <int D>
+void FaceContact<D>::accept(const State<D>& state, const std::vector<PointContact<D>>& found, double stored,
+                            double lost)
+{
+  const auto gap = onHost(gap_), pressure = onHost(pressure_), heat = onHost(heat_), peak = onHost(peak_);
+  const auto slip = onHost(slip_), shear = onHost(shear_);
+  const auto stiffness = onHost(stiffness_);
+  const auto crack = onHost(points_.crack), closed = onHost(closed_);
+  const double threshold = noticeable * state.mesh.grid.spacing / alpha_;
+  Kokkos::deep_copy(closed, 0);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (found[k].acts)
+    {
+      const int c = crack(k);
+      gap(k) = found[k].gap;
+      pressure(k) = found[k].pressure;
+      heat(k) += found[k].heat;
+      for (int t = 0; t < D - 1; ++t)
+      {
+        shear(k, t) = found[k].shear[t];
+        slip(k, t) = 0.0; // nothing of it is elastic
+      }
+      closed(c) += pressure(k) > threshold * stiffness(c).normal ? 1 : 0;
+      peak(c) = std::max(peak(c), pressure(k));
+    }
+  Kokkos::deep_copy(gap_, gap);
+  Kokkos::deep_copy(pressure_, pressure);
+  Kokkos::deep_copy(heat_, heat);
+  Kokkos::deep_copy(slip_, slip);
+  Kokkos::deep_copy(shear_, shear);
+  Kokkos::deep_copy(closed_, closed);
+  Kokkos::deep_copy(peak_, peak);
+  stored_ += stored;
   dissipated_ += lost;
   note(state);
 }

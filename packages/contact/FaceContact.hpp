@@ -18,6 +18,16 @@ struct CrackContact
   double largestPressure = 0.0; ///< ever, at a point [Pa]
 };
 
+/// Contact at a face point as a step of equilibrium has found it.
+template <int D>
+struct PointContact
+{
+  bool acts = false;
+  double gap = 0.0, pressure = 0.0; ///< [m, Pa]
+  Vector<D - 1> shear{};            ///< traction that holds back side +1, along the point's tangents [Pa]
+  double heat = 0.0;                ///< dissipated over the step [J/m2]
+};
+
 /// Contact at the face points of all cracks, which all ranks have and move on alike.
 ///
 /// The gap of a point, zero in the undeformed state, follows the normal jump of the velocity that strains the
@@ -40,6 +50,11 @@ public:
 
   /// Adds the tractions' forces [N]: opposite ones on the two faces, so momentum is kept to round-off.
   void addForces(const State<D>& state) const;
+  /// The same to the first D columns of a row a node.
+  void addForces(const View<double * [D + 1]>& force) const;
+
+  /// The tractions on a crack, in the order of its points.
+  std::vector<FaceTraction<D>> tractions(int crack) const;
 
   /// Forces at points all of whose nodes are subcycled follow these nodes; the others are frozen.
   void addFrozenForces(const State<D>& state, const NodeSlots& slots, const View<double* [D]>& force) const;
@@ -51,18 +66,26 @@ public:
   template <class Velocity>
   void advance(const State<D>& state, const Velocity& velocity);
 
+  /// Takes what a step of equilibrium has found, a value a point. \param stored change of the energy of the
+  /// layer [J] \param lost dissipated by friction [J]
+  void accept(const State<D>& state, const std::vector<PointContact<D>>& found, double stored, double lost);
+
   /// Saves or loads the points with their history.
   void serialize(Archive& archive);
 
   const FacePoints<D>& points() const { return points_; }
   const View<double*>& gap() const { return gap_; }
-  const View<double* [D - 1]>& slip() const { return slip_; }
+  const View<double* [D - 1]>& slip() const { return slip_; } const View<double*>& pressure() const
+  {
+    return pressure_;
+  }
+  const View<double* [D - 1]>& shear() const { return shear_; } Law law() const { return law_; }
+  double friction() const { return law_ == Law::Coulomb ? friction_ : 0.0; }
+  bool pointsReplaced() const { return replaced_; } ///< by the last `prepare`
+  Stiffness stiffnessOf(int crack) const { return onHost(stiffness_)(crack); }
 
   /// Energy [J] that the layer holds now and that friction has dissipated so far.
-  double stored() const
-  {
-    return stored_;
-  }
+  double stored() const { return stored_; }
   double dissipated() const { return dissipated_; }
 
   /// The same over the points for which `part` is not zero.
@@ -94,6 +117,7 @@ private:
   View<int*> closed_;            ///< points of each crack that press
   View<double*> peak_;           ///< largest pressure of each crack [Pa]
   double thickness_ = 1.0;
+  bool replaced_ = false;
   double stored_ = 0.0, dissipated_ = 0.0;
   std::vector<CrackContact> cracks_;
 };

@@ -16,6 +16,7 @@
 #include "cracks/Normals.hpp"
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
+#include "cracks/SpringsInEquilibrium.hpp"
 #include "cracks/Visibility.hpp"
 #include "plan/LastStage.hpp"
 
@@ -108,6 +109,8 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
+  if (parts->hasSprings && state.method.equilibrium())
+    state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
   readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);

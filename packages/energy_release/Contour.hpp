@@ -12,6 +12,13 @@ struct ContourRadii
   double outer; ///< and 0 from here on [m]
 };
 
+/// The weight q of the domain integrals at a distance from the front.
+KOKKOS_INLINE_FUNCTION double weightAt(double distance, const ContourRadii& radii)
+{
+  const double q = (radii.outer - distance) / (radii.outer - radii.inner);
+  return q > 1.0 ? 1.0 : (q > 0.0 ? q : 0.0);
+}
+
 /// The weight q of the domain integrals. It is evaluated at nodes only and interpolated like the motion, cuts
 /// included, so that the integrals are sums over nodal residual forces: evaluated at particles it gives
 /// errors of tens of percent, and interpolated by unbroken functions errors of percents with extrapolated
@@ -25,9 +32,7 @@ struct NodalWeight
 
   KOKKOS_INLINE_FUNCTION double operator()(int node) const
   {
-    const double r = norm(positions(node) - centre);
-    const double q = (radii.outer - r) / (radii.outer - radii.inner);
-    return q > 1.0 ? 1.0 : (q > 0.0 ? q : 0.0);
+    return weightAt(norm(positions(node) - centre), radii);
   }
 };
 

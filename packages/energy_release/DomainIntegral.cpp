@@ -2,6 +2,7 @@
 
 #include "energy_release/CrackPath.hpp"
 #include "energy_release/CrackTipFields.hpp"
+#include "energy_release/FaceTractionNearTip.hpp"
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
@@ -268,6 +269,7 @@ template <class Work>
 DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, const PressedPath& faces,
                                  Work& work)
 {
+  const FaceTractions contact(state, front, work.weight.radii);
   constexpr int turns = 4;
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
   const double thickness = state.method.thickness, scale = 0.5 * work.disk.effectiveModulus / thickness;
@@ -281,14 +283,23 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
                             Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, sums[0], sums[1],
                             sums[2], sums[3], sums[4]);
     sumParts(state, sums, 5);
-    sum.J = sums[0] / thickness;
+    const Vector<2> tractions = contact.intensities(sum.tipOffset),
+                    reciprocals = contact.reciprocals(sum.tipOffset, work.disk.effectiveModulus);
+    // Of closed faces the tractions are those with which M has the K_I of their opening: the integral over
+    // the particles scatters less than the tractions.
+    const double opening =
+        contact.closed() ? contact.intensityOfOpening(sum.tipOffset, work.disk.effectiveModulus) : 0.0;
+    const double corrected =
+        contact.closed() && tractions[0] > 0.0 ? (opening - scale * sums[1]) / tractions[0] : 1.0;
+    sum.J = sums[0] / thickness + corrected * contact.release();
     if (!work.intensities)
       return sum;
-    double ofFaces[2] = {}, reciprocalOfFaces[2] = {};
-    faces.addInteraction(sum.tipOffset, work.disk.moduli, ofFaces, reciprocalOfFaces);
-    const double modeI = sums[1] + thickness * ofFaces[0], modeII = sums[2] + thickness * ofFaces[1];
-    const double reciprocalI = sums[3] + thickness * reciprocalOfFaces[0],
-                 reciprocalII = sums[4] + thickness * reciprocalOfFaces[1];
+    double pressed[2] = {}, reciprocalPressed[2] = {};
+    faces.addInteraction(sum.tipOffset, work.disk.moduli, pressed, reciprocalPressed);
+    const double modeI = sums[1] + thickness * pressed[0] + corrected * tractions[0] / scale,
+                 modeII = sums[2] + thickness * pressed[1] + corrected * tractions[1] / scale;
+    const double reciprocalI = sums[3] + thickness * (reciprocalPressed[0] + reciprocals[0]),
+                 reciprocalII = sums[4] + thickness * (reciprocalPressed[1] + reciprocals[1]);
     sum.modeI = scale * modeI;
     sum.modeII = scale * modeII;
     const double square = modeI * modeI + modeII * modeII;
@@ -338,7 +349,8 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.negative = -front.crack - 1;
   work.moving =
       state.clock.step > 0 && state.mesh.nodes.motion.extent(0) > 0; // nodes are empty before the first step
-  work.intensities = intensities;
+  // What closed faces press with follows from their opening (integrateAboutTip).
+  work.intensities = intensities || state.cracks.tractions;
   const PressedPath faces(state, front, work.weight);
   DomainIntegral sum = integrateAboutTip(state, front, faces, work);
   sum.J += faces.release(state);

@@ -97,6 +97,9 @@ void accelerate(const State<D>& state, const Range& range, NodalAcceleration<D>&
                          state.particles.template real<symmetricSize<D>>(fields::stress)};
                      forEachBlock("rhegma::internalForce", state.mesh.blocks, block);
                    });
+  // In 3D their work belongs to the integrals, as the work of all loads does.
+  if (D == 2 && state.cracks.addTractions)
+    state.cracks.addTractions(state, force);
   sumOverRanks(state, force.data(), D + 1, 0, D + 1);
   addSprings(state, force);
   divideByMass<D>(force);

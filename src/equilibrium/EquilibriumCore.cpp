@@ -85,8 +85,14 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   account.iterations += last.iterations;
   account.linearIterations += report.linearIterations;
   account.unsupportedFields = step.unsupportedFields();
+  last.reason = report.reason;
   if (!report.converged)
     return;
+  if (!report.freeMotion.empty())
+  {
+    state.failure = report.freeMotion + ": closed faces and supports do not hold it; support it";
+    return;
+  }
   account.largestForces = report.forces;
   toMotion(step, state);
   state.energy.externalWork += step.workOfSupports();

@@ -21,6 +21,7 @@ struct LastStep
   int unknowns = 0;
   int negativeEigenvalues = 0; ///< of the last matrix, where it was factorised
   std::string solver = "none"; ///< of the linear systems
+  std::string reason;          ///< what keeps the step from equilibrium, where that is known; else empty
   double matrixBytes = 0.0;
 };
 

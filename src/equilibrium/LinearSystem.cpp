@@ -163,13 +163,19 @@ std::vector<std::vector<double>> LinearSystem<D>::nearNullSpace() const
 }
 
 template <int D>
-LinearAnswer LinearSystem<D>::solveDirectly()
+LinearAnswer LinearSystem<D>::solveDirectly(bool symmetric)
 {
-  if (!direct_.factorise(matrix_))
+  if (!symmetric && !unsymmetricAnalysed_)
+  {
+    unsymmetric_.analyse(matrix_);
+    unsymmetricAnalysed_ = true;
+  }
+  DirectSolver& direct = symmetric ? direct_ : unsymmetric_;
+  if (!direct.factorise(matrix_))
     return {};
   Kokkos::deep_copy(x_, b_);
-  direct_.solve(x_);
-  return {true, 0, direct_.negativeEigenvalues()};
+  direct.solve(x_);
+  return {true, 0, direct.negativeEigenvalues()};
 }
 
 template <int D>
@@ -252,18 +258,33 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
 }
 
 template <int D>
-LinearAnswer LinearSystem<D>::solve(const StiffnessBlocks& stiffness, const Values& right, double enough,
-                                    const Values& change)
+void LinearSystem<D>::prepare()
+{
+  if (matrix_.rows() == 0)
+    buildRows();
+  if (method_ == Method::Unknown)
+    method_ = choose();
+}
+
+template <int D>
+bool LinearSystem<D>::takesUnsymmetric()
+{
+  if (graph_.rows == 0)
+    return true;
+  prepare();
+  return method_ == Method::Direct;
+}
+
+template <int D>
+LinearAnswer LinearSystem<D>::solve(const StiffnessBlocks& stiffness, bool symmetric, const Values& right,
+                                    double enough, const Values& change)
 {
   if (graph_.rows == 0)
     return {true, 0, 0};
-  if (matrix_.rows() == 0)
-    buildRows();
+  prepare();
   fill(stiffness);
   moveHeldToRight(stiffness, right, change);
-  if (method_ == Method::Unknown)
-    method_ = choose();
-  const LinearAnswer answer = method_ == Method::Direct ? solveDirectly() : iterate(enough);
+  const LinearAnswer answer = method_ == Method::Direct ? solveDirectly(symmetric) : iterate(enough);
   for (int k = 0; k < matrix_.rows(); ++k)
     if (held_(k) == 0)
       change(k) = x_(k);

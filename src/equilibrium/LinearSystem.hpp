@@ -35,11 +35,14 @@ public:
   /// Number of unknowns that no support holds.
   int unknowns() const { return unknowns_; }
 
+  /// Whether matrices that are not symmetric can be solved: by factorisation, not by conjugate gradients.
+  bool takesUnsymmetric();
+
   /// Solves for the change of the free unknowns, those that are held changing as given.
-  /// \param right forces on all unknowns
+  /// \param symmetric whether the stiffness is \param right forces on all unknowns
   /// \param enough residual that need not be improved on [N] \param change on entry of held unknowns, on exit
   /// of all
-  LinearAnswer solve(const StiffnessBlocks& stiffness, const Values& right, double enough,
+  LinearAnswer solve(const StiffnessBlocks& stiffness, bool symmetric, const Values& right, double enough,
                      const Values& change);
 
   /// What solved the last system, in words for the summary.
@@ -54,13 +57,14 @@ private:
     Diagonal
   };
 
+  void prepare();
   void buildRows();
   void fill(const StiffnessBlocks& stiffness);
   void moveHeldToRight(const StiffnessBlocks& stiffness, const Values& right, const Values& change);
   Method choose();
   std::vector<std::vector<double>> nearNullSpace() const;
   void makeMultigrid();
-  LinearAnswer solveDirectly();
+  LinearAnswer solveDirectly(bool symmetric);
   LinearAnswer iterate(double enough);
   SolveResult runGradients(const View<double*>& diagonal);
 
@@ -71,7 +75,8 @@ private:
   SparseMatrix matrix_;
   Values b_, x_;
   Method method_ = Method::Unknown;
-  DirectSolver direct_;
+  DirectSolver direct_, unsymmetric_{false};
+  bool unsymmetricAnalysed_ = false;
   std::unique_ptr<ConjugateGradients> gradients_;
   std::unique_ptr<Multigrid> multigrid_;
   int iterationsWhenNew_ = 0; ///< with the multigrid, when it was made

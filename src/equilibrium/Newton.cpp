@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace Rhegma::equilibrium
 {
@@ -17,17 +18,6 @@ constexpr int mostHalvings = 6;
 /// Residual of a linear solution, as a fraction of what ends the step.
 constexpr double linearFraction = 0.1;
 
-template <int D>
-Groups groupsOf(const std::vector<SlopeJump>& jumps, const std::vector<std::array<double, 3>>& springs)
-{
-  Groups groups;
-  for (const SlopeJump& jump : jumps)
-    groups.push_back(jump.row);
-  for (const auto& spring : springs)
-    groups.push_back({static_cast<int>(spring[0]), static_cast<int>(spring[1])});
-  return groups;
-}
-
 /// Jump of the slope along an axis, times the edge of the cells.
 template <int D>
 double jumpOf(const SlopeJump& jump, const Values& u, int axis)
@@ -38,21 +28,6 @@ double jumpOf(const SlopeJump& jump, const Values& u, int axis)
   return sum;
 }
 
-/// Springs between the two fields of nodes.
-template <int D>
-std::vector<std::array<double, 3>> findSprings(const State<D>& state, const RowGraph& graph)
-{
-  std::vector<std::array<double, 3>> springs;
-  const Nodes<D>& nodes = state.mesh.nodes;
-  for (int i = 0; i < nodes.numEnriched && state.cracks.spring.extent(0) > 0; ++i)
-  {
-    const int n = nodes.parent(i), a = graph.rowOf(n), b = graph.rowOf(nodes.numLattice + i);
-    if (a >= 0 && b >= 0 && state.cracks.spring(n, D) > 0.0)
-      springs.push_back({double(a), double(b), state.cracks.spring(n, D)});
-  }
-  return springs;
-}
-
 } // namespace
 
 template <int D>
@@ -60,8 +35,21 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
     : graph_(numberRows(state))
 {
   jumps_ = findSlopeJumps(state, graph_);
-  springs_ = findSprings(state, graph_);
-  connectRows(state, groupsOf<D>(jumps_, springs_), graph_);
+  std::vector<Groups> groups;
+  bool joins = false;
+  for (const std::shared_ptr<StepForce<D>>& force : state.motion.stepForces)
+  {
+    forces_.push_back(force);
+    groups.push_back(force->begin(state, graph_.rowOf));
+    joins = joins || force->joinsPieces();
+  }
+  connect(state, groups, true, graph_);
+  if (joins)
+  {
+    RowGraph apart = graph_;
+    connect(state, groups, false, apart);
+    std::tie(apart_, piecesApart_) = findPieces(apart);
+  }
   position_ = rowPositions(state, graph_);
   mass_ = rowMasses(state, graph_);
   held_ = findHeld(state, graph_);
@@ -77,6 +65,19 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
   const int n = D * graph_.rows;
   for (Values* values : {&load_, &displacement_, &residual_, &reaction_})
     *values = Values("rhegma::equilibrium::values", n);
+}
+
+template <int D>
+void NewtonStep<D>::connect(const State<D>& state, const std::vector<Groups>& groups, bool joining,
+                            RowGraph& graph) const
+{
+  Groups all;
+  for (const SlopeJump& jump : jumps_)
+    all.push_back(jump.row);
+  for (std::size_t k = 0; k < forces_.size(); ++k)
+    if (joining || !forces_[k]->joinsPieces())
+      all.insert(all.end(), groups[k].begin(), groups[k].end());
+  connectRows(state, all, graph);
 }
 
 template <int D>
@@ -103,7 +104,7 @@ void NewtonStep<D>::findFreeMotions()
 }
 
 template <int D>
-std::string NewtonStep<D>::bodyOf(const State<D>& state, int piece) const
+std::string NewtonStep<D>::bodyOf(const State<D>& state, const std::vector<int>& pieceOf, int piece) const
 {
   const Grid<D>& grid = state.mesh.grid;
   const auto position = state.particles.template real<D>(fields::position);
@@ -115,7 +116,7 @@ std::string NewtonStep<D>::bodyOf(const State<D>& state, int piece) const
     for (int d = 0; d < D; ++d)
       node += grid.stride[d] * static_cast<int>(grid.inCells(position(p, d), d));
     const int row = graph_.rowOf(node);
-    if (row >= 0 && pieceOf_[row] == piece)
+    if (row >= 0 && pieceOf[row] == piece)
       ++count[body(p)];
   }
   const auto most = std::max_element(count.begin(), count.end(),
@@ -141,14 +142,8 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
       for (std::size_t a = 0; a < jump.row.size(); ++a)
         r(D * jump.row[a] + d) -= force * jump.coefficient[a];
     }
-  for (const auto& spring : springs_)
-    for (int d = 0; d < D; ++d)
-    {
-      const int a = D * static_cast<int>(spring[0]) + d, b = D * static_cast<int>(spring[1]) + d;
-      const double force = spring[2] * (u(a) - u(b));
-      r(a) -= force;
-      r(b) += force;
-    }
+  for (const auto& force : forces_)
+    force->add(u, r);
   return subtractInternalForce(state, graph_, u, r);
 }
 
@@ -159,9 +154,10 @@ bool NewtonStep<D>::assemble(const State<D>& state)
     stiffness_ = StiffnessBlocks("rhegma::equilibrium::stiffness", D * D * graph_.column.extent(0));
   else
     Kokkos::deep_copy(stiffness_, 0.0);
+  const auto blockOf = [&](int row, int other) { return &stiffness_(D * D * graph_.find(row, other)); };
   const auto add = [&](int row, int other, double value)
   {
-    double* const block = &stiffness_(D * D * graph_.find(row, other));
+    double* const block = blockOf(row, other);
     for (int d = 0; d < D; ++d)
       block[d * D + d] += value;
   };
@@ -169,11 +165,52 @@ bool NewtonStep<D>::assemble(const State<D>& state)
     for (std::size_t a = 0; a < jump.row.size(); ++a)
       for (std::size_t b = 0; b < jump.row.size(); ++b)
         add(jump.row[a], jump.row[b], jump.weight * jump.coefficient[a] * jump.coefficient[b]);
-  for (const auto& spring : springs_)
-    for (int a = 0; a < 2; ++a)
-      for (int b = 0; b < 2; ++b)
-        add(static_cast<int>(spring[a]), static_cast<int>(spring[b]), a == b ? spring[2] : -spring[2]);
+  symmetric_ = true;
+  const bool symmetricOnly = !forces_.empty() && !system_->takesUnsymmetric();
+  for (const auto& force : forces_)
+    symmetric_ = force->addStiffness(symmetricOnly,
+                                     [&](int row, int other, const double(&values)[D * D])
+                                     {
+                                       double* const block = blockOf(row, other);
+                                       for (int k = 0; k < D * D; ++k)
+                                         block[k] += values[k];
+                                     }) &&
+                 symmetric_;
   return addStiffness(state, graph_, displacement_, stiffness_);
+}
+
+template <int D>
+void NewtonStep<D>::updateForces(const State<D>& state, double& removed)
+{
+  bool changed = false;
+  for (const auto& force : forces_)
+    changed = force->update() || changed;
+  if (changed)
+    residual(state, displacement_, residual_, removed);
+}
+
+template <int D>
+std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
+{
+  if (apart_.empty())
+    return {};
+  std::vector<HeldDirection<D>> resisted;
+  for (const auto& force : forces_)
+  {
+    const std::vector<HeldDirection<D>> its = force->heldDirections();
+    resisted.insert(resisted.end(), its.begin(), its.end());
+  }
+  std::vector<int> size(piecesApart_, 0);
+  for (const int piece : apart_)
+    ++size[piece];
+  std::set<std::string> lines;
+  for (const RigidMode<D>& mode : freeModes<D>(apart_, piecesApart_, position_, mass_, held_, resisted))
+    if (size[mode.piece] > (1 << D))
+      lines.insert("a part of " + bodyOf(state, apart_, mode.piece) + " " + mode.asText());
+  std::string all;
+  for (const std::string& line : lines)
+    all += (all.empty() ? "" : "; ") + line;
+  return all;
 }
 
 template <int D>
@@ -244,6 +281,9 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   // A free body that heat strains has no other forces.
   report.forces = std::max(report.forces, norm(atStart, false));
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
+  if (most > 1)
+    for (const auto& force : forces_)
+      most = std::max(most, mostIterations * force->iterationFactor());
   for (int k = 0; k <= most; ++k)
   {
     // A body that is unloaded has forces of its own size no longer.
@@ -256,7 +296,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     for (int i = 0; i < n; ++i)
       change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
     const LinearAnswer answer =
-        system_->solve(stiffness_, residual_, linearFraction * forceTolerance * forces, change);
+        system_->solve(stiffness_, symmetric_, residual_, linearFraction * forceTolerance * forces, change);
     removeRigidMotion(change);
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
@@ -271,7 +311,12 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     for (int i = 0; i < n; ++i)
       moved = moved || (held_.is[i] != 0 &&
                         std::fabs(held_.change[i] - displacement_(i)) > 1e-12 * std::fabs(held_.change[i]));
+    updateForces(state, report.removedFraction);
   }
+  report.freeMotion = report.reason = motionsBetweenPieces(state);
+  for (const auto& force : forces_)
+    if (const std::string one = force->reason(); !one.empty())
+      report.reason += (report.reason.empty() ? "" : "; ") + one;
   workOfSupports_ = 0.0;
   for (int k = 0; k < n; ++k)
   {

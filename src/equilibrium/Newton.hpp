@@ -28,6 +28,8 @@ struct StepReport
   double forces = 0.0; ///< largest norm so far of loads, forces of supports or forces out of balance at the
                        ///< start of a step [N]
   double unsupportedLoad = 0.0; ///< sum of the loads on pieces that are held as nothing supports them [N]
+  std::string freeMotion;       ///< of pieces that only forces of the step hold; else empty
+  std::string reason;           ///< what keeps it from equilibrium, where that is known; else empty
 };
 
 /// The unknowns of a step and the forces between them.
@@ -46,7 +48,7 @@ public:
   double matrixEntries() const { return static_cast<double>(D) * D * graph_.column.extent(0); }
   const std::vector<RigidMode<D>>& freeMotions() const { return modes_; }
   /// Name of the body that has most of a piece.
-  std::string bodyOf(const State<D>& state, int piece) const;
+  std::string bodyOf(const State<D>& state, int piece) const { return bodyOf(state, pieceOf_, piece); }
   /// Fields that hang on nothing, and stay where they are.
   int unsupportedFields() const { return static_cast<int>(unsupported_.size()); }
 
@@ -64,11 +66,18 @@ public:
   const RowGraph& graph() const { return graph_; }
 
 private:
+  std::string bodyOf(const State<D>& state, const std::vector<int>& pieceOf, int piece) const;
+  /// Couples the rows of ghost penalty and forces. \param joining whether forces that join pieces count
+  void connect(const State<D>& state, const std::vector<Groups>& groups, bool joining, RowGraph& graph) const;
   void findFreeMotions();
   /// Forces minus resistance at a trial displacement. \return false where a particle is inverted
   bool residual(const State<D>& state, const Values& u, const Values& r, double& removed) const;
+  /// \return whether the stiffness is that of a trial displacement that exists
   bool assemble(const State<D>& state);
-  void addSprings(const State<D>& state);
+  /// Lets the step's forces learn from an accepted displacement, and finds the residual that then remains.
+  void updateForces(const State<D>& state, double& removed);
+  /// Free motions of pieces that forces of the step join, as they are now, in a sentence; empty if none.
+  std::string motionsBetweenPieces(const State<D>& state) const;
   /// Takes the mean motion and rotation from the change of free pieces: loads do not turn with a body, so
   /// that the stiffness of a body's rotation is that of its stress, which is as small and may be negative.
   void removeRigidMotion(const Values& change) const;
@@ -84,8 +93,12 @@ private:
   std::vector<int> pieceOf_;
   std::vector<RigidMode<D>> modes_;
   Held held_;
-  std::vector<int> unsupported_;               ///< rows
-  std::vector<std::array<double, 3>> springs_; ///< two rows and stiffness [N/m]
+  std::vector<int> unsupported_; ///< rows
+  std::vector<std::shared_ptr<StepForce<D>>> forces_;
+  std::vector<int>
+      apart_; ///< piece of each row, without the forces that join pieces; empty if there are none
+  int piecesApart_ = 0;
+  bool symmetric_ = true; ///< the stiffness
   std::shared_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;
   Values load_, displacement_, residual_, reaction_;

@@ -97,25 +97,29 @@ std::string RigidMode<D>::asText() const
 template <int D>
 std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
                                     const std::vector<Vector<D>>& position, const std::vector<double>& mass,
-                                    const Held& held)
+                                    const Held& held, const std::vector<HeldDirection<D>>& resisted)
 {
   constexpr int n = rigidMotions<D>;
   const std::vector<RigidMode<D>> frames = framesOfPieces(pieceOf, pieces, position, mass);
   std::vector<std::array<double, n * n>> hold(pieces, std::array<double, n * n>{});
+  const auto add = [&](std::size_t row, const Vector<D>& at, const auto& component)
+  {
+    double motion[n];
+    for (int m = 0; m < n; ++m)
+    {
+      RigidMode<D> one = frames[pieceOf[row]];
+      one.coefficient[m] = 1.0;
+      motion[m] = component(one.at(at));
+    }
+    for (int k = 0; k < n * n; ++k)
+      hold[pieceOf[row]][k] += motion[k / n] * motion[k % n];
+  };
   for (std::size_t r = 0; r < pieceOf.size(); ++r)
     for (int d = 0; d < D; ++d)
       if (held.is[D * r + d] != 0)
-      {
-        double motion[n];
-        for (int m = 0; m < n; ++m)
-        {
-          RigidMode<D> one = frames[pieceOf[r]];
-          one.coefficient[m] = 1.0;
-          motion[m] = one.at(position[r])[d];
-        }
-        for (int k = 0; k < n * n; ++k)
-          hold[pieceOf[r]][k] += motion[k / n] * motion[k % n];
-      }
+        add(r, position[r], [d](const Vector<D>& u) { return u[d]; });
+  for (const HeldDirection<D>& by : resisted)
+    add(by.row, by.position, [&by](const Vector<D>& u) { return dot(u, by.direction); });
   std::vector<RigidMode<D>> modes;
   Teuchos::LAPACK<int, double> lapack;
   for (int k = 0; k < pieces; ++k)
@@ -230,9 +234,11 @@ std::vector<int> unknownsOfMotions(const std::vector<RigidMode<D>>& modes, const
 }
 
 template std::vector<RigidMode<2>> freeModes(const std::vector<int>&, int, const std::vector<Vector<2>>&,
-                                             const std::vector<double>&, const Held&);
+                                             const std::vector<double>&, const Held&,
+                                             const std::vector<HeldDirection<2>>&);
 template std::vector<RigidMode<3>> freeModes(const std::vector<int>&, int, const std::vector<Vector<3>>&,
-                                             const std::vector<double>&, const Held&);
+                                             const std::vector<double>&, const Held&,
+                                             const std::vector<HeldDirection<3>>&);
 template double removeResultants(const std::vector<RigidMode<2>>&, const std::vector<int>&,
                                  const std::vector<Vector<2>>&, const std::vector<double>&,
                                  const View<double*>&);

@@ -2,6 +2,7 @@
 /// Rigid motions that no support prevents.
 
 #include "equilibrium/Unknowns.hpp"
+#include "state/StepForce.hpp"
 
 #include <string>
 
@@ -47,10 +48,11 @@ struct RigidMode
 };
 
 /// The free motions of all pieces, orthogonal to each other.
+/// \param resisted directions in which something other than a support holds a piece
 template <int D>
 std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
                                     const std::vector<Vector<D>>& position, const std::vector<double>& mass,
-                                    const Held& held);
+                                    const Held& held, const std::vector<HeldDirection<D>>& resisted = {});
 
 /// Takes from forces what would accelerate free pieces: f -= M R (R^T M R)^-1 R^T f, R the modes at the
 /// current positions. \return the largest fraction of a force that was taken

@@ -44,10 +44,10 @@ struct DirectSolver::Instance
   std::vector<std::size_t> entry; ///< of the matrix
   std::vector<double> value;
 
-  Instance()
+  explicit Instance(bool symmetric)
   {
     data.par = 1;
-    data.sym = 2; // symmetric, not taken to be definite
+    data.sym = symmetric ? 2 : 0; // symmetric ones are not taken to be definite
     data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
     call(Start);
     for (const int stream : {1, 2, 3})
@@ -68,17 +68,17 @@ struct DirectSolver::Instance
 
 bool DirectSolver::available() { return true; }
 
-DirectSolver::DirectSolver() = default;
+DirectSolver::DirectSolver(bool symmetric) : symmetric_(symmetric) {}
 DirectSolver::~DirectSolver() = default;
 
 double DirectSolver::analyse(const SparseMatrix& matrix)
 {
-  instance_ = std::make_unique<Instance>();
+  instance_ = std::make_unique<Instance>(symmetric_);
   Instance& mumps = *instance_;
   const auto first = onHost(matrix.first);
   const auto column = onHost(matrix.column);
   for (int r = 0; r < matrix.rows(); ++r)
-    for (std::size_t k = first(r); k < first(r + 1) && column(k) <= r; ++k)
+    for (std::size_t k = first(r); k < first(r + 1) && (!symmetric_ || column(k) <= r); ++k)
     {
       mumps.row.push_back(r + 1);
       mumps.column.push_back(column(k) + 1);
@@ -118,7 +118,7 @@ bool DirectSolver::factorise(const SparseMatrix& matrix)
   }
 }
 
-int DirectSolver::negativeEigenvalues() const { return numbered(instance_->data.infog, 12); }
+int DirectSolver::negativeEigenvalues() const { return symmetric_ ? numbered(instance_->data.infog, 12) : 0; }
 
 void DirectSolver::solve(const View<double*>& x)
 {
@@ -138,7 +138,7 @@ struct DirectSolver::Instance
 };
 
 bool DirectSolver::available() { return false; }
-DirectSolver::DirectSolver() = default;
+DirectSolver::DirectSolver(bool symmetric) : symmetric_(symmetric) {}
 DirectSolver::~DirectSolver() = default;
 double DirectSolver::analyse(const SparseMatrix&) { return std::numeric_limits<double>::infinity(); }
 bool DirectSolver::factorise(const SparseMatrix&) { return false; }

@@ -1,5 +1,5 @@
 #pragma once
-/// Direct solution of sparse symmetric systems on this rank, by MUMPS where the library was built with it.
+/// Direct solution of sparse systems on this rank, by MUMPS where the library was built with it.
 
 #include "solver/SparseMatrix.hpp"
 
@@ -8,20 +8,21 @@
 namespace Rhegma
 {
 
-/// Factorises a symmetric matrix, definite or not, as L D L^T by the multifrontal method (Amestoy, Duff,
-/// L'Excellent and Koster, SIAM J. Matrix Anal. Appl. 23 (2001) 15).
+/// Factorises a matrix, definite or not, as L D L^T if it is symmetric and as L U if it is not, by the
+/// multifrontal method (Amestoy, Duff, L'Excellent and Koster, SIAM J. Matrix Anal. Appl. 23 (2001) 15).
 class DirectSolver
 {
 public:
   /// Whether the library was built with MUMPS; without it no factorisation succeeds.
   static bool available();
 
-  DirectSolver();
+  explicit DirectSolver(bool symmetric = true);
   ~DirectSolver();
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;
 
-  /// Orders the unknowns of a matrix, of which only the structure and the lower triangle are used.
+  /// Orders the unknowns of a matrix, of which the structure is used, and of a symmetric one only
+  /// the lower triangle.
   /// \return expected number of floating-point operations of a factorisation; infinity if there is no order
   double analyse(const SparseMatrix& matrix);
 
@@ -29,7 +30,7 @@ public:
   /// singular or memory does not suffice
   bool factorise(const SparseMatrix& matrix);
 
-  /// Negative eigenvalues of the last factorised matrix.
+  /// Negative eigenvalues of the last factorised matrix; 0 where it is not symmetric.
   int negativeEigenvalues() const;
 
   /// Solves with the last factorised matrix. \param x on entry the right side, on exit the solution
@@ -37,6 +38,7 @@ public:
 
 private:
   struct Instance;
+  bool symmetric_;
   std::unique_ptr<Instance> instance_;
 };
 

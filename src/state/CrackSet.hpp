@@ -14,6 +14,9 @@
 namespace Rhegma
 {
 
+template <int D>
+struct State;
+
 /// Driving force of a front node, as last computed.
 struct DrivingForce
 {
@@ -155,6 +158,15 @@ struct ContactEnergy
   double dissipated = 0.0; ///< by friction so far [J]
 };
 
+/// Traction of closed faces on each other at a point.
+template <int D>
+struct FaceTraction
+{
+  Vector<D> position{}; ///< [m]
+  Vector<D> traction{}; ///< on side +1, opposite on side -1 [Pa]
+  double size = 0.0;    ///< length or area of crack that it acts on now [m, m2]
+};
+
 /// What a vertex of a crack lies on, as bits: a front's end at the surface of a body has both.
 namespace vertexKind
 {
@@ -203,6 +215,13 @@ struct CrackSet
   /// Contact energy of the part of a crack within a distance of a middle [m], both along the undeformed
   /// crack; in 3D of the whole crack. Empty without contact.
   std::function<ContactEnergy(int crack, double middle, double reach)> contactEnergy;
+
+  /// Tractions of closed faces on each other, in the order of the simplices and along each; on all ranks the
+  /// same. Empty without contact.
+  std::function<std::vector<FaceTraction<D>>(int crack)> tractions;
+  /// Adds them as forces [N] to the internal forces in the first D columns of a row a node, on each rank its
+  /// own; springs are left out of these.
+  std::function<void(const State<D>&, const View<double * [D + 1]>& force)> addTractions;
 
   bool empty() const { return cracks.empty(); } ///< whether there are no cracks
 };

@@ -5,6 +5,7 @@
 #include "state/NodeConstraint.hpp"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace Rhegma
@@ -12,6 +13,8 @@ namespace Rhegma
 
 template <int D>
 struct State;
+template <int D>
+class StepForce;
 
 /// Rows of the nodes that take part in substeps: those that move in substeps come first.
 struct NodeSlots
@@ -66,8 +69,9 @@ struct NodalMotion
   View<double*> coupledReaction; ///< impulse that holds each unknown (row, axis) of coupled nodes [N s]
   View<int*> coupledRow;         ///< of each node, -1 where its mass is lumped; empty where all masses are
   std::vector<DisplacementDependentForce<D>> displacementDependentForces; ///< of effects that have any
-  CoupledSlots<D> coupledSlots; ///< empty where all masses are lumped
-  Substeps substeps;            ///< of this step
+  std::vector<std::shared_ptr<StepForce<D>>> stepForces; ///< the same in equilibrium (StepForce.hpp)
+  CoupledSlots<D> coupledSlots;                          ///< empty where all masses are lumped
+  Substeps substeps;                                     ///< of this step
 };
 
 } // namespace Rhegma

@@ -338,6 +338,8 @@ void Run<D>::solveLoadStep(double left)
           << formatReal(last.residuals.empty() ? 1.0 : last.residuals.back())
           << " of the forces; the load may be more than the bodies can bear, or the cells too coarse for the "
              "strain";
+      if (!last.reason.empty())
+        why << "; " << last.reason;
       state_.failure = why.str();
       stop(state_);
     }

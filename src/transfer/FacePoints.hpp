@@ -67,20 +67,31 @@ private:
   double spacing_ = 0.0;  ///< of the smallest cells when the points were placed [m]
 };
 
-/// Unit tangents of a point: in 2D along the direction of the crack; in 3D two at right angles, which rotate
-/// with the triangle.
-KOKKOS_INLINE_FUNCTION Vector<2> tangentOf(const FacePoints<2>& points, int k, int)
+/// Unit tangents of a face: in 2D along the direction of the crack; in 3D the edge of its simplex and a
+/// vector at a right angle to it, which rotate with it.
+KOKKOS_INLINE_FUNCTION Vector<2> faceTangent(const Vector<2>& normal, const Vector<2>&, int)
 {
-  return {points.normal(k, 1), -points.normal(k, 0)};
+  return {normal[1], -normal[0]};
 }
 
-KOKKOS_INLINE_FUNCTION Vector<3> tangentOf(const FacePoints<3>& points, int k, int which)
+KOKKOS_INLINE_FUNCTION Vector<3> faceTangent(const Vector<3>& n, const Vector<3>& edge, int which)
 {
-  const Vector<3> t{points.edge(k, 0), points.edge(k, 1), points.edge(k, 2)};
   if (which == 0)
-    return t;
-  const Vector<3> n{points.normal(k, 0), points.normal(k, 1), points.normal(k, 2)};
-  return {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]};
+    return edge;
+  return {n[1] * edge[2] - n[2] * edge[1], n[2] * edge[0] - n[0] * edge[2], n[0] * edge[1] - n[1] * edge[0]};
+}
+
+/// Unit tangents of a point.
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> tangentOf(const FacePoints<D>& points, int k, int which)
+{
+  Vector<D> normal, edge;
+  for (int d = 0; d < D; ++d)
+  {
+    normal[d] = points.normal(k, d);
+    edge[d] = points.edge(k, d);
+  }
+  return faceTangent(normal, edge, which);
 }
 
 /// Jump of a nodal velocity (its first D columns) from side -1 to side +1 at point k.

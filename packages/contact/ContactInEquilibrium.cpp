@@ -1,0 +1,500 @@
+#include "contact/ContactInEquilibrium.hpp"
+
+#include "archive/Archive.hpp"
+#include "contact/FacePatches.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace Rhegma::contact
+{
+
+namespace
+{
+
+/// Stiffness of contact over that of dynamics, which a step of time limits: multipliers then converge by one
+/// or two digits an iteration.
+constexpr double stiffening = 1000.0;
+
+/// The same of what keeps the nodes of a patch together. It is less than that of contact, as neighbouring
+/// patches have nodes in common: their multipliers converge with the ratio of both.
+constexpr double joining = 20.0;
+
+/// Gap below which faces touch at the start of a step, in cells: gaps of closed faces go to zero with the
+/// residual.
+constexpr double touchingGap = 1e-9;
+
+/// Rounding of the shear traction of faces that slide, as a part of its limit.
+constexpr double atLimit = 1e-6;
+
+/// Jump of a displacement between two rows along an axis; a row of -1 does not move.
+template <int D>
+double jumpOf(const View<double*>& displacement, int plus, int minus, int axis)
+{
+  return (plus >= 0 ? displacement(D * plus + axis) : 0.0) -
+         (minus >= 0 ? displacement(D * minus + axis) : 0.0);
+}
+
+} // namespace
+
+template <int D>
+Vector<D> ContactInEquilibrium<D>::tangent(int point, int which) const
+{
+  Vector<D> n;
+  for (int d = 0; d < D; ++d)
+    n[d] = contact_.points().normal(point, d);
+  const Vector<D> along = reference_[point] - dot(reference_[point], n) * n;
+  return faceTangent(n, (1.0 / norm(along)) * along, which);
+}
+
+template <int D>
+void ContactInEquilibrium<D>::divide(const State<D>& state)
+{
+  const FacePoints<D>& points = contact_.points();
+  const int count = points.count();
+  if (contact_.pointsReplaced() || static_cast<int>(patchOf_.extent(0)) != count)
+  {
+    const std::vector<int> patch = findPatches(state, points);
+    patchOf_ = View<int*>("rhegma::contactPatches", count);
+    std::copy(patch.begin(), patch.end(), patchOf_.data());
+  }
+  patches_.clear();
+  for (int k = 0; k < count; ++k)
+  {
+    patches_.resize(std::max(patches_.size(), static_cast<std::size_t>(patchOf_(k) + 1)));
+    if (points.acts(k) != 0)
+    {
+      patches_[patchOf_(k)].points.push_back(k);
+      patches_[patchOf_(k)].size += points.size(k) * state.method.thickness;
+    }
+  }
+  reference_.assign(count, Vector<D>{});
+  for (Patch& patch : patches_)
+    for (const int k : patch.points)
+    {
+      patch.crack = points.crack(k);
+      for (int d = 0; d < D; ++d)
+        reference_[k][d] = points.edge(patch.points.front(), d);
+    }
+}
+
+template <int D>
+void ContactInEquilibrium<D>::addJumps(Patch& patch, const std::map<int, Frame>& frames,
+                                       const std::vector<FaceNode<D>>& nodes,
+                                       const std::vector<double>& scale) const
+{
+  for (const auto& [i, frame] : frames)
+    patch.area += scale[i] * frame.area;
+  for (const auto& [i, frame] : frames)
+  {
+    Part part;
+    part.plus = nodes[i].plus;
+    part.minus = nodes[i].minus;
+    for (int c = 0; c < D; ++c)
+      for (int d = 0; d < D; ++d)
+      {
+        part.jump[c][d] = scale[i] / patch.area * frame.axes[c][d];
+        part.axes[c][d] = frame.axes[c][d] / frame.area;
+      }
+    part.weight = std::fabs(scale[i]) * frame.area;
+    patch.weights += part.weight;
+    patch.parts.push_back(part);
+  }
+}
+
+template <int D>
+void ContactInEquilibrium<D>::collect(const State<D>& state)
+{
+  divide(state);
+  const FacePoints<D>& points = contact_.points();
+  const std::vector<FaceNode<D>> nodes = findFaceNodes(state);
+  std::vector<int> pairOf(state.mesh.nodes.sums.extent(0), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    pairOf[nodes[i].plus] = pairOf[nodes[i].minus] = static_cast<int>(i);
+  std::vector<std::map<int, Frame>> frames(patches_.size());
+  std::vector<Frame> all(nodes.size()); // of all patches
+  for (std::size_t m = 0; m < patches_.size(); ++m)
+    for (const int k : patches_[m].points)
+    {
+      Vector<D> axes[D];
+      for (int d = 0; d < D; ++d)
+        axes[0][d] = points.normal(k, d);
+      for (int t = 1; t < D; ++t)
+        axes[t] = tangent(k, t - 1);
+      for (const StencilTable<D>* const face : {&points.above, &points.below})
+        for (int e = 0; e < face->count(k); ++e)
+        {
+          const int i = pairOf[face->node(k, e)];
+          if (i < 0)
+            continue;
+          const double share = 0.5 * face->weight(k, e) * points.size(k) * state.method.thickness;
+          for (Frame* const frame : {&frames[m][i], &all[i]})
+          {
+            frame->area += share;
+            for (int c = 0; c < D; ++c)
+              for (int d = 0; d < D; ++d)
+                frame->axes[c][d] += share * axes[c][d];
+          }
+        }
+    }
+  std::vector<double> scale(nodes.size(), 1.0);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    Vector<D> normal;
+    for (int d = 0; d < D; ++d)
+      normal[d] = all[i].axes[0][d];
+    if (const double square = dot(normal, normal); nodes[i].isInside && square > 0.0)
+      scale[i] = dot(nodes[i].area, normal) / square;
+  }
+  for (std::size_t m = 0; m < patches_.size(); ++m)
+    addJumps(patches_[m], frames[m], nodes, scale);
+  for (Patch& patch : patches_)
+    for (const int k : patch.points)
+    {
+      const double weight = points.size(k) * state.method.thickness / patch.size;
+      patch.gap += weight * contact_.gap()(k);
+      patch.pressure += weight * contact_.pressure()(k);
+      for (int s = 0; s < D - 1; ++s)
+        for (int t = 0; t < D - 1; ++t)
+          patch.shear[t] += weight * contact_.shear()(k, s) * dot(tangentOf(points, k, s), tangent(k, t));
+    }
+}
+
+template <int D>
+void ContactInEquilibrium<D>::addForces(const State<D>& state, const View<double * [D + 1]>& force)
+{
+  collect(state);
+  for (const Patch& patch : patches_)
+    for (const Part& part : patch.parts)
+      for (int d = 0; d < D; ++d)
+      {
+        double onPlus = part.jump[0][d] * patch.pressure;
+        for (int t = 0; t < D - 1; ++t)
+          onPlus -= part.jump[1 + t][d] * patch.shear[t];
+        force(part.plus, d) += patch.area * onPlus;
+        force(part.minus, d) -= patch.area * onPlus;
+      }
+}
+
+template <int D>
+void ContactInEquilibrium<D>::balance(const State<D>& state, const View<double * [D + 1]>& force)
+{
+  collect(state);
+  const View<double * [D + 1]>& spring = state.cracks.spring;
+  std::vector<char> done(force.extent(0), 0);
+  for (const Patch& patch : patches_)
+    for (const Part& part : patch.parts)
+    {
+      if (!(patch.pressure > 0.0) || done[part.plus] != 0)
+        continue;
+      done[part.plus] = 1;
+      const bool plusIsPrimary = part.plus < state.mesh.nodes.numLattice;
+      const int primary = plusIsPrimary ? part.plus : part.minus;
+      for (int d = 0; d < D; ++d)
+      {
+        const double ofSpring = spring.extent(0) > 0 ? spring(primary, d) : 0.0;
+        const double apart =
+            0.5 * (force(part.plus, d) - force(part.minus, d)) + (plusIsPrimary ? ofSpring : -ofSpring);
+        force(part.plus, d) -= apart;
+        force(part.minus, d) += apart;
+      }
+    }
+}
+
+template <int D>
+typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const State<D>& state,
+                                                                        const View<int*>& rowOf)
+{
+  collect(state);
+  names_.clear();
+  for (const Crack<D>& crack : state.cracks.cracks)
+    names_.push_back(crack.name);
+  Groups groups;
+  for (Patch& patch : patches_)
+  {
+    patch.touching = patch.gap <= touchingGap * state.mesh.grid.spacing;
+    patch.normalMultiplier = patch.pressure;
+    patch.shearMultiplier = patch.shear;
+    const double limit = contact_.friction() * patch.pressure;
+    patch.slid = limit > 0.0 && norm(patch.shear) > (1.0 - atLimit) * limit;
+    patch.touch = !patch.touching                       ? Touch::Open
+                  : contact_.law() == Law::Frictionless ? Touch::Sliding
+                                                        : Touch::Sticking;
+    groups.emplace_back();
+    for (Part& part : patch.parts)
+    {
+      part.plusRow = rowOf(part.plus);
+      part.minusRow = rowOf(part.minus);
+      for (const int row : {part.plusRow, part.minusRow})
+        if (row >= 0)
+          groups.back().push_back(row);
+    }
+  }
+  return groups;
+}
+
+template <int D>
+Stiffness ContactInEquilibrium<D>::stiffnessOf(const Patch& patch) const
+{
+  const Stiffness dynamic = contact_.stiffnessOf(patch.crack);
+  return {stiffening * dynamic.normal, stiffening * dynamic.tangential};
+}
+
+template <int D>
+Vector<D - 1> ContactInEquilibrium<D>::slipOf(const Patch& patch) const
+{
+  Vector<D - 1> slip;
+  for (int t = 0; t < D - 1; ++t)
+    slip[t] = patch.moved[1 + t];
+  return slip;
+}
+
+template <int D>
+Vector<D> ContactInEquilibrium<D>::jointStiffness(const Patch& patch) const
+{
+  Vector<D> joint{};
+  const Stiffness dynamic = contact_.stiffnessOf(patch.crack);
+  const Stiffness k{joining * dynamic.normal, joining * dynamic.tangential};
+  joint[0] = patch.touch == Touch::Open ? 0.0 : k.normal;
+  for (int t = 1; t < D; ++t)
+    joint[t] = patch.touch == Touch::Sticking && !patch.slid ? k.tangential : 0.0;
+  return joint;
+}
+
+template <int D>
+void ContactInEquilibrium<D>::press(Patch& patch) const
+{
+  const Stiffness k = stiffnessOf(patch);
+  patch.now = {};
+  if (patch.touch == Touch::Open)
+    return;
+  patch.now.pressure = patch.normalMultiplier - k.normal * (patch.gap + patch.moved[0]);
+  patch.now.shear = patch.touch == Touch::Sticking
+                        ? patch.shearMultiplier + k.tangential * slipOf(patch)
+                        : (contact_.friction() * patch.now.pressure) * patch.direction;
+}
+
+template <int D>
+void ContactInEquilibrium<D>::choose(Patch& patch) const
+{
+  const Stiffness k = stiffnessOf(patch);
+  const Vector<D - 1> before = patch.direction, trial = patch.shearMultiplier + k.tangential * slipOf(patch);
+  const Return<D - 1> law = returnMap(contact_.law(), contact_.friction(), k,
+                                      patch.gap + patch.moved[0] - patch.normalMultiplier / k.normal,
+                                      patch.touching, Vector<D - 1>{}, (1.0 / k.tangential) * trial, {});
+  const bool slid = patch.touch == Touch::Sliding && norm(before) > 0.0;
+  patch.normalMultiplier = law.pressure;
+  patch.shearMultiplier = law.shear;
+  patch.direction = {};
+  const double size = norm(law.shear), limit = contact_.friction() * law.pressure;
+  const bool sticks = patch.touching && (contact_.law() == Law::Stick ||
+                                         (contact_.law() == Law::Coulomb && norm(trial) <= limit));
+  if (!(law.pressure > 0.0))
+    patch.touch = Touch::Open;
+  else if (slid && dot(trial, before) < limit) // it would slide back: it sticks
+  {
+    patch.touch = Touch::Sticking;
+    patch.shearMultiplier = limit * before;
+  }
+  else if (sticks)
+    patch.touch = Touch::Sticking;
+  else
+  {
+    patch.touch = Touch::Sliding;
+    if (size > 0.0)
+      patch.direction = (1.0 / size) * law.shear;
+  }
+}
+
+template <int D>
+void ContactInEquilibrium<D>::add(const Values& displacement, const Values& force)
+{
+  for (Patch& patch : patches_)
+  {
+    patch.moved = patch.middle = Vector<D>{};
+    for (Part& part : patch.parts)
+    {
+      part.own = Vector<D>{};
+      for (int c = 0; c < D; ++c)
+        for (int d = 0; d < D; ++d)
+        {
+          const double jump = jumpOf<D>(displacement, part.plusRow, part.minusRow, d);
+          patch.moved[c] += part.jump[c][d] * jump;
+          part.own[c] += part.axes[c][d] * jump;
+        }
+      patch.middle = patch.middle + (part.weight / patch.weights) * part.own;
+    }
+    press(patch);
+    const Vector<D> joint = jointStiffness(patch);
+    Vector<D> traction; // its change, on side +1
+    traction[0] = patch.now.pressure - patch.pressure;
+    for (int t = 0; t < D - 1; ++t)
+      traction[1 + t] = patch.shear[t] - patch.now.shear[t];
+    for (const Part& part : patch.parts)
+      for (int c = 0; c < D; ++c)
+        for (int d = 0; d < D; ++d)
+        {
+          const double one = patch.area * part.jump[c][d] * traction[c] -
+                             joint[c] * part.weight * (part.own[c] - patch.middle[c]) * part.axes[c][d];
+          if (part.plusRow >= 0)
+            force(D * part.plusRow + d) += one;
+          if (part.minusRow >= 0)
+            force(D * part.minusRow + d) -= one;
+        }
+  }
+}
+
+/// \param C minus the derivative of the traction on side +1 (normal, tangents) by the mean jump [Pa/m]
+template <int D>
+bool ContactInEquilibrium<D>::derive(const Patch& patch, bool symmetric, double (&C)[D][D]) const
+{
+  const Stiffness k = stiffnessOf(patch);
+  C[0][0] = k.normal;
+  if (patch.touch == Touch::Sticking)
+    for (int t = 1; t < D; ++t)
+      C[t][t] = k.tangential;
+  if (patch.touch == Touch::Sticking || symmetric)
+    return true;
+  for (int s = 0; s < D - 1; ++s)
+    C[1 + s][0] = -contact_.friction() * k.normal * patch.direction[s];
+  return contact_.friction() == 0.0;
+}
+
+template <int D>
+bool ContactInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addBlock)
+{
+  bool isSymmetric = true;
+  for (const Patch& patch : patches_)
+  {
+    if (patch.touch == Touch::Open)
+      continue;
+    double C[D][D] = {};
+    isSymmetric = derive(patch, symmetric, C) && isSymmetric;
+    const Vector<D> joint = jointStiffness(patch);
+    for (const Part& a : patch.parts)
+      for (const Part& b : patch.parts)
+      {
+        double block[D * D] = {}, opposite[D * D];
+        for (int c = 0; c < D; ++c)
+          for (int e = 0; e < D; ++e)
+            for (int i = 0; i < D && C[c][e] != 0.0; ++i)
+              for (int j = 0; j < D; ++j)
+                block[D * i + j] += patch.area * a.jump[c][i] * C[c][e] * b.jump[e][j];
+        for (int c = 0; c < D; ++c)
+          for (int i = 0; i < D && joint[c] != 0.0; ++i)
+            for (int j = 0; j < D; ++j)
+              block[D * i + j] += joint[c] * a.weight * ((&a == &b ? 1.0 : 0.0) - b.weight / patch.weights) *
+                                  a.axes[c][i] * b.axes[c][j];
+        for (int k = 0; k < D * D; ++k)
+          opposite[k] = -block[k];
+        for (const int row : {a.plusRow, a.minusRow})
+          for (const int other : {b.plusRow, b.minusRow})
+            if (row >= 0 && other >= 0)
+              addBlock(row, other, (row == a.plusRow) == (other == b.plusRow) ? block : opposite);
+      }
+  }
+  return isSymmetric;
+}
+
+template <int D>
+bool ContactInEquilibrium<D>::update()
+{
+  bool closed = false;
+  for (Patch& patch : patches_)
+  {
+    const bool before = patch.touch != Touch::Open;
+    choose(patch);
+    closed = closed || before || patch.touch != Touch::Open;
+  }
+  return closed;
+}
+
+template <int D>
+std::vector<HeldDirection<D>> ContactInEquilibrium<D>::heldDirections() const
+{
+  const FacePoints<D>& points = contact_.points();
+  std::vector<HeldDirection<D>> held;
+  for (const Patch& patch : patches_)
+    if (patch.touch != Touch::Open)
+      for (const int k : patch.points)
+      {
+        HeldDirection<D> one;
+        Vector<D> normal;
+        for (int d = 0; d < D; ++d)
+        {
+          one.position[d] = points.position(k, d);
+          normal[d] = points.normal(k, d);
+        }
+        for (const Part& part : patch.parts) // pieces of both faces are among them
+          for (const int row : {part.plusRow, part.minusRow})
+          {
+            one.row = row;
+            one.direction = normal;
+            if (row >= 0)
+              held.push_back(one);
+            for (int t = 0; t < D - 1 && patch.touch == Touch::Sticking && row >= 0; ++t)
+            {
+              one.direction = tangent(k, t);
+              held.push_back(one);
+            }
+          }
+      }
+  return held;
+}
+
+template <int D>
+std::string ContactInEquilibrium<D>::reason() const
+{
+  std::map<int, std::array<int, 3>> counts; // of each crack's patches: all, closed, sliding
+  for (const Patch& patch : patches_)
+    if (!patch.points.empty())
+    {
+      std::array<int, 3>& count = counts[patch.crack];
+      ++count[0];
+      count[1] += patch.touch != Touch::Open ? 1 : 0;
+      count[2] += patch.touch == Touch::Sliding ? 1 : 0;
+    }
+  std::string text;
+  for (const auto& [crack, count] : counts)
+    if (count[1] > 0 && count[1] == count[2])
+      text += (text.empty() ? "" : "; ") + ("all closed faces of crack " + names_[crack] + " slide");
+  return text;
+}
+
+template <int D>
+void ContactInEquilibrium<D>::accept(const State<D>& state)
+{
+  std::vector<PointContact<D>> found(contact_.points().count());
+  double stored = 0.0, lost = 0.0;
+  for (const Patch& patch : patches_)
+  {
+    stored -= 0.5 * patch.area * (patch.pressure + patch.now.pressure) * patch.moved[0];
+    const double heat = 0.5 * dot(patch.shear + patch.now.shear, slipOf(patch));
+    lost += patch.area * heat;
+    for (const int k : patch.points)
+    {
+      PointContact<D>& point = found[k];
+      point.acts = true;
+      point.gap = patch.gap + patch.moved[0];
+      point.pressure = patch.now.pressure;
+      point.heat = patch.area / patch.size * heat;
+      for (int t = 0; t < D - 1; ++t)
+        for (int s = 0; s < D - 1; ++s)
+          point.shear[s] += patch.now.shear[t] * dot(tangent(k, t), tangentOf(contact_.points(), k, s));
+    }
+  }
+  contact_.accept(state, found, stored, lost);
+}
+
+template <int D>
+void ContactInEquilibrium<D>::serialize(Archive& archive)
+{
+  archive("patches", patchOf_);
+}
+
+template class ContactInEquilibrium<2>;
+template class ContactInEquilibrium<3>;
+
+} // namespace Rhegma::contact
