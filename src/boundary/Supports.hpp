@@ -21,7 +21,8 @@ struct TimedConstraint
   Vector<D> value;
   TimeFunction history;
   std::string name;
-  Vector<D> impulse{};   ///< on the body since the last sample [N s]
+  Vector<D> impulse{};      ///< on the body since the last sample [N s]
+  Vector<D> displacement{}; ///< by `value` since the start, in steps of equilibrium [m]
   double absorbed = 0.0; ///< energy of waves of a few cells, absorbed since the last sample, on this rank [J]
   double absorbedTotal = 0.0;              ///< the same up to the last sample, on all ranks [J]
   Vector<D> force{};                       ///< mean between the last two samples [N]

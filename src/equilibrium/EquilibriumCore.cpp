@@ -89,7 +89,8 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
     return;
   account.largestForces = report.forces;
   toMotion(step, state);
-  state.energy.externalWork += step.workOfSupports();
+  last.workOfSupports = step.workOfSupports();
+  state.energy.externalWork += last.workOfSupports;
   state.energy.stabilised += step.ghostEnergy();
   if (report.unsupportedLoad > noticeableLoad * report.forces && !account.warnedOfPieces)
   {

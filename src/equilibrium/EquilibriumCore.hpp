@@ -22,6 +22,7 @@ struct LastStep
   int negativeEigenvalues = 0; ///< of the last matrix, where it was factorised
   std::string solver = "none"; ///< of the linear systems
   double matrixBytes = 0.0;
+  double workOfSupports = 0.0; ///< over the step [J]
 };
 
 /// The calls of a step of equilibrium: the nodes' displacement over the step is solved for by Newton's method
