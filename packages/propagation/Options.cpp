@@ -38,6 +38,13 @@ void addRulesOfEquilibrium(Section& s)
   const Condition factor = when::is("Propagation", "Load Control", {"Load Factor"});
   s.refuse({factor, when::present("Thermal"), when::equilibrium()},
            "temperatures are not proportional to a factor of the loads; write Functions of Time");
+  s.refuse({factor, when::is("Materials > *", "Model", {"J2 Plastic"}), when::equilibrium()},
+           "factors are tried, and a plastic body does not forget one that was too large; write Functions of "
+           "Time");
+  s.refuse(
+      {self, when::above("Adaptivity", "Front Cells", 0.0), when::equilibrium()},
+      "in equilibrium cells stay as they are refined at the start, and fronts would grow out of them; refine "
+      "the path with a box, and write Adaptivity > Front Cells = 0");
   s.refuse({when::above("Propagation", "Start Time", 0.0), factor, when::equilibrium()},
            "with Load Control = Load Factor no time passes; leave it out");
 }

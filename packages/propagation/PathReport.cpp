@@ -75,6 +75,7 @@ void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor,
     return reportGivenLoads(path, summary);
   const PathEvents events = eventsOf(path);
   nlohmann::json& entry = summary["propagation"];
+  entry["load_factor"] = path.back().factor;
   entry["initiation"] = entryOf(path, 0);
   entry["largest_load"] = entryOf(path, events.largest);
   entry["unstable_from"] = entryOf(path, events.falls);
