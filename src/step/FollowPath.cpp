@@ -24,8 +24,8 @@ constexpr double trialLength = 1e-6;
 /// Equilibria of a step after which no factor is found.
 constexpr int mostTrials = 60;
 
-/// Smallest change of the factor that is tried where there is no equilibrium, as a part of it.
-constexpr double smallestChange = 1e-4;
+/// How often a change of the factor is halved where there is no equilibrium.
+constexpr int mostHalvings = 12;
 
 /// G/Gc from which on cracks grow under given loads: G is no more accurate.
 constexpr double heldDrive = 1.0 + 1e-6;
@@ -56,15 +56,12 @@ bool solveFor(State<D>& state, const EquilibriumCalls& calls, const equilibrium:
   Clock& clock = state.clock;
   clock.factor = {clock.factor.end, factor};
   calls.solve();
-  while (!last.converged)
+  for (int k = 0; k < mostHalvings && !last.converged; ++k)
   {
-    const double change = 0.5 * (clock.factor.end - clock.factor.begin);
-    clock.factor.end = clock.factor.begin + change;
-    if (!(std::fabs(change) > smallestChange * std::fabs(clock.factor.begin)))
-      return false;
+    clock.factor.end = 0.5 * (clock.factor.begin + clock.factor.end);
     calls.solve();
   }
-  return true;
+  return last.converged;
 }
 
 /// Why no factor is found.
