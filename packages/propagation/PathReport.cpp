@@ -69,12 +69,17 @@ PathEvents eventsOf(const std::vector<PathState>& path)
 
 void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor, nlohmann::json& summary)
 {
-  if (path.empty())
-    return;
   if (!hasFactor)
     return reportGivenLoads(path, summary);
-  const PathEvents events = eventsOf(path);
   nlohmann::json& entry = summary["propagation"];
+  if (path.empty()) // what will be there is known from the start
+  {
+    const nlohmann::json unknown = {{"load_factor", nullptr}, {"new_area", nullptr}, {"time", nullptr}};
+    entry["load_factor"] = nullptr;
+    entry["initiation"] = entry["largest_load"] = entry["unstable_from"] = entry["snap_back_from"] = unknown;
+    return;
+  }
+  const PathEvents events = eventsOf(path);
   entry["load_factor"] = path.back().factor;
   entry["initiation"] = entryOf(path, 0);
   entry["largest_load"] = entryOf(path, events.largest);

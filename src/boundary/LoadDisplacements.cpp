@@ -32,6 +32,7 @@ void addLoadDisplacements(Effect<D>& effect, const Teuchos::ParameterList& scene
   effect.report = inOrder(effect.report,
                           [=](const State<D>&, nlohmann::json& summary)
                           {
+                            moved->resize(loads->size(), 0.0);
                             for (std::size_t k = 0; k < moved->size(); ++k)
                               for (nlohmann::json& entry : summary["boundaries"])
                                 if (entry["name"] == (*loads)[k].name())
