@@ -126,7 +126,8 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                   state.ranks.sum(timed.impulse.c, D);
                   timed.absorbedTotal += state.ranks.sum(timed.absorbed);
                   timed.absorbed = 0.0;
-                  timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
+                  if (!state.method.equilibrium())
+                    timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
                   timed.impulse = Vector<D>{};
                   for (int d = 0; d < D; ++d)
                     if (timed.constraint.holds[d])
@@ -188,7 +189,7 @@ void collectReactions(State<D>& state, std::vector<TimedConstraint<D>>& constrai
             nodes.sums(n, Nodes<D>::forceAt + d) = 0.0;
           },
           force);
-      constraints[c].impulse[d] += state.clock.dt * force;
+      constraints[c].force[d] = force;
       constraints[c].displacement[d] += state.clock.dt * constraint.value[d];
     }
   }

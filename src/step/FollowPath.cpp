@@ -17,10 +17,6 @@ namespace
 /// The factor of the first equilibrium of a run, small enough that a body hardly deforms.
 constexpr double firstFactor = 0.01;
 
-/// Length of an equilibrium that is tried, as a part of the step: mean forces of the step are those of its
-/// end.
-constexpr double trialLength = 1e-6;
-
 /// Equilibria of a step after which no factor is found.
 constexpr int mostTrials = 60;
 
@@ -92,13 +88,10 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
   if (!canAdvance(state))
     return;
   LoadFactorSearch search;
-  double factor = extrapolated(growth.path), left = length;
-  bool whole = false, solved = true;
-  for (int k = 0; k < mostTrials && state.failure.empty() && !(whole && search.found()); ++k)
+  double factor = extrapolated(growth.path);
+  bool solved = true;
+  for (int k = 0; k < mostTrials && state.failure.empty() && !search.found(); ++k)
   {
-    whole = whole || search.isNear();
-    clock.dt = whole && left > 0.0 ? left : trialLength * length;
-    left = whole ? 0.0 : left - clock.dt;
     const double before = state.energy.externalWork;
     solved = solveFor(state, calls, last, factor);
     if (!solved)
@@ -112,7 +105,6 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
   }
   if (state.failure.empty() && !search.found())
     state.failure = failureOfSearch(state, solved);
-  clock.dt = length;
   now.time = clock.time + length;
   now.factor = clock.factor.end;
   now.area = growth.area;

@@ -13,7 +13,6 @@ class LoadFactorSearch
 {
 public:
   static constexpr double tolerance = 1e-5; ///< of s
-  static constexpr double near = 1e-2;      ///< of s: the next equilibrium is as good as the last
   /// Largest change of the factor at a time: beyond it no straight line is trusted.
   static constexpr double most = 20.0;
 
@@ -26,7 +25,6 @@ public:
   }
 
   bool found() const { return count_ > 0 && std::fabs(last_.s - 1.0) <= tolerance; }
-  bool isNear() const { return count_ > 0 && std::fabs(last_.s - 1.0) <= near; }
 
   /// The factor to try next. Call after `record`.
   double next() const

@@ -118,7 +118,7 @@ TEST(EquilibriumGrowth, OfTwoFrontsAlikeIsOfBoth)
 {
   const GrowthRun run("plate_growth_static", {});
   const auto &first = run.rows.front(), &last = run.rows.back();
-  const double a = 0.5 * first.at("Slit.0.length"), b = 0.5 * last.at("Slit.0.length"), width = 0.08;
+  const double a = 0.5 * first.at("Slit.0.length"), b = 0.5 * last.at("Slit.0.length"), width = 0.048;
   const auto shape = [&](double half) { return half / std::cos(std::acos(-1.0) * half / width); };
   EXPECT_GT(b, 1.3 * a);
   EXPECT_NEAR(last.at("Slit.0.x") + last.at("Slit.1.x"), first.at("Slit.0.x") + first.at("Slit.1.x"), 1e-5);
