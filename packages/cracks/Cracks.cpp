@@ -49,6 +49,7 @@ struct Parts
   Formulation formulation;
   bool hasSprings; ///< behind fronts
   bool grows;
+  bool releases; ///< new faces open against a traction; in equilibrium they are free at once
   bool joins;    ///< cracks may end on others
   bool touching; ///< contact keeps faces apart
   int pieces;    ///< of a cell, for edges of surfaces
@@ -66,16 +67,18 @@ struct Parts
         formulation(readFormulation(section)),
         hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
         grows(options.growth),
+        releases(grows && !isEquilibrium(scene)),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
         pieces(piecesOfACell(options)),
         levels(options.frontLevels),
-        springs(grows),
+        springs(releases),
         growth(mirrorPlanes(scene))
   {
     surroundings.frontCells =
         // Faces that burn carry the pressure of the gas.
-        D == 2 && !grows && !touching && !options.heat() && options.pressedCracks.empty() && !options.burning;
+        D == 2 && !releases && !touching && !options.heat() && options.pressedCracks.empty() &&
+        !options.burning;
   }
 };
 
@@ -161,7 +164,7 @@ void callSprings(const Shared<D>& parts, Effect<D>& effect)
   effect.call(Stage::BeforeSolve, "springs behind crack fronts",
               {quantity::springStiffness, quantity::springStretch}, {quantity::springForce},
               {quantity::internalForce}, [=](State<D>& s) { parts->springs.addForces(s); });
-  if (parts->grows)
+  if (parts->releases)
     effect.call(Stage::Solve, "cohesion of new crack faces", {quantity::springForce},
                 {quantity::fractureEnergy}, {quantity::nodalForce},
                 [=](State<D>& s)
@@ -176,6 +179,23 @@ void callSprings(const Shared<D>& parts, Effect<D>& effect)
       [=](State<D>& s) { parts->springs.advance(s); }, true);
 }
 
+/// In equilibrium fronts advance where their G is the toughness, so that new faces spend their energy at
+/// once. That of a front that ends stays pending: a body that is cut through has no equilibrium under its
+/// loads.
+template <int D>
+void recordGrowth(State<D>& state)
+{
+  state.cracks.growth.area = 0.0;
+  for (CrackFront<D>& front : state.cracks.fronts)
+  {
+    state.cracks.growth.area += front.extension.area * (D == 2 ? state.method.thickness : 1.0);
+    if (front.ended)
+      continue;
+    state.energy.fracture += front.budget.pending;
+    front.budget.release(front.budget.pending);
+  }
+}
+
 template <int D>
 void grow(Parts<D>& parts, State<D>& state)
 {
@@ -185,6 +205,8 @@ void grow(Parts<D>& parts, State<D>& state)
   for (const Meeting& meeting : parts.growth.grow(state))
     if constexpr (D == 2)
       parts.junctions.add(state, meeting);
+  if (!parts.releases)
+    recordGrowth(state);
 }
 
 template <int D>

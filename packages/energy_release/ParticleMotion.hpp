@@ -9,25 +9,27 @@ namespace Rhegma::energy_release
 /// The velocity of nodes that strains the particles [m/s]. With MUSL and USF that is a mean of the particles'
 /// own. The velocity that the solve gives a node that a box just reaches, with a mass proportional to the
 /// square of the overlap and a force proportional to the overlap, is arbitrary, and so is its slope in a box
-/// that has moved since.
+/// that has moved since. Zero in equilibrium, where nodes have the displacement of a step as a velocity until
+/// particles have it.
 template <int D>
 struct NodalVelocity
 {
   View<double * [Nodes<D>::motionWidth]> motion;
   View<double * [Nodes<D>::projectionWidth]> projection;
-  bool byMotion = true;
+  bool byMotion = true, atRest = false;
 
   NodalVelocity() = default;
   explicit NodalVelocity(const State<D>& state)
       : motion(state.mesh.nodes.motion),
         projection(state.mesh.nodes.projection),
-        byMotion(state.method.scheme == UpdateScheme::Usl)
+        byMotion(state.method.scheme == UpdateScheme::Usl),
+        atRest(state.method.equilibrium())
   {
   }
 
   KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
   {
-    return byMotion ? motion(node, axis) : projection(node, axis);
+    return atRest ? 0.0 : byMotion ? motion(node, axis) : projection(node, axis);
   }
 };
 

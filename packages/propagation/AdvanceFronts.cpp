@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace Rhegma::propagation
@@ -16,10 +17,13 @@ namespace Rhegma::propagation
 namespace
 {
 
-/// Fraction of the increment by which a front node advances at a time. Neighbours along a front advance at
-/// different times; short advances keep them in line.
+/// Fraction of the increment by which a front node advances at a time. Neighbours along a front that runs
+/// advance at different times; short advances keep them in line.
 template <int D>
-constexpr double incrementFraction = D == 2 ? 1.0 : 0.25;
+double incrementFraction(const Options& options)
+{
+  return D == 2 || options.equilibrium ? 1.0 : 0.25;
+}
 
 /// Cosine of a sharp turn, 15 degrees, and the cells that a front node goes straight on behind one: the
 /// fields round a shorter kink are those of the crack before it.
@@ -104,6 +108,51 @@ double resistanceAtRest(double now, const AdvanceRule& rule, const FrontHistory&
   return history.running() ? rule.arrest : rule.initiation;
 }
 
+/// The toughness that a front node reaches when it advances in equilibrium [J/m2].
+template <int D>
+double toughnessAtRest(const FrontNode<D>& node, const FrontNodeState& own, const Options& options)
+{
+  const AdvanceRule rule = ruleAt(node.temperature, options);
+  return own.history.running() ? rule.toughness(0.0, rule.temperature) : rule.initiation;
+}
+
+/// G/Gc of a front node in equilibrium, of the part of G that opens the crack; zero before the start time.
+template <int D>
+double driveOf(const State<D>& state, const FrontNode<D>& node, const FrontNodeState& own,
+               const Elasticity& e, const Options& options)
+{
+  return state.clock.time < options.rule.startTime
+             ? 0.0
+             : openingRelease(node.driving, e) / toughnessAtRest(node, own, options);
+}
+
+/// Fraction of its increment by which a front node advances in equilibrium. Fronts of one node advance if
+/// their G/Gc is within a hundredth of the largest: which of two fronts alike is the first is a matter of
+/// rounding. Along a front nodes advance by less, the further they are below, until all have one G/Gc.
+template <int D>
+double advanceFraction(double drive, double largest)
+{
+  constexpr double alike = 0.01, along = 0.25;
+  const double below = 1.0 - drive / largest;
+  if (D == 2)
+    return below <= alike ? 1.0 : 0.0;
+  return std::max(0.0, 1.0 - below / along);
+}
+
+/// What a node does that is selected in equilibrium, with the part of its increment that it advances by.
+template <int D>
+std::pair<Advance, double> advanceAtRest(const State<D>& state, const Options& options, const Elasticity& e,
+                                         const FrontNode<D>& node, FrontNodeState& own)
+{
+  const double fraction =
+      advanceFraction<D>(driveOf(state, node, own, e, options), state.cracks.growth.drive);
+  if (!(fraction > 0.0))
+    return {Advance{}, 0.0};
+  own.history.advanceInEquilibrium(state.clock.time, node.driving.release, fraction * own.increment);
+  // What it spends from now on is the toughness, whatever it took to initiate.
+  return {Advance{1, toughnessAtRest(node, own, options)}, fraction};
+}
+
 /// The advance of a selected node; zero where the opening part of the energy release rate does not reach the
 /// toughness. \param e of the material at the front \param angle by which it turns [rad]
 template <int D>
@@ -111,21 +160,26 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
                                 double angle, FrontNode<D>& node, FrontState<D>& front)
 {
   FrontNodeState& own = front.nodes.at(node.name);
-  const Advance made = own.history.advance(ruleAt(node.temperature, options), state.clock.time,
-                                           openingRelease(node.driving, e), own.increment, own.speedLimit);
+  Advance made;
+  double fraction = 1.0;
+  if (options.equilibrium)
+    std::tie(made, fraction) = advanceAtRest(state, options, e, node, own);
+  else
+    made = own.history.advance(ruleAt(node.temperature, options), state.clock.time,
+                               openingRelease(node.driving, e), own.increment, own.speedLimit);
   node.speed = own.history.speed(state.clock.time);
   FrontNodeAdvance<D> advance{node.direction, 0.0, 0.0};
   if (made.increments == 0)
     return advance;
   front.count(own.history, made.increments);
-  advance.length = made.increments * own.increment;
+  advance.length = made.increments * fraction * own.increment;
   advance.toughness = made.toughness;
   if (!(own.straightLength > 0.0))
     advance.direction = turned(node.direction, node.normal, angle);
   own.straightLength -= advance.length;
   if (dot(advance.direction, node.direction) < sharp)
     own.straightLength =
-        straightCells * own.increment / (incrementFraction<D> * options.cells) - advance.length;
+        straightCells * own.increment / (incrementFraction<D>(options) * options.cells) - advance.length;
   // Cells and material may change along its path.
   own.increment = 0.0;
   if (state.materials.properties.size() > 1)
@@ -170,7 +224,7 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       fronts[f].speedLimit = std::max(fronts[f].speedLimit, own.speedLimit);
       // Cells may be refined around a front at rest.
       if (own.increment == 0.0 || !own.history.running())
-        own.increment = incrementFraction<D> * options.cells * spacingAt(state, node.position);
+        own.increment = incrementFraction<D>(options) * options.cells * spacingAt(state, node.position);
       const AdvanceRule rule = ruleAt(node.temperature, options);
       if (!std::isfinite(node.driving.release))
       {
@@ -184,15 +238,36 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
         state.failure = failureOfWeak(node.temperature);
         return;
       }
-      node.advances = mayAdvance(rule, now, node.driving.release, own);
+      if (options.equilibrium)
+        own.history.recordAtRest(rule, now, node.driving.release);
+      node.advances = options.equilibrium || mayAdvance(rule, now, node.driving.release, own);
       node.speed = own.history.speed(now);
     }
   }
 }
 
 template <int D>
+void measureDrive(State<D>& state, const Options& options, const std::vector<FrontState<D>>& fronts)
+{
+  double largest = 0.0;
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    const CrackFront<D>& front = state.cracks.fronts[f];
+    if (!front.advances())
+      continue;
+    const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
+    for (const FrontNode<D>& node : front.nodes)
+      if (node.advances)
+        largest = std::max(largest, driveOf(state, node, fronts[f].nodes.at(node.name), e, options));
+  }
+  state.cracks.growth.drive = largest;
+}
+
+template <int D>
 void advanceSelected(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts)
 {
+  if (options.equilibrium && !std::exchange(state.cracks.growth.advance, false))
+    return;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<D>& front = state.cracks.fronts[f];
@@ -226,6 +301,8 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
 
 template void selectAdvancing(State<2>&, const Options&, std::vector<FrontState<2>>&);
 template void selectAdvancing(State<3>&, const Options&, std::vector<FrontState<3>>&);
+template void measureDrive(State<2>&, const Options&, const std::vector<FrontState<2>>&);
+template void measureDrive(State<3>&, const Options&, const std::vector<FrontState<3>>&);
 template void advanceSelected(State<2>&, const Options&, std::vector<FrontState<2>>&);
 template void advanceSelected(State<3>&, const Options&, std::vector<FrontState<3>>&);
 

@@ -83,6 +83,18 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
   return made;
 }
 
+void FrontHistory::advanceInEquilibrium(double time, double release, double increment)
+{
+  recordRelease(time, release);
+  if (!running_)
+    starts_.push_back(static_cast<int>(times_.size()));
+  running_ = true;
+  last_ = time;
+  lastSpeed_ = 0.0;
+  increment_ = increment;
+  recordIncrement(time, increment);
+}
+
 void FrontHistory::recordAtRest(const AdvanceRule& rule, double time, double release)
 {
   recordRelease(time, release);

@@ -55,6 +55,9 @@ public:
   /// \param release energy release rate now [J/m2] \param increment da [m] \param fastest speed [m/s]
   Advance advance(const AdvanceRule& rule, double time, double release, double increment, double fastest);
 
+  /// Records an advance in equilibrium, which has no speed. \param release energy release rate there [J/m2]
+  void advanceInEquilibrium(double time, double release, double increment);
+
   /// Records a step in which a front at rest does not initiate.
   void recordAtRest(const AdvanceRule& rule, double time, double release);
 

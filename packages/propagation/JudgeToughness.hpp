@@ -175,6 +175,8 @@ void judgeToughness(const Teuchos::ParameterList& scene, const RunOptions& run, 
   const JudgedToughness<D> judged(options, state);
   judgeBonds(judged, state.warnings);
   judgeZones(judged, state.warnings);
+  if (options.equilibrium && run.loadFactor) // which is found
+    return;
   const bool others = run.heat() || !run.pressedCracks.empty(); // load the crack, too
   judgeLoads(judged, estimateLoads(scene, state, judged.bodies), others, state.warnings);
 }

@@ -1,6 +1,7 @@
 #include "propagation/Options.hpp"
 
 #include "base/Numbers.hpp"
+#include "plan/LastStage.hpp"
 #include "propagation/RayleighSpeed.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -14,6 +15,39 @@ namespace Rhegma::propagation
 
 namespace
 {
+
+/// Least increment [cells], and the least and the usual one of each kind of analysis.
+constexpr double leastIncrement = 0.02, leastWhileRunning = 0.5, usualWhileRunning = 1.0, usualAtRest = 0.25;
+
+/// What growth in equilibrium needs, and what has no meaning in it.
+void addRulesOfEquilibrium(Section& s)
+{
+  const Condition self = when::present("Propagation");
+  s.refuse({self, when::isNot("Time", "Analysis", {"Dynamic", "Quasi-Static"})},
+           "cracks grow in a quasi-static analysis; write Time > Analysis = Quasi-Static");
+  s.refuse(
+      {when::below("Propagation", "Increment", leastWhileRunning), when::is("Time", "Analysis", {"Dynamic"})},
+      "below half a cell fronts advance in equilibrium only; write at least 0.5");
+  s.refuse({when::is("Propagation", "Load Control", {"Functions of Time"}),
+            when::is("Time", "Analysis", {"Dynamic"})},
+           "it is of a quasi-static analysis; write Time > Analysis = Quasi-Static or leave it out");
+  s.refuse({when::given("Propagation", "Speed Limit"), when::equilibrium()},
+           "in equilibrium fronts have no speed; leave it out");
+  s.refuse({when::given("Propagation", "Arrest Toughness"), when::equilibrium()},
+           "in equilibrium fronts have no speed with which they could arrest; leave it out");
+  const Condition factor = when::is("Propagation", "Load Control", {"Load Factor"});
+  s.refuse({factor, when::present("Thermal"), when::equilibrium()},
+           "temperatures are not proportional to a factor of the loads; write Functions of Time");
+  s.refuse({factor, when::is("Materials > *", "Model", {"J2 Plastic"}), when::equilibrium()},
+           "factors are tried, and a plastic body does not forget one that was too large; write Functions of "
+           "Time");
+  s.refuse(
+      {self, when::above("Adaptivity", "Front Cells", 0.0), when::equilibrium()},
+      "in equilibrium cells stay as they are refined at the start, and fronts would grow out of them; refine "
+      "the path with a box, and write Adaptivity > Front Cells = 0");
+  s.refuse({when::above("Propagation", "Start Time", 0.0), factor, when::equilibrium()},
+           "with Load Control = Load Factor no time passes; leave it out");
+}
 
 /// What growing cracks need, and what excludes them.
 void addRules(Section& s)
@@ -35,6 +69,7 @@ void addRules(Section& s)
   // Cells that follow a front position the points of its faces anew, and faces that open gain contact energy.
   s.refuse({self, when::present("Contact"), when::present("Adaptivity")},
            "in 3D it can't be combined with both Contact and Adaptivity; remove one of the two", 0, 3);
+  addRulesOfEquilibrium(s);
   Condition temperature = when::given("Propagation", "Toughness");
   temperature.text = " of the temperature T";
   temperature.holds = [](const Teuchos::ParameterList& list)
@@ -54,9 +89,6 @@ Section propagationSection()
 {
   Section s("Propagation",
             "Crack propagation: fronts advance when the energy release rate reaches the toughness.");
-  s.refuse(
-      {when::present("Propagation"), when::equilibrium()},
-      "growth in equilibrium is not implemented; compare G with the toughness, or write Analysis = Dynamic");
   s.text("Toughness")
       .unit("J/m2")
       .notEmpty()
@@ -79,9 +111,16 @@ Section propagationSection()
       .meaning("Direction of growth: of maximum hoop stress, of maximum energy release rate of a short kink, "
                "or straight ahead.");
   s.real("Increment")
-      .range(0.5, 4.0)
-      .byDefault(1.0)
-      .meaning("Length of one crack increment, in cells at the front.");
+      .range(leastIncrement, 4.0)
+      .optional("1, in equilibrium 0.25")
+      .meaning("Length of one crack increment, in cells at the front. At least 0.5 in a dynamic analysis.");
+  s.choice("Load Control", {"Load Factor", "Functions of Time"})
+      .byDefault("Load Factor")
+      .meaning(
+          "In equilibrium only. Load Factor: each load step is an increment of the crack, under the loads "
+          "and prescribed displacements of Final Time times the factor, one for all, with which G is the "
+          "toughness. The factor may fall. Functions of Time: the loads are those of the time, and cracks "
+          "grow at each time until G is below the toughness.");
   s.real("Start Time").unit("s").notNegative().byDefault(0.0).meaning("No front advances before this time.");
   s.real("Speed Limit")
       .unit("m/s")
@@ -161,6 +200,8 @@ DirectionRule readDirection(const Teuchos::ParameterList& list)
 void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run)
 {
   run.growth = true;
+  run.loadFactor =
+      list.isType<std::string>("Load Control") && list.get<std::string>("Load Control") == "Load Factor";
   if (!list.isParameter("Release Contour")) // in 3D
     return;
   const auto release = list.get<Teuchos::Array<double>>("Release Contour");
@@ -177,10 +218,13 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
   Options options{{toughness, orAtRest("Initiation Toughness"), orAtRest("Arrest Toughness"),
                    list.get<double>("Start Time")},
                   readDirection(list),
-                  list.get<double>("Increment"),
+                  list.isParameter("Increment") ? list.get<double>("Increment")
+                  : isEquilibrium(scene)        ? usualAtRest
+                                                : usualWhileRunning,
                   list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
                   run.initialTemperature.value_or(0.0),
                   {},
+                  isEquilibrium(scene),
                   !list.isParameter("On Stop") || list.get<std::string>("On Stop") == "Stop"};
   options.contours = run.contours;
   return options;

@@ -20,7 +20,8 @@ struct Options
   double speedLimit;  ///< [m/s]; 0: that of Rayleigh waves
   double temperature; ///< at the start [K]
   DrivingContours contours;
-  bool endsAtStops = true; ///< the run ends where a front node stops for a numerical reason
+  bool equilibrium = false; ///< fronts advance in equilibrium instead of in time
+  bool endsAtStops = true;  ///< the run ends where a front node stops for a numerical reason
 };
 
 Section propagationSection();

@@ -4,6 +4,7 @@
 #include "plan/LastStage.hpp"
 #include "propagation/AdvanceFronts.hpp"
 #include "propagation/JudgeToughness.hpp"
+#include "propagation/PathReport.hpp"
 #include "propagation/Report.hpp"
 
 #include <algorithm>
@@ -44,6 +45,32 @@ void endAtStops(State<D>& state)
       state.clock.maximumSteps = std::min(state.clock.maximumSteps, state.clock.step);
 }
 
+/// Once no front is left that can advance, the path of equilibrium ends.
+template <int D>
+void endOfPath(State<D>& state)
+{
+  const auto& fronts = state.cracks.fronts;
+  if (std::all_of(fronts.begin(), fronts.end(),
+                  [](const CrackFront<D>& front) { return front.ended || front.stopped(); }))
+    state.clock.maximumSteps = std::min(state.clock.maximumSteps, state.clock.step);
+}
+
+template <int D>
+void addCallsOfEquilibrium(const Teuchos::ParameterList& scene, const std::shared_ptr<Run<D>>& run,
+                           Effect<D>& effect)
+{
+  effect.call(lastStage(scene), "drive of fronts", {quantity::stressIntensities, quantity::advancingFronts},
+              {quantity::equilibriumGrowth}, {},
+              [run](State<D>& state) { measureDrive(state, run->options, run->fronts); });
+  effect.call(Stage::Observe, "end of the growth in equilibrium", {quantity::crackGeometry}, {}, {},
+              [](State<D>& state)
+              {
+                if (state.method.analysis == Analysis::LoadFactor)
+                  state.sample.row.emplace_back("load_factor", state.clock.factor.end);
+                endOfPath(state);
+              });
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
@@ -57,6 +84,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.call(lastStage(scene), "fronts that advance",
               {quantity::drivingForces, ifWritten(quantity::frontTemperature)}, {quantity::advancingFronts},
               {}, [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); });
+  if (run->options.equilibrium)
+    addCallsOfEquilibrium(scene, run, effect);
   effect.call(Stage::BetweenSteps, "advances of fronts",
               {quantity::stressIntensities, quantity::advancingFronts}, {quantity::frontAdvances}, {},
               [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); });
@@ -71,11 +100,16 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       run->fronts[f].matchNodes(state.cracks.fronts[f]); // when loaded, those of the checkpoint
       run->fronts[f].serialize(archive);
     }
+    if (run->options.equilibrium)
+      storeGrowth(state.cracks.growth, archive);
   };
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
   {
     reportFronts(state, run->fronts, run->options, summary);
     reportToughness(run->options, summary);
+    if (run->options.equilibrium)
+      reportPathOfEquilibrium(state.cracks.growth.path, state.method.analysis == Analysis::LoadFactor,
+                              summary);
   };
   return effect;
 }

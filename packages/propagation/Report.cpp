@@ -70,6 +70,17 @@ std::string extensionAsText(const std::vector<CrackRun>&, const FrontExtension& 
          " on average, new area " + formatShort(extension.area) + " m2";
 }
 
+/// How far a front has grown in equilibrium, and where to.
+template <int D>
+std::string growthAsText(const CrackFront<D>& front)
+{
+  std::string text = "grew by " + readableLength(front.extension.largest);
+  text += D == 3 ? " at most, " + readableLength(front.extension.mean) + " on average, new area " +
+                       formatShort(front.extension.area) + " m2"
+                 : " to " + formatShort(front.position[0]) + ", " + formatShort(front.position[1]) + " m";
+  return text + (front.arrival.happened() ? ", " + front.arrival.what : "");
+}
+
 /// When, how often, how far, where to and how fast a front ran.
 template <int D>
 std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& front)
@@ -84,6 +95,7 @@ enum class Fate
 {
   NotInitiated,
   Running,
+  Growing,  ///< in equilibrium, at its toughness
   Arrested, ///< G is below the toughness everywhere
   AtRest,   ///< it is not
   Stopped,  ///< a numerical reason stopped nodes of it
@@ -124,10 +136,12 @@ struct FrontEnd
       fate = Fate::Stopped;
     else if (!any)
       fate = Fate::Ended;
-    else if (own.running(front))
+    else if (own.running(front) && !options.equilibrium)
       fate = Fate::Running;
     else if (own.increments == 0)
       fate = Fate::NotInitiated;
+    else if (state.method.analysis == Analysis::LoadFactor)
+      fate = Fate::Growing;
     else
       fate = release < toughness ? Fate::Arrested : Fate::AtRest;
   }
@@ -189,6 +203,8 @@ std::string statusOf(const CrackFront<D>& front, const FrontEnd<D>& end)
     return "ended";
   case Fate::Running:
     return "running";
+  case Fate::Growing:
+    return "growing";
   case Fate::NotInitiated:
     return "not initiated";
   case Fate::Arrested:
@@ -222,13 +238,15 @@ double angleBetween(const Vector<2>& a, const Vector<2>& b)
 }
 
 /// The path of a front with one node.
-void reportPath(const CrackFront<2>& front, const FrontState<2>& own, nlohmann::json& entry)
+void reportPath(const CrackFront<2>& front, const FrontState<2>& own, bool equilibrium, nlohmann::json& entry)
 {
-  const FrontHistory& history = own.nodes.at(front.nodes[0].name).history;
   const bool moved = own.increments > 0;
   const PathStart<2>& start = own.start;
   entry["first_turn"] = moved ? angleBetween(start.direction, start.first) : notYet;
   entry["turn"] = moved ? angleBetween(start.direction, front.position - start.position) : notYet;
+  if (equilibrium) // the time of its increments has no meaning
+    return;
+  const FrontHistory& history = own.nodes.at(front.nodes[0].name).history;
   entry["settled_release"] = history.settledRelease();
   const PathPoint<2> mean = settledMean(own.path, history.settled());
   entry["settled_time"] = mean.time;
@@ -266,23 +284,26 @@ namespace
 /// The entry of a front. \return its runs
 template <int D>
 std::vector<CrackRun> reportFront(const CrackFront<D>& front, const FrontState<D>& own,
-                                  const FrontEnd<D>& end, nlohmann::json& entry)
+                                  const FrontEnd<D>& end, bool equilibrium, nlohmann::json& entry)
 {
   const bool moved = own.increments > 0;
   entry["increments"] = own.increments;
   entry["status"] = statusOf(front, end);
-  entry["running"] = own.running(front);
+  entry["running"] = own.running(front) && !equilibrium;
   entry["ended"] = front.ended;
   entry["stopped"] = front.numStopped() > 0;
   entry["initiated"] = moved ? own.firstTime : notYet;
   entry["last_advance"] = moved ? own.lastTime : notYet;
-  entry["settled_speed"] = own.settledSpeed();
-  entry["speed_limit"] = own.speedLimit;
+  if (!equilibrium)
+  {
+    entry["settled_speed"] = own.settledSpeed();
+    entry["speed_limit"] = own.speedLimit;
+  }
   entry["energy_of_new_faces"] = front.budget.required;
   std::vector<CrackRun> runs;
   if constexpr (D == 2)
   {
-    reportPath(front, own, entry);
+    reportPath(front, own, equilibrium, entry);
     runs = own.nodes.at(front.nodes[0].name).history.runs();
   }
   else if (moved) // nodes initiate and arrest one by one, and there is no single length
@@ -306,12 +327,14 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     const std::string name = frontName(state.cracks, front);
     required += front.budget.required;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-    const std::vector<CrackRun> runs = reportFront(front, own, end, entry);
+    const std::vector<CrackRun> runs = reportFront(front, own, end, options.equilibrium, entry);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
-    if (moved || stopped)
+    if (moved && options.equilibrium && !stopped)
+      summary["answers"].push_back(name + ": " + growthAsText(front));
+    else if (moved || stopped)
       summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front) + ", " : "") +
                                    fateAsText(front, own, end));
-    else if (end.fate == Fate::NotInitiated)
+    else if (end.fate == Fate::NotInitiated && state.method.analysis != Analysis::LoadFactor)
       reportRest(state, front, own.closest(), summary);
     if (stopped && options.endsAtStops && !summary.contains("ended_by"))
       summary["ended_by"] = name + (D == 2 ? " " : ": ") + fateAsText(front, own, end) + adviceAtStop;

@@ -6,6 +6,7 @@
 #include "boundary/BoundaryParts.hpp"
 #include "boundary/Contradictions.hpp"
 #include "boundary/IdleSupports.hpp"
+#include "boundary/LoadDisplacements.hpp"
 #include "boundary/LoadForces.hpp"
 #include "plan/LastStage.hpp"
 
@@ -55,6 +56,8 @@ void addLoads(Effect<D>& effect, const Teuchos::ParameterList& scene,
                   state.energy.externalWork += load.work(state);
               });
   addLoadForces(effect, loads);
+  if (isEquilibrium(scene))
+    addLoadDisplacements(effect, scene, loads);
 }
 
 } // namespace

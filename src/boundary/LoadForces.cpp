@@ -17,7 +17,7 @@ struct LoadForces
 {
   double last = 0.0;              ///< time of the last sample [s]
   std::vector<Vector<D>> impulse; ///< of each load since then [N s]
-  std::vector<Vector<D>> force;   ///< mean between the last two samples [N]
+  std::vector<Vector<D>> force;   ///< mean between the last two samples, in equilibrium that of the last [N]
 
   void resize(std::size_t loads)
   {
@@ -37,7 +37,10 @@ void addLoadForces(Effect<D>& effect, const std::shared_ptr<std::vector<Load<D>>
               {
                 known->resize(loads->size());
                 for (std::size_t k = 0; k < loads->size(); ++k)
-                  known->impulse[k] = known->impulse[k] + state.clock.dt * (*loads)[k].force();
+                  if (state.method.equilibrium())
+                    known->force[k] = (*loads)[k].force();
+                  else
+                    known->impulse[k] = known->impulse[k] + state.clock.dt * (*loads)[k].force();
               });
   effect.call(Stage::Observe, "forces of loads", {}, {}, {},
               [=](State<D>& state)
@@ -48,7 +51,8 @@ void addLoadForces(Effect<D>& effect, const std::shared_ptr<std::vector<Load<D>>
                 known->resize(loads->size());
                 for (std::size_t k = 0; k < loads->size(); ++k)
                 {
-                  known->force[k] = (duration > 0.0 ? 1.0 / duration : 0.0) * known->impulse[k];
+                  if (!state.method.equilibrium())
+                    known->force[k] = (duration > 0.0 ? 1.0 / duration : 0.0) * known->impulse[k];
                   known->impulse[k] = Vector<D>{};
                   for (int d = 0; d < D; ++d)
                     state.sample.row.emplace_back((*loads)[k].name() + columns[d], known->force[k][d]);

@@ -11,7 +11,8 @@ namespace Rhegma
 {
 
 /// The calls that report the whole force of each load, as a mean over the time since the last sample as that
-/// of supports is (addReactions). Adds to what the effect reports and remembers so far.
+/// of supports is (addReactions); in equilibrium as that of the last solution. Adds to what the effect
+/// reports and remembers so far.
 template <int D>
 void addLoadForces(Effect<D>& effect, const std::shared_ptr<std::vector<Load<D>>>& loads);
 

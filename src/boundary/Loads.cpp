@@ -205,11 +205,23 @@ void Load<D>::place(State<D>& state)
 template <int D>
 double Load<D>::work(const State<D>& state) const
 {
+  return workOf(state, works_ * force_);
+}
+
+template <int D>
+double Load<D>::shift(const State<D>& state) const
+{
+  const double whole = norm(force_);
+  return whole > 0.0 ? workOf(state, (1.0 / whole) * force_) : 0.0;
+}
+
+template <int D>
+double Load<D>::workOf(const State<D>& state, const Vector<D>& force) const
+{
   const LoadVelocity<D> velocity(state);
   // No light node moves on its own in equilibrium: work is that of the forces as they act.
   const StencilTable<D> stencils = state.method.equilibrium() ? stencils_ : massedStencils_;
   const View<double*> fraction = here_;
-  const Vector<D> force = works_ * force_;
   const double dt = state.clock.dt;
   return parallelSumSmall<double>(
       "rhegma::loadWork", points_.count, KOKKOS_LAMBDA(const int k, double& sum) {

@@ -38,11 +38,17 @@ public:
   /// (LoadVelocity).
   double work(const State<D>& state) const;
 
+  /// Mean displacement of its points over the step along its direction, weighted by their fractions of the
+  /// load [m].
+  double shift(const State<D>& state) const;
+
   const std::string& name() const { return name_; }
   /// The total load over this step [N], on all ranks.
   Vector<D> force() const { return now_ * force_; }
 
 private:
+  /// Work of a force in place of the load over the step [J].
+  double workOf(const State<D>& state, const Vector<D>& force) const;
   /// Makes the points anew where their particles were split or merged.
   void updateLevels(const State<D>& state);
   void makePoints(const std::vector<int>& levels);

@@ -96,6 +96,21 @@ void updateCells(TimedConstraint<D>& timed, State<D>& state)
 
 } // namespace
 
+namespace
+{
+
+/// Columns of a support that moves as a whole, in equilibrium.
+template <int D>
+void addDisplacements(const TimedConstraint<D>& timed, State<D>& state)
+{
+  const char* columns[] = {".displacement_x", ".displacement_y", ".displacement_z"};
+  for (int d = 0; d < D && state.method.equilibrium() && !timed.field; ++d)
+    if (timed.constraint.holds[d] && timed.value[d] != 0.0)
+      state.sample.row.emplace_back(timed.name + columns[d], timed.displacement[d]);
+}
+
+} // namespace
+
 template <int D>
 void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
 {
@@ -111,21 +126,25 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                   state.ranks.sum(timed.impulse.c, D);
                   timed.absorbedTotal += state.ranks.sum(timed.absorbed);
                   timed.absorbed = 0.0;
-                  timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
+                  if (!state.method.equilibrium())
+                    timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
                   timed.impulse = Vector<D>{};
                   for (int d = 0; d < D; ++d)
                     if (timed.constraint.holds[d])
                       state.sample.row.emplace_back(timed.name + columns[d], timed.force[d]);
+                  addDisplacements(timed, state);
                 }
               });
   effect.memory = inOrder(effect.memory,
-                          [constraints, last](State<D>&, Archive& archive)
+                          [constraints, last](State<D>& state, Archive& archive)
                           {
                             archive("last_sample", *last);
                             for (std::size_t c = 0; c < constraints->size(); ++c)
                             {
                               const Archive::Group group(archive, std::to_string(c));
                               archive.parts("impulse", (*constraints)[c].impulse);
+                              if (state.method.equilibrium())
+                                archive("displacement", (*constraints)[c].displacement);
                               archive("force", (*constraints)[c].force);
                               archive.parts("absorbed", (*constraints)[c].absorbed);
                               archive("absorbed_total", (*constraints)[c].absorbedTotal);
@@ -170,7 +189,8 @@ void collectReactions(State<D>& state, std::vector<TimedConstraint<D>>& constrai
             nodes.sums(n, Nodes<D>::forceAt + d) = 0.0;
           },
           force);
-      constraints[c].impulse[d] += state.clock.dt * force;
+      constraints[c].force[d] = force;
+      constraints[c].displacement[d] += state.clock.dt * constraint.value[d];
     }
   }
 }

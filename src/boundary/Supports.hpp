@@ -21,10 +21,11 @@ struct TimedConstraint
   Vector<D> value;
   TimeFunction history;
   std::string name;
-  Vector<D> impulse{};   ///< on the body since the last sample [N s]
+  Vector<D> impulse{};      ///< on the body since the last sample [N s]
+  Vector<D> displacement{}; ///< by `value` since the start, in steps of equilibrium [m]
   double absorbed = 0.0; ///< energy of waves of a few cells, absorbed since the last sample, on this rank [J]
-  double absorbedTotal = 0.0;              ///< the same up to the last sample, on all ranks [J]
-  Vector<D> force{};                       ///< mean between the last two samples [N]
+  double absorbedTotal = 0.0; ///< the same up to the last sample, on all ranks [J]
+  Vector<D> force{}; ///< mean between the last two samples, in equilibrium that of the last solution [N]
   std::optional<PositionFunction> field{}; ///< velocity as a function of position, if it varies
   int generation = 0;                      ///< of the cells whose nodes have it
 
@@ -48,7 +49,7 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                     bool isEquilibrium);
 
 /// The calls that report the force of each support on the bodies, as a mean over the time since the last
-/// sample, so that no part of it is missed.
+/// sample, so that no part of it is missed; in equilibrium as that of the last solution.
 template <int D>
 void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints);
 

@@ -95,7 +95,8 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   }
   account.largestForces = report.forces;
   toMotion(step, state);
-  state.energy.externalWork += step.workOfSupports();
+  last.workOfSupports = step.workOfSupports();
+  state.energy.externalWork += last.workOfSupports;
   state.energy.stabilised += step.ghostEnergy();
   if (report.unsupportedLoad > noticeableLoad * report.forces && !account.warnedOfPieces)
   {

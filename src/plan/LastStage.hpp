@@ -8,6 +8,14 @@
 namespace Rhegma
 {
 
+/// Whether the scene asks for equilibrium instead of motion.
+inline bool isEquilibrium(const Teuchos::ParameterList& scene)
+{
+  const char* const name = "Analysis";
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  return time.isType<std::string>(name) && time.get<std::string>(name) != "Dynamic";
+}
+
 /// The last stage of a step except for samples. The nodal and particle values of the step are still available
 /// in it, but not always between two steps, as a run may continue from a checkpoint or with other cells.
 /// Calls that read "particle stress", "particle velocity" and "crack geometry" run last in it.
@@ -15,7 +23,8 @@ inline Stage lastStage(const Teuchos::ParameterList& scene)
 {
   const char* const name = "Update Scheme";
   const Teuchos::ParameterList& time = scene.sublist("Time");
-  const bool stressFirst = time.isType<std::string>(name) && time.get<std::string>(name) == "USF";
+  const bool stressFirst =
+      !isEquilibrium(scene) && time.isType<std::string>(name) && time.get<std::string>(name) == "USF";
   return stressFirst ? Stage::Gather : Stage::OnParticles;
 }
 
@@ -26,14 +35,6 @@ inline bool projectsLast(const Teuchos::ParameterList& scene)
   const Teuchos::ParameterList& time = scene.sublist("Time");
   return !time.isType<std::string>(name) || time.get<std::string>(name) == "MUSL" ||
          time.get<std::string>(name) == "USAVG";
-}
-
-/// Whether the scene asks for equilibrium instead of motion.
-inline bool isEquilibrium(const Teuchos::ParameterList& scene)
-{
-  const char* const name = "Analysis";
-  const Teuchos::ParameterList& time = scene.sublist("Time");
-  return time.isType<std::string>(name) && time.get<std::string>(name) != "Dynamic";
 }
 
 /// The stage in which that velocity is known.

@@ -17,7 +17,8 @@ struct LoadOverStep
 };
 
 /// In dynamics the value in the middle of the step. In equilibrium the value at its end acts and the mean of
-/// those at both ends does work, as force and displacement grow together.
+/// those at both ends does work, as force and displacement grow together. Where the loads have a factor it
+/// multiplies their values at the final time.
 template <int D>
 LoadOverStep loadOverStep(const State<D>& state, const TimeFunction& history)
 {
@@ -32,6 +33,11 @@ LoadOverStep loadOverStep(const State<D>& state, const TimeFunction& history)
   {
     const double now = history(end);
     return {now, 0.5 * (now + history(clock.time))};
+  }
+  if (state.method.analysis == Analysis::LoadFactor)
+  {
+    const double whole = history(clock.finalTime);
+    return {whole * clock.factor.end, 0.5 * whole * (clock.factor.begin + clock.factor.end)};
   }
   const double at = state.method.analysis == Analysis::Preload ? 0.0 : clock.finalTime;
   const double whole = history(at) / clock.finalTime;
@@ -48,20 +54,25 @@ inline double largestLoadStep(const Teuchos::ParameterList& scene)
 }
 
 /// Mean over the step of a function of time that is a velocity, for steps of equilibrium; in a static
-/// analysis the same fraction of its whole integral in every step. Before a run starts nothing has moved.
+/// analysis the same fraction of its whole integral in every step, and where the loads have a factor the part
+/// of it by which that changes. Before a run starts nothing has moved.
 template <int D>
 double meanOverStep(const State<D>& state, const TimeFunction& history)
 {
   if (state.method.analysis == Analysis::Preload)
     return 0.0;
-  const bool isStatic = state.method.analysis == Analysis::Static;
+  const bool hasFactor = state.method.analysis == Analysis::LoadFactor;
+  const bool isStatic = state.method.analysis == Analysis::Static || hasFactor;
   const double from = isStatic ? 0.0 : state.clock.time;
   const double length = isStatic ? state.clock.finalTime : state.clock.dt;
   constexpr int pieces = 256; // by the middle of each: exact for ramps, and good for functions with corners
   double sum = 0.0;
   for (int k = 0; k < pieces; ++k)
     sum += history(from + length * (k + 0.5) / pieces);
-  return sum / pieces;
+  const double mean = sum / pieces;
+  if (!hasFactor)
+    return mean;
+  return (state.clock.factor.end - state.clock.factor.begin) * state.clock.finalTime / state.clock.dt * mean;
 }
 
 } // namespace Rhegma

@@ -72,10 +72,11 @@ inline constexpr Quantity springStretch("front spring stretch");     ///< of the
 inline constexpr Quantity fractureEnergy("fracture energy");         ///< of fronts: required and pending
 inline constexpr Quantity drivingForces("driving forces");           ///< of fronts: DrivingForce
 inline constexpr Quantity
-    stressIntensities("stress intensities");                     ///< of fronts that advance, in DrivingForce
-inline constexpr Quantity advancingFronts("advancing fronts");   ///< of fronts: advances, speed
-inline constexpr Quantity frontAdvances("front advances");       ///< CrackSet::advances
-inline constexpr Quantity frontTemperature("front temperature"); ///< of fronts
+    stressIntensities("stress intensities");                   ///< of fronts that advance, in DrivingForce
+inline constexpr Quantity advancingFronts("advancing fronts"); ///< of fronts: advances, speed
+inline constexpr Quantity frontAdvances("front advances");     ///< CrackSet::advances
+inline constexpr Quantity equilibriumGrowth("growth in equilibrium"); ///< EquilibriumGrowth::drive
+inline constexpr Quantity frontTemperature("front temperature");      ///< of fronts
 
 } // namespace quantity
 

@@ -49,7 +49,8 @@ struct RunOptions
   std::set<std::string> pressedCracks; ///< with a given pressure
   bool burning = false;                ///< faces burn, and their gas presses on them
   bool growth = false;                 ///< cracks may grow
-  DrivingContours contours;            ///< contours for the driving forces of growing cracks, given in 2D
+  bool loadFactor = false;  ///< in equilibrium, under loads whose factor is found from their growth
+  DrivingContours contours; ///< contours for the driving forces of growing cracks, given in 2D
   NodalMass nodalMass;
   std::optional<EndAtRest> endAtRest; ///< none: at Time > Final Time
 };

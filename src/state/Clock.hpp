@@ -13,6 +13,13 @@ struct StrainPass
   bool before = false;   ///< whether it comes before the forces of the step
 };
 
+/// The factor of the loads over a step of equilibrium whose loads are no functions of time.
+struct LoadFactor
+{
+  double begin = 0.0; ///< at the start of the step
+  double end = 0.0;   ///< at its end
+};
+
 /// Time, step and how the run ends.
 struct Clock
 {
@@ -22,6 +29,7 @@ struct Clock
   long step = 0;                                        ///< steps taken
   long maximumSteps = std::numeric_limits<long>::max(); ///< the run ends after them, if not before
   double fastestSpeed = 0.0;                            ///< largest wave speed plus particle speed [m/s]
+  LoadFactor factor;                                    ///< where the analysis has one (Analysis::LoadFactor)
   StrainPass strainPass;                                ///< the current pass, or the next
   bool observing = false;                               ///< a sample is taken at the end of this step
   bool settled = false;                                 ///< the bodies are at rest

@@ -3,6 +3,7 @@
 
 #include "base/FacetEnds.hpp"
 #include "base/Types.hpp"
+#include "state/EquilibriumGrowth.hpp"
 #include "state/FrontEvent.hpp"
 #include "state/ReleaseBudget.hpp"
 
@@ -211,6 +212,8 @@ struct CrackSet
   DrivingContours drivingContours;       ///< of the integrals that measure driving forces
   bool dualField = true;                 ///< whether nodes behind fronts have an enriched field
   bool frontSprings = false;             ///< springs between the two fields of nodes just behind fronts
+
+  EquilibriumGrowth growth; ///< in steps of equilibrium
 
   /// Contact energy of the part of a crack within a distance of a middle [m], both along the undeformed
   /// crack; in 3D of the whole crack. Empty without contact.

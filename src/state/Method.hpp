@@ -26,10 +26,11 @@ constexpr bool projectsLast(UpdateScheme scheme)
 /// What a run solves.
 enum class Analysis
 {
-  Dynamic,    ///< motion, by explicit steps
-  Static,     ///< equilibrium under the loads at the final time, reached in proportion
-  Preload,    ///< equilibrium under the loads at the start, in which another run starts
-  QuasiStatic ///< equilibrium at each time under the loads of that time
+  Dynamic,     ///< motion, by explicit steps
+  Static,      ///< equilibrium under the loads at the final time, reached in proportion
+  Preload,     ///< equilibrium under the loads at the start, in which another run starts
+  QuasiStatic, ///< equilibrium at each time under the loads of that time
+  LoadFactor   ///< equilibrium in which cracks are about to grow: the loads at the final time times a factor
 };
 
 /// What the scene's Domain and Time sections choose.

@@ -55,6 +55,8 @@ void archiveProgress(State<D>& state, Archive& archive)
   archive("particle_steps", state.particles.particleSteps);
   archive("momentum", state.sample.momentum);
   archive("settled", state.clock.settled);
+  if (state.method.analysis == Analysis::LoadFactor)
+    archive("load_factor", state.clock.factor.end);
   archive("warnings", state.warnings);
 }
 

@@ -164,6 +164,8 @@ void Run<D>::makeAll()
   }
   if (state_.method.equilibrium())
   {
+    if (options.loadFactor)
+      state_.method.analysis = Analysis::LoadFactor;
     loadSteps_ = LoadSteps<D>(*scene_);
     if (on)
       attempts.attempt([&] { inspectEquilibrium(); });
@@ -353,6 +355,7 @@ bool Run<D>::trySolve()
     return false;
   lastEquilibrium_->trial = true;
   state_.clock.dt = std::min(loadSteps_.next, state_.clock.finalTime - state_.clock.time);
+  state_.clock.factor = {state_.clock.factor.end, state_.clock.factor.end + 0.01};
   runStage(Stage::BetweenSteps);
   moveNodalFields(state_);
   for (const Stage stage : {Stage::Scatter, Stage::BeforeSolve, Stage::Solve})
@@ -365,38 +368,89 @@ bool Run<D>::trySolve()
 constexpr double shortStep = 1e-9;
 
 template <int D>
-void Run<D>::settleInPlace()
+EquilibriumCalls Run<D>::equilibriumCalls()
+{
+  const auto run = [this](std::initializer_list<Stage> stages)
+  {
+    for (const Stage stage : stages)
+      runStage(stage);
+  };
+  return {[=]
+          {
+            run({Stage::BetweenSteps});
+            moveNodalFields(state_);
+          },
+          [=] {
+            run({Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
+          },
+          [=] {
+            run({Stage::AfterSolve, Stage::Gather, Stage::AfterProjection, Stage::OnParticles});
+          }};
+}
+
+template <int D>
+void Run<D>::withoutNewLoads(const std::function<void()>& solve)
 {
   const double end = state_.clock.time, dt = state_.clock.dt;
   state_.clock.dt = shortStep * state_.clock.finalTime;
   state_.clock.time = end - state_.clock.dt;
+  state_.clock.factor.begin = state_.clock.factor.end;
   lastEquilibrium_->inPlace = true;
-  for (const Stage stage : {Stage::BetweenSteps, Stage::Scatter, Stage::BeforeSolve, Stage::Solve})
-    runStage(stage);
-  if (lastEquilibrium_->converged)
-    for (const Stage stage : {Stage::AfterSolve, Stage::AfterProjection, Stage::OnParticles})
-      runStage(stage);
-  else
-    state_.warnings.push_back(
-        "Time > Analysis: the particles, where the last step has moved them, are out of "
-        "equilibrium, and no solution brings them into it; stress and G are those of "
-        "the last step");
+  solve();
   lastEquilibrium_->inPlace = false;
   state_.clock.time = end;
   state_.clock.dt = dt;
 }
 
 template <int D>
+void Run<D>::settleInPlace()
+{
+  const EquilibriumCalls calls = equilibriumCalls();
+  withoutNewLoads(
+      [&]
+      {
+        calls.between();
+        calls.solve();
+        if (lastEquilibrium_->converged)
+          calls.accept();
+        else
+          state_.warnings.push_back(
+              "Time > Analysis: the particles, where the last step has moved them, are out of "
+              "equilibrium, and no solution brings them into it; stress and G are those of "
+              "the last step");
+      });
+}
+
+template <int D>
+void Run<D>::growInPlace()
+{
+  withoutNewLoads([&] { growAtFixedLoads(state_, equilibriumCalls(), *lastEquilibrium_); });
+  if (!state_.failure.empty())
+    stop(state_);
+}
+
+template <int D>
 void Run<D>::stepOfEquilibrium(double until, bool sample)
 {
   const double left = until - state_.clock.time;
+  const EquilibriumCalls calls = equilibriumCalls();
   state_.clock.observing = sample;
-  runStage(Stage::BetweenSteps);
-  moveNodalFields(state_);
-  solveLoadStep(left);
-  for (const Stage stage : {Stage::AfterSolve, Stage::Gather, Stage::AfterProjection, Stage::OnParticles})
-    runStage(stage);
+  if (state_.method.analysis == Analysis::LoadFactor)
+  {
+    const double whole = loadSteps_.largest;
+    followLoadFactor(state_, calls, *lastEquilibrium_, (1.0 + shortStep) * whole >= left ? left : whole);
+    if (!state_.failure.empty())
+      stop(state_);
+  }
+  else
+  {
+    calls.between();
+    solveLoadStep(left);
+    calls.accept();
+  }
   state_.clock.time = state_.clock.dt == left ? until : state_.clock.time + state_.clock.dt;
+  if (state_.method.analysis == Analysis::QuasiStatic)
+    growInPlace();
   ++state_.clock.step;
   state_.particles.particleSteps += allParticles(state_);
   if (until == state_.clock.finalTime && state_.clock.time == until)

@@ -5,6 +5,7 @@
 #include "equilibrium/EquilibriumCore.hpp"
 #include "plan/Plan.hpp"
 #include "step/EnergyWatch.hpp"
+#include "step/FollowPath.hpp"
 
 #include <functional>
 #include <limits>
@@ -96,9 +97,15 @@ private:
   /// Refuses what has no equilibrium. Throws std::invalid_argument.
   void inspectEquilibrium();
   void stepOfEquilibrium(double until, bool sample);
+  /// The stages of a step of equilibrium, for steps that solve several times.
+  EquilibriumCalls equilibriumCalls();
   /// Solves once more without a new load, from the configuration that the last step has led to, so that the
   /// end does not depend on the cells that the particles were in before. Where that fails nothing changes.
   void settleInPlace();
+  /// The loop that grows cracks under the loads of the time that the step has led to.
+  void growInPlace();
+  /// Runs a function while the clock stands a tiny step before the end of the last one, which adds no load.
+  void withoutNewLoads(const std::function<void()>& solve);
   /// Solves for an increment of at most the remaining time, a shorter one where that fails.
   void solveLoadStep(double left);
 

@@ -239,12 +239,13 @@ def draw_energies(axes, history, time):
     legend(axes)
 
 
-def growth(history):
-    """[(front, growth since the start [m])] of the fronts that have run. A crack that is only stretched has no speed."""
+def growth(history, running=True):
+    """[(front, growth since the start [m])] of the fronts that have run, or, not running, of those that have grown in
+    equilibrium. A crack that is only stretched has no speed."""
     moved = []
     for front in history.fronts:
         speed = history.of_front(front, "speed")
-        if speed is not None and finite_maximum([speed]) == 0.0:
+        if running and speed is not None and finite_maximum([speed]) == 0.0:
             continue
         length = history.of_front(front, "length")
         if length is not None and np.isfinite(length).any():

@@ -104,7 +104,28 @@ def running(toughness="100", **more):
     """The plate with a crack that may run."""
     return plate().set("Energy Release", {}).set("Propagation", dict({"Toughness": toughness}, **more))
 
+
+def at_rest(toughness="100", **more):
+    """The same in equilibrium."""
+    return running(toughness, **more).set("Time > Analysis", "Quasi-Static")
+
+
 PROPAGATION = [
+    ("growth_in_a_static_analysis", running().set("Time > Analysis", "Static"),
+     one("Propagation", "quasi-static", "Quasi-Static")),
+    ("short_increments_in_motion", running(**{"Increment": 0.25}),
+     one("Propagation > Increment", "equilibrium only", "at least 0.5")),
+    ("loads_in_time_of_a_dynamic_crack", running(**{"Load Control": "Functions of Time"}),
+     one("Propagation > Load Control", "quasi-static")),
+    ("speed_limit_in_equilibrium", at_rest(**{"Speed Limit": 100.0}), one("Propagation > Speed Limit", "no speed")),
+    ("arrest_in_equilibrium", at_rest(**{"Arrest Toughness": 90.0}),
+     one("Propagation > Arrest Toughness", "no speed")),
+    ("start_time_of_a_load_factor", at_rest(**{"Start Time": 1e-5}), one("Propagation > Start Time", "no time passes")),
+    ("load_factor_of_a_plastic_body",
+     at_rest().set("Materials > Polymer > Model", "J2 Plastic").set("Materials > Polymer > Yield Stress", 1e8),
+     one("Propagation > Load Control", "does not forget", "Functions of Time")),
+    ("cells_that_a_crack_at_rest_grows_out_of", at_rest().set("Adaptivity", {"Maximum Level": 1}),
+     one("Propagation", "Front Cells = 0")),
     ("toughness_of_zero", running("0"), one(RUNNING, "is 0 J/m2 at v = 0", "positive")),
     ("toughness_below_zero", running("-3"), one(RUNNING, "is -3 J/m2", "positive")),
     ("toughness_that_falls_to_zero", running("0:100, 500:0"), one(RUNNING, "is 0 J/m2 at v = 50", "positive")),

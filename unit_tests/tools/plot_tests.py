@@ -8,12 +8,13 @@ from tool import ToolTest, picture_size, run  # first, as it finds the Python fo
 import made_up_run
 import numpy as np
 
-from rhegma_tools import cell_picture
+from rhegma_tools import cell_picture, path_picture
 from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.field_picture import choose_view, close_up, colour_scale, crack_segments, drawn_fronts, in_slice
 from rhegma_tools.field_picture import read_slice, stopped_nodes
 from rhegma_tools.fields import Crack, read_fields
+from rhegma_tools.history import read_history
 
 
 class Plot(ToolTest):
@@ -59,6 +60,21 @@ class Plot(ToolTest):
         self.assertAlmostEqual(shape[1], 2.0)  # the middles are 0.5 m apart, and three cells of 0.5 m more
         middle = 0.5 * (corner + opposite)
         self.assertTrue(np.all((middle > [1.0, 0.0]) & (middle < [2.0, 1.0])))
+
+    def test_draws_the_path_of_a_crack_in_equilibrium(self):
+        length = np.linspace(0.04, 0.06, 21)
+        factor = 1.0 / length
+        made_up_run.write_history(self.folder, {
+            "time": np.linspace(0.05, 1.0, 21), "load_factor": factor, "Arm.force_x": 0.0 * factor, "Arm.force_y": -3.0 * factor,
+            "Arm.displacement": factor * length**3, "Grip.force_y": factor, "Grip.displacement_y": -length,
+            "Notch.0.length": length, "Notch.0.speed": 0.0 * length, "Notch.0.G_J": 100.0 + 0.0 * length})
+        (load, x, force), (grip, y, _) = path_picture.curves(read_history(self.folder))
+        self.assertEqual((load, grip), ("Arm", "Grip, y"))
+        self.assertTrue(np.allclose(force, 3.0 * factor) and np.allclose(x, length**2) and np.allclose(y, length))
+        status, output, messages = run("rhegma-plot", self.folder)
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn(f"Wrote {self.path('path.png')}: 21 states of equilibrium, 2 loads.", output)
+        self.assertGreater(picture_size(self.path("path.png"))[1], 500)
 
     def test_draws_what_there_is(self):
         made_up_run.beam(self.folder)

@@ -1,0 +1,117 @@
+#include "propagation/PathReport.hpp"
+
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::propagation
+{
+
+namespace
+{
+
+/// Changes that count: the factor is found to within 1e-5.
+constexpr double noticeable = 1e-4;
+
+bool fallsAfter(const std::vector<PathState>& path, std::size_t k, double PathState::*value)
+{
+  return path[k + 1].*value < (1.0 - noticeable) * path[k].*value;
+}
+
+std::string asText(const PathState& state)
+{
+  return formatShort(state.factor) + " (new area " + formatShort(state.area) + " m2)";
+}
+
+nlohmann::json entryOf(const std::vector<PathState>& path, int state)
+{
+  if (state < 0)
+    return nullptr;
+  return {{"load_factor", path[state].factor}, {"new_area", path[state].area}, {"time", path[state].time}};
+}
+
+/// Of given loads: where G rises as cracks grow.
+void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summary)
+{
+  const auto rises = std::find_if(path.begin(), path.end(), [](const PathState& s) { return s.rise > 0.0; });
+  nlohmann::json& entry = summary["propagation"];
+  entry["unstable_from"] = entryOf(path, rises == path.end() ? -1 : static_cast<int>(rises - path.begin()));
+  if (rises != path.end())
+    summary["answers"].push_back("growth is unstable at t = " + readableTime(rises->time) +
+                                 ": G rises as the crack grows under the loads of that time, new area " +
+                                 formatShort(rises->area) + " m2");
+}
+
+} // namespace
+
+PathEvents eventsOf(const std::vector<PathState>& path)
+{
+  PathEvents events;
+  const int count = static_cast<int>(path.size());
+  for (int k = 0; k < count; ++k)
+    if (events.largest < 0 || path[k].factor > path[events.largest].factor)
+      events.largest = k;
+  for (int k = 0; k + 1 < count; ++k)
+  {
+    if (events.falls < 0 && fallsAfter(path, k, &PathState::factor))
+      events.falls = k;
+    if (events.snapsBack < 0 && path[k].displacement > 0.0 && fallsAfter(path, k, &PathState::factor) &&
+        fallsAfter(path, k, &PathState::displacement))
+      events.snapsBack = k;
+  }
+  for (int k = events.falls + 1; events.falls >= 0 && k < count && events.again < 0; ++k)
+    if (path[k].factor >= path[events.falls].factor)
+      events.again = k;
+  return events;
+}
+
+void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor, nlohmann::json& summary)
+{
+  if (!hasFactor)
+    return reportGivenLoads(path, summary);
+  nlohmann::json& entry = summary["propagation"];
+  if (path.empty()) // what will be there is known from the start
+  {
+    const nlohmann::json unknown = {{"load_factor", nullptr}, {"new_area", nullptr}, {"time", nullptr}};
+    entry["load_factor"] = nullptr;
+    entry["initiation"] = entry["largest_load"] = entry["unstable_from"] = entry["snap_back_from"] = unknown;
+    return;
+  }
+  const PathEvents events = eventsOf(path);
+  entry["load_factor"] = path.back().factor;
+  entry["initiation"] = entryOf(path, 0);
+  entry["largest_load"] = entryOf(path, events.largest);
+  entry["unstable_from"] = entryOf(path, events.falls);
+  entry["unstable_to"] = entryOf(path, events.again);
+  entry["snap_back_from"] = entryOf(path, events.snapsBack);
+  std::string text = "factor of the loads of Time > Final Time: cracks start at " +
+                     formatShort(path.front().factor) + ", largest " + asText(path[events.largest]);
+  if (events.falls < 0)
+    text += path.size() > 1 ? "; growth is stable under these loads" : "";
+  else
+    text += "; growth is unstable from " + asText(path[events.falls]) + " on: at fixed loads the crack runs" +
+            (events.again < 0 ? "" : " to " + asText(path[events.again]));
+  if (events.snapsBack >= 0)
+    text += "; from " + asText(path[events.snapsBack]) +
+            " on the displacement of the loads falls, too (snap-back): the crack runs at fixed displacement";
+  summary["answers"].push_back(text);
+}
+
+void storeGrowth(EquilibriumGrowth& growth, Archive& archive)
+{
+  const Archive::Group group(archive, "growth in equilibrium");
+  archive("drive", growth.drive);
+  archive("area", growth.area);
+  constexpr std::size_t width = 5;
+  std::vector<double> rows;
+  for (const PathState& s : growth.path)
+    rows.insert(rows.end(), {s.time, s.factor, s.displacement, s.area, s.rise});
+  archive("path", rows, width);
+  growth.path.clear();
+  for (std::size_t k = 0; k + width <= rows.size(); k += width)
+    growth.path.push_back({rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4]});
+}
+
+} // namespace Rhegma::propagation

@@ -1,0 +1,30 @@
+#pragma once
+/// Growth of cracks in equilibrium: what the loop and the effect that advances fronts exchange.
+
+#include <vector>
+
+namespace Rhegma
+{
+
+/// A state of equilibrium on the path of growing cracks.
+struct PathState
+{
+  double time = 0.0;         ///< [s]
+  double factor = 0.0;       ///< of the loads, where they have one
+  double displacement = 0.0; ///< of these loads: their work over the factor, summed from the start [J]
+  double area = 0.0;         ///< by which cracks have grown since the start [m2]
+  double rise = 0.0;         ///< of the largest G/Gc over the last increment, where loads are given
+};
+
+/// Growth of cracks in equilibrium.
+struct EquilibriumGrowth
+{
+  double drive = 0.0;   ///< largest G/Gc of the fronts that can advance; 0: there are none
+  bool advance = false; ///< set by the loop: fronts advance before the next step
+  double area = 0.0;    ///< by which cracks have grown since the start [m2]
+  /// Where the loads have a factor, one state a load step, the first before cracks have grown; else one an
+  /// increment.
+  std::vector<PathState> path;
+};
+
+} // namespace Rhegma

@@ -1,0 +1,141 @@
+#include "step/FollowPath.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+#include "step/LoadFactorSearch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// The factor of the first equilibrium of a run, small enough that a body hardly deforms.
+constexpr double firstFactor = 0.01;
+
+/// Equilibria of a step after which no factor is found.
+constexpr int mostTrials = 60;
+
+/// How often a change of the factor is halved where there is no equilibrium.
+constexpr int mostHalvings = 12;
+
+/// G/Gc from which on cracks grow under given loads: G is no more accurate.
+constexpr double heldDrive = 1.0 + 1e-6;
+
+template <int D>
+bool canAdvance(const State<D>& state)
+{
+  const auto& fronts = state.cracks.fronts;
+  return std::any_of(fronts.begin(), fronts.end(),
+                     [](const CrackFront<D>& front) { return !front.ended && !front.stopped(); });
+}
+
+/// The factor after the next increment, on a straight line through the last two.
+double extrapolated(const std::vector<PathState>& path)
+{
+  if (path.empty())
+    return firstFactor;
+  const double last = path.back().factor;
+  return path.size() < 2 ? last : std::max(0.5 * last, 2.0 * last - path[path.size() - 2].factor);
+}
+
+/// Solves for a factor, or for one nearer to the last where that fails. \return whether there is an
+/// equilibrium
+template <int D>
+bool solveFor(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last,
+              double factor)
+{
+  Clock& clock = state.clock;
+  clock.factor = {clock.factor.end, factor};
+  calls.solve();
+  for (int k = 0; k < mostHalvings && !last.converged; ++k)
+  {
+    clock.factor.end = 0.5 * (clock.factor.begin + clock.factor.end);
+    calls.solve();
+  }
+  return last.converged;
+}
+
+/// Why no factor is found.
+template <int D>
+std::string failureOfSearch(const State<D>& state, bool solved)
+{
+  const std::string at = "the loads of Time > Final Time times " + formatShort(state.clock.factor.end);
+  if (!solved)
+    return "no equilibrium is found near " + at +
+           "; the loads may be more than the bodies can bear, or a part of a body is cut off";
+  return "no factor of the loads is found with which a crack grows: with " + at + ", G is " +
+         formatShort(state.cracks.growth.drive) +
+         " of the toughness; the loads must open a crack (Propagation > Load Control)";
+}
+
+} // namespace
+
+template <int D>
+void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last,
+                      double length)
+{
+  EquilibriumGrowth& growth = state.cracks.growth;
+  Clock& clock = state.clock;
+  PathState now = growth.path.empty() ? PathState() : growth.path.back();
+  growth.advance = !growth.path.empty();
+  calls.between();
+  clock.dt = length;
+  if (!canAdvance(state))
+    return;
+  LoadFactorSearch search;
+  double factor = extrapolated(growth.path);
+  bool solved = true;
+  for (int k = 0; k < mostTrials && state.failure.empty() && !search.found(); ++k)
+  {
+    const double before = state.energy.externalWork;
+    solved = solveFor(state, calls, last, factor);
+    if (!solved)
+      break;
+    calls.accept();
+    const double work = state.energy.externalWork - before - last.workOfSupports;
+    now.displacement += 2.0 * work / (clock.factor.begin + clock.factor.end);
+    search.record(clock.factor.end, growth.drive);
+    factor = search.next();
+    calls.between();
+  }
+  if (state.failure.empty() && !search.found())
+    state.failure = failureOfSearch(state, solved);
+  now.time = clock.time + length;
+  now.factor = clock.factor.end;
+  now.area = growth.area;
+  growth.path.push_back(now);
+}
+
+template <int D>
+void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last)
+{
+  EquilibriumGrowth& growth = state.cracks.growth;
+  while (state.failure.empty() && canAdvance(state) && growth.drive > heldDrive)
+  {
+    const double before = growth.drive;
+    growth.advance = true;
+    calls.between();
+    calls.solve();
+    if (!last.converged)
+    {
+      state.failure = "no equilibrium is found after the crack has grown under the loads of t = " +
+                      readableTime(state.clock.time) +
+                      ": they may be more than what is left of the body can bear";
+      return;
+    }
+    calls.accept();
+    growth.path.push_back({state.clock.time, 0.0, 0.0, growth.area, growth.drive - before});
+  }
+}
+
+template void followLoadFactor(State<2>&, const EquilibriumCalls&, const equilibrium::LastStep&, double);
+template void followLoadFactor(State<3>&, const EquilibriumCalls&, const equilibrium::LastStep&, double);
+template void growAtFixedLoads(State<2>&, const EquilibriumCalls&, const equilibrium::LastStep&);
+template void growAtFixedLoads(State<3>&, const EquilibriumCalls&, const equilibrium::LastStep&);
+
+} // namespace Rhegma

@@ -1,0 +1,80 @@
+/// What the path of a growing crack in equilibrium says.
+
+#include "propagation/PathReport.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace Rhegma;
+using namespace Rhegma::propagation;
+
+namespace
+{
+
+/// The path of a body of compliance C(a) = c0 + a^n under one load, which grows at G = P^2 C'(a) / 2 = 1 from
+/// a = 1 to 3.
+std::vector<PathState> pathOf(double c0, double n, int count = 201)
+{
+  std::vector<PathState> path;
+  for (int k = 0; k < count; ++k)
+  {
+    const double a = 1.0 + 2.0 * k / (count - 1), P = std::sqrt(2.0 / (n * std::pow(a, n - 1.0)));
+    path.push_back({double(k), P, P * (c0 + std::pow(a, n)), a - 1.0, 0.0});
+  }
+  return path;
+}
+
+} // namespace
+
+/// d(P C)/da = 0 where (n - 1) / 2 c0 = (n + 1) / 2 a^n: with n = 3 and c0 = 16 at a = 2.
+TEST(PathReport, FindsWhereTheLoadFallsAndWhereItsDisplacementFalls)
+{
+  const PathEvents stiff = eventsOf(pathOf(0.1, 3.0)); // a double cantilever beam
+  EXPECT_EQ(stiff.largest, 0);
+  EXPECT_EQ(stiff.falls, 0);
+  EXPECT_EQ(stiff.again, -1);
+  EXPECT_EQ(stiff.snapsBack, -1);
+  const std::vector<PathState> path = pathOf(16.0, 3.0);
+  const PathEvents soft = eventsOf(path);
+  EXPECT_EQ(soft.falls, 0);
+  EXPECT_EQ(soft.snapsBack, 0);
+  std::size_t least = 0;
+  for (std::size_t k = 0; k < path.size(); ++k)
+    least = path[k].displacement < path[least].displacement ? k : least;
+  EXPECT_NEAR(path[least].area, 1.0, 0.011);
+}
+
+TEST(PathReport, FindsWhereTheCrackWouldArrest)
+{
+  std::vector<PathState> path;
+  for (int k = 0; k < 11; ++k) // factors 4 to 0 and up to 9
+    path.push_back({double(k), 0.25 * (k - 4) * (k - 4) + 0.1, 1.0 + k, 0.1 * k, 0.0});
+  const PathEvents events = eventsOf(path);
+  EXPECT_EQ(events.falls, 0);
+  EXPECT_EQ(events.again, 8);
+  EXPECT_EQ(events.largest, 10);
+  EXPECT_EQ(events.snapsBack, -1); // its displacement rises
+  nlohmann::json summary;
+  reportPathOfEquilibrium(path, true, summary);
+  EXPECT_EQ(summary["propagation"]["unstable_from"]["load_factor"], path[0].factor);
+  EXPECT_EQ(summary["propagation"]["unstable_to"]["new_area"], path[8].area);
+  EXPECT_TRUE(summary["propagation"]["snap_back_from"].is_null());
+  ASSERT_EQ(summary["answers"].size(), 1U);
+  EXPECT_NE(summary["answers"][0].get<std::string>().find("unstable"), std::string::npos);
+}
+
+/// Under given loads the sign is that of the change of G over an increment.
+TEST(PathReport, OfGivenLoadsFindsWhereGRises)
+{
+  std::vector<PathState> path;
+  for (int k = 0; k < 5; ++k)
+    path.push_back({double(k), 0.0, 0.0, 0.1 * (k + 1), k < 3 ? -0.02 : 0.01});
+  nlohmann::json summary;
+  reportPathOfEquilibrium(path, false, summary);
+  EXPECT_EQ(summary["propagation"]["unstable_from"]["time"], 3.0);
+  path.resize(3);
+  summary.clear();
+  reportPathOfEquilibrium(path, false, summary);
+  EXPECT_TRUE(summary["propagation"]["unstable_from"].is_null());
+}
