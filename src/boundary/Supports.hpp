@@ -23,8 +23,9 @@ struct TimedConstraint
   std::string name;
   Vector<D> impulse{};   ///< on the body since the last sample [N s]
   double absorbed = 0.0; ///< energy of waves of a few cells, absorbed since the last sample, on this rank [J]
-  double absorbedTotal = 0.0;              ///< the same up to the last sample, on all ranks [J]
-  Vector<D> force{};                       ///< mean between the last two samples [N]
+  double absorbedTotal = 0.0; ///< the same up to the last sample, on all ranks [J]
+  /// Mean between the last two samples [N]; before the first not a number.
+  Vector<D> force = notANumber<D>();
   std::optional<PositionFunction> field{}; ///< velocity as a function of position, if it varies
   int generation = 0;                      ///< of the cells whose nodes have it
 
