@@ -140,7 +140,9 @@ public:
   std::string plan() const;
   /// Seconds spent in each stage.
   std::map<std::string, double> stageSeconds() const;
-  /// Energies, momentum, bodies, cracks and the reports of effects, as in summary.json.
+  /// Energies, momentum, bodies, cracks and the reports of effects, as in summary.json. What samples measure
+  /// (kinetic and strain energy, momentum, forces of supports and loads, G and K of fronts) is of the last
+  /// sample, and after steps without one not a number: use sampleEvery().
   /// \param mostBodies that are in it: the first ones
   nlohmann::json report(std::size_t mostBodies = std::numeric_limits<std::size_t>::max()) const;
   /// Writes the current fields; the first call makes the files fields.h5 and fields.xdmf in the folder, or

@@ -213,8 +213,9 @@ public:
     }
     catch (const std::invalid_argument& error)
     {
-      throw CheckpointMisfit(std::string("does not fit this program, although its scene is the same: ") +
-                             error.what());
+      throw CheckpointMisfit("was written by another state of this program, version " + versionOf(record) +
+                             ", whose data differ from those of this one, version " RHEGMA_VERSION ": " +
+                             error.what() + "; restart with the program that wrote it");
     }
     run_ = std::move(run);
     next_ = next;
@@ -299,6 +300,14 @@ private:
     archive("texts", texts);
     for (std::size_t k = 0; k < std::min(names.size(), texts.size()); ++k)
       notes[names[k]] = texts[k];
+  }
+
+  /// The version of the program that wrote a checkpoint.
+  static std::string versionOf(const Record& record)
+  {
+    const auto found = record.find("version");
+    return found == record.end() ? "unknown"
+                                 : std::string(found->second.bytes.begin(), found->second.bytes.end());
   }
 
   static std::string text(const std::vector<std::string>& lines)

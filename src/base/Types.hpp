@@ -4,6 +4,7 @@
 #include <Kokkos_Core.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace Rhegma
 {
@@ -77,6 +78,16 @@ template <int D>
 KOKKOS_INLINE_FUNCTION double norm(const Vector<D>& a)
 {
   return std::sqrt(dot(a, a));
+}
+
+/// A vector that is not yet known: null in the summary.
+template <int D>
+Vector<D> notANumber()
+{
+  Vector<D> r;
+  for (int i = 0; i < D; ++i)
+    r[i] = std::numeric_limits<double>::quiet_NaN();
+  return r;
 }
 
 /// Components of a symmetric tensor: xx yy xy zz in 2D (zz out of plane), xx yy zz xy yz xz in 3D.

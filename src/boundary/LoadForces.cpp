@@ -17,12 +17,13 @@ struct LoadForces
 {
   double last = 0.0;              ///< time of the last sample [s]
   std::vector<Vector<D>> impulse; ///< of each load since then [N s]
-  std::vector<Vector<D>> force;   ///< mean between the last two samples, in equilibrium that of the last [N]
+  /// Mean between the last two samples, in equilibrium that of the last [N]; before the first not a number.
+  std::vector<Vector<D>> force;
 
   void resize(std::size_t loads)
   {
     impulse.resize(loads, Vector<D>{});
-    force.resize(loads, Vector<D>{});
+    force.resize(loads, notANumber<D>());
   }
 };
 

@@ -25,7 +25,9 @@ struct TimedConstraint
   Vector<D> displacement{}; ///< by `value` since the start, in steps of equilibrium [m]
   double absorbed = 0.0; ///< energy of waves of a few cells, absorbed since the last sample, on this rank [J]
   double absorbedTotal = 0.0; ///< the same up to the last sample, on all ranks [J]
-  Vector<D> force{}; ///< mean between the last two samples, in equilibrium that of the last solution [N]
+  /// Mean between the last two samples, in equilibrium that of the last solution [N]; before the first not a
+  /// number.
+  Vector<D> force = notANumber<D>();
   std::optional<PositionFunction> field{}; ///< velocity as a function of position, if it varies
   int generation = 0;                      ///< of the cells whose nodes have it
 

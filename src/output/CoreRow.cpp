@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace Rhegma
 {
@@ -23,13 +24,14 @@ struct Entry
   const char* column;
   double value;
   bool ofEffect = true; ///< present only if an effect contributes to it (Effect::balance)
+  bool sampled = false; ///< a sum over particles, which samples take; others are recorded in every step
 };
 
 std::vector<Entry> entries(const EnergyBalance& energy)
 {
-  return {{"kinetic", energy.kinetic, false},
-          {"strain", energy.strain, false},
-          {"thermal", energy.thermal},
+  return {{"kinetic", energy.kinetic, false, true},
+          {"strain", energy.strain, false, true},
+          {"thermal", energy.thermal, true, true},
           {"heat", energy.heat},
           {"external_work", energy.externalWork, false},
           {"damped", energy.damped},
@@ -38,7 +40,7 @@ std::vector<Entry> entries(const EnergyBalance& energy)
           {"merged", energy.merged},
           {"stabilised", energy.stabilised},
           {"combustion", energy.combustion},
-          {"residual", energy.residual(), false}};
+          {"residual", energy.residual(), false, true}};
 }
 
 } // namespace
@@ -63,16 +65,18 @@ void coreRow(State<D>& state, const std::set<std::string>& given)
 template <int D>
 void coreReport(const State<D>& state, nlohmann::json& summary)
 {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null in the summary
+  const bool known = state.sample.step > 0 || state.clock.step == 0;
   nlohmann::json& energy = summary["energy"];
   for (const Entry& entry : entries(state.energy))
-    energy[entry.column] = entry.value;
+    energy[entry.column] = known || !entry.sampled ? entry.value : unknown;
   if (canDissipate(state.materials.properties))
-    energy["plastic"] = state.energy.plastic;
+    energy["plastic"] = known ? state.energy.plastic : unknown;
   summary["cells"] = {{"largest", state.mesh.grid.spacing}, {"smallest", state.mesh.smallestSpacing()}};
   nlohmann::json& momentum = summary["momentum"];
   momentum = nlohmann::json::array();
   for (int d = 0; d < D; ++d)
-    momentum.push_back(state.sample.momentum[d]);
+    momentum.push_back(known ? state.sample.momentum[d] : unknown);
 }
 
 template void coreRow(State<2>&, const std::set<std::string>&);

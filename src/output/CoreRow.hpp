@@ -19,7 +19,8 @@ template <int D>
 void coreRow(State<D>& state, const std::set<std::string>& given);
 
 /// `energy` (every entry of the energy balance, zero where no effect contributes to it; `plastic` where a
-/// material can flow) and `momentum` of summary.json, as last measured.
+/// material can flow) and `momentum` of summary.json, as last measured. What only samples measure is not a
+/// number after steps of which none was sampled.
 template <int D>
 void coreReport(const State<D>& state, nlohmann::json& summary);
 

@@ -74,19 +74,28 @@ std::string energyBalance(const nlohmann::json& summary)
          " % of the largest of these)";
 }
 
-/// Warnings that are said in full.
-constexpr std::size_t mostWarnings = 3;
+/// Warnings that are named, and the longest name [characters].
+constexpr std::size_t mostWarnings = 3, longestName = 72;
 
-/// The first warnings, and how many there are.
-void addWarnings(const nlohmann::json& warnings, nlohmann::json& answers)
+/// The first words of a warning: its path in the scene or its crack, and what it is about.
+std::string nameOf(const std::string& warning)
 {
-  const std::size_t count = warnings.size(), said = std::min(count, mostWarnings);
-  for (std::size_t k = 0; k < said; ++k)
-    answers.push_back("warning: " + warnings[k].get<std::string>());
-  answers.push_back(count == 0   ? "no warnings"
-                    : count == 1 ? "1 warning"
-                                 : std::to_string(count) + " warnings" +
-                                       (said < count ? "; all are in summary.json" : ""));
+  const std::size_t end = warning.rfind(' ', longestName);
+  return warning.size() <= longestName || end == std::string::npos ? warning
+                                                                   : warning.substr(0, end) + " ...";
+}
+
+/// How many warnings there are, and what the first ones are about.
+std::string countOf(const nlohmann::json& warnings)
+{
+  const std::size_t count = warnings.size(), named = std::min(count, mostWarnings);
+  if (count == 0)
+    return "no warnings";
+  std::string text = std::to_string(count) + (count == 1 ? " warning (" : " warnings (");
+  for (std::size_t k = 0; k < named; ++k)
+    text += (k > 0 ? "; " : "") + nameOf(warnings[k].get<std::string>());
+  return text + (named < count ? "; and " + std::to_string(count - named) + " more" : "") +
+         "), in full above and in summary.json";
 }
 
 } // namespace
@@ -101,7 +110,7 @@ void addAnswers(nlohmann::json& summary)
     answers.push_back(answer);
   if (const std::string balance = energyBalance(summary); !balance.empty())
     answers.push_back(balance);
-  addWarnings(summary.value("warnings", nlohmann::json::array()), answers);
+  answers.push_back(countOf(summary.value("warnings", nlohmann::json::array())));
   summary["answers"] = answers;
 }
 

@@ -23,6 +23,7 @@
 
 #include <iostream>
 #include <new>
+#include <set>
 #include <sstream>
 
 namespace Rhegma::program
@@ -110,10 +111,12 @@ Teuchos::ParameterList references(const Teuchos::ParameterList& scene)
   return scene.isSublist("Reference") ? scene.sublist("Reference") : Teuchos::ParameterList();
 }
 
-void printWarnings(const nlohmann::json& summary, std::ostream& err)
+/// Prints the warnings of a summary that have not been printed yet.
+void printWarnings(const nlohmann::json& summary, std::set<std::string>& printed, std::ostream& err)
 {
   for (const auto& warning : summary.value("warnings", nlohmann::json::array()))
-    err << "rhegma: warning: " << warning.get<std::string>() << "\n";
+    if (printed.insert(warning.get<std::string>()).second)
+      err << "rhegma: warning: " << warning.get<std::string>() << "\n";
 }
 
 /// Initialises the simulation and reports errors that depend on the bodies.
@@ -142,7 +145,8 @@ EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& sce
   }
   catch (const std::invalid_argument&)
   {
-    printWarnings(summary, err); // they may say why the quantity is missing
+    std::set<std::string> none;
+    printWarnings(summary, none, err); // they may say why the quantity is missing
     throw;
   }
   return earlier;
@@ -157,14 +161,15 @@ T& keepToTheEnd(T* made)
   return *made;
 }
 
-/// Prints the warnings of a scene before its run. \return whether it may run: with --strict, if there are
-/// none
-bool mayRun(const Options& options, const nlohmann::json& summary, std::ostream& err)
+/// Prints the warnings of a scene before its run. \param printed gets them \return whether it may run: with
+/// --strict, if there are none
+bool mayRun(const Options& options, const nlohmann::json& summary, std::set<std::string>& printed,
+            std::ostream& err)
 {
   const auto warnings = summary.value("warnings", nlohmann::json::array());
   if (!options.strict || warnings.empty())
   {
-    printWarnings(summary, err);
+    printWarnings(summary, printed, err);
     return true;
   }
   for (const auto& warning : warnings)
@@ -180,7 +185,8 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   initialize(simulation, *scene, options, err);
   const double setup = processorSeconds();
   const nlohmann::json& summary = keepToTheEnd(new nlohmann::json(simulation.report(bodiesInText)));
-  if (!mayRun(options, summary, err))
+  std::set<std::string> printed;
+  if (!mayRun(options, summary, printed, err))
     return exitWrongScene;
   out << options.scene << " is a valid scene"
       << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << ": "
@@ -215,7 +221,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     out << simulation.plan();
     return exitFinished;
   }
-  if ((!options.quiet || options.strict) && !mayRun(options, simulation.report(0), err))
+  std::set<std::string> printed;
+  if ((!options.quiet || options.strict) && !mayRun(options, simulation.report(0), printed, err))
     return exitWrongScene;
   beforeFiles();
   Production production(options, *scene, simulation, earlier, out, ranks);
@@ -242,7 +249,7 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
         << "\n";
   if (!options.quiet && failure.empty())
     out << referencesAsText(summary) << std::flush;
-  printWarnings(summary, err);
+  printWarnings(summary, printed, err);
   if (!options.quiet)
     printAnswers(summary, !failure.empty(), out);
   if (!failure.empty())

@@ -179,18 +179,17 @@ private:
   void output(const ParameterList& output, const ParameterList& time)
   {
     const auto end = real(time, "Final Time");
-    const auto interval = real(output, "History Interval");
-    if (end && interval && *end / *interval > 1e7)
-      report("Output > History Interval",
-             "gives more than ten million rows; write at least " + formatReal(*end * 1e-7) + " s.");
-    const auto fields = real(output, "Field Interval");
-    if (end && fields && *end / *fields > 1e5)
-      report("Output > Field Interval",
-             "gives more than a hundred thousand outputs; write at least " + formatReal(*end * 1e-5) + " s.");
-    const auto checkpoints = real(output, "Checkpoint Interval");
-    if (end && checkpoints && *end / *checkpoints > 1e7)
-      report("Output > Checkpoint Interval",
-             "gives more than ten million checkpoints; write at least " + formatReal(*end * 1e-7) + " s.");
+    const auto check = [&](const char* name, double most, const std::string& many)
+    {
+      const auto interval = real(output, name);
+      if (end && interval && *end / *interval > most)
+        report(std::string("Output > ") + name,
+               "gives more than " + many + " up to Time > Final Time = " + formatReal(*end) +
+                   " s; write at least " + formatReal(*end / most) + " s, or an earlier end.");
+    };
+    check("History Interval", 1e7, "ten million rows");
+    check("Field Interval", 1e5, "a hundred thousand outputs");
+    check("Checkpoint Interval", 1e7, "ten million checkpoints");
   }
 
   bool m_domainKnown = false;

@@ -72,6 +72,7 @@ void measureEnergy(State<D>& state)
   }
   for (int d = 0; d < D; ++d)
     state.sample.momentum[d] = sum[Sums::momentumAt + d];
+  state.sample.step = state.clock.step;
 }
 
 template <int D>

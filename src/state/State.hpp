@@ -55,6 +55,7 @@ struct Sample
   EnergyBalance energy; ///< of all ranks
   Vector<D> momentum;   ///< of all particles [N s]
   HistoryRow row;       ///< filled by the Observe stage
+  long step = 0;        ///< at whose end it was taken; 0: before the first step
 };
 
 /// The state of a run. What belongs to one effect alone is kept by that effect.

@@ -54,6 +54,7 @@ void archiveProgress(State<D>& state, Archive& archive)
   archive("fastest", state.clock.fastestSpeed);
   archive("particle_steps", state.particles.particleSteps);
   archive("momentum", state.sample.momentum);
+  archive("sample_step", state.sample.step);
   archive("settled", state.clock.settled);
   if (state.method.analysis == Analysis::LoadFactor)
     archive("load_factor", state.clock.factor.end);

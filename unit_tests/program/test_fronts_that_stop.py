@@ -182,9 +182,26 @@ class FrontsThatStop(ProgramTest):
         self.assertRegex(summary["answers"][1], r"extension .* to .* m, mean speed .* m/s, reached the surface of its body at")
         self.assertRegex(summary["answers"][2], r"energy balance: .*not accounted for")
         warnings = summary["warnings"]
-        said = ["warning: " + warning for warning in warnings[:3]]
-        self.assertEqual(summary["answers"][3:-1], said)
-        self.assertRegex(summary["answers"][-1], rf"^{len(warnings)} warnings?\b|^no warnings$")
+        self.assertEqual(len(summary["answers"]), 4)
+        self.assertRegex(summary["answers"][-1], rf"^{len(warnings)} warnings? \(.*, in full above and in summary.json$")
+        self.assertEqual(sorted(answer.messages.splitlines()), sorted("rhegma: warning: " + warning for warning in warnings))
+
+    def test_a_warning_is_printed_once(self):
+        """At the start, or where the run finds it; the last line names what it is about."""
+        scene = pulled_apart([0.0, 0.52, 0.4, 0.52], toughness="1e7")
+        scene.set("Boundaries > Nowhere", {"Type": "Velocity", "Components": "x", "Value": [0.0, 0.0],
+                                          "Lower Corner": [-0.2, -0.2], "Upper Corner": [-0.15, -0.15]})
+        answer, _, summary, _ = self.run_scene(scene)
+        self.assertEqual(answer.status, 0, answer)
+        printed = answer.messages.splitlines()
+        self.assertEqual(sorted(printed), sorted("rhegma: warning: " + warning for warning in summary["warnings"]))
+        self.assertRegex(printed[0], "Boundaries > Nowhere")  # of the scene, at the start
+        self.assertRegex(printed[-1], "crack Notch, front 0: not initiated")  # of the run, at its end
+        last = answer.output.splitlines()[-1]
+        self.assertRegex(last, rf"^{len(printed)} warnings \(.*Boundaries > Nowhere.*, in full above and in summary.json$")
+        quiet, _, _, _ = self.run_scene(scene, "--quiet")
+        self.assertEqual(sorted(quiet.messages.splitlines()), sorted(printed))
+        self.assertEqual(quiet.output, "")
 
     def test_held_cracks_have_g_and_k_with_the_time(self):
         answer, _, summary, rows = self.run_scene(plate())

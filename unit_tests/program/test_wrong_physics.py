@@ -46,8 +46,13 @@ def draw(rng, number):
     raise AssertionError(f"no scene for {template.__name__}")
 
 
+def shortened(message, length=150):
+    """The beginning of a message, up to a word."""
+    return message if len(message) <= length else message[:message.rindex(" ", 0, length)] + " ..."
+
+
 def print_table():
-    """A row for each wrong scene: the scene, the error that was made, and what is said of it."""
+    """A row for each wrong scene: the scene, the error that was made, and the beginning of what is said of it."""
     rng = random.Random(SEED)
     print("| | scene | error | message |\n|--:|:--|:--|:--|")
     with tempfile.TemporaryDirectory() as folder:
@@ -57,7 +62,8 @@ def print_table():
             with open(path, "w") as text:
                 text.write(scene.text())
             answer = rhegma(path, "--check", "--quiet")
-            said = next((m for m in messages_of(answer) if re.search(place, m)), "nothing").replace("|", "\\|")
+            said = next((m for m in messages_of(answer) if re.search(place, m)), "nothing")
+            said = shortened(said).replace("|", "\\|")
             print(f"| {number + 1} | {os.path.relpath(scene.path, os.path.join(SOURCE, 'xml_inputs'))[:-4]} | {template.__doc__} "
                   f"| {said} |")
 

@@ -53,6 +53,30 @@ TEST(Simulation, EndsAfterTheMaximumOfSteps)
   EXPECT_EQ(simulation.steps(), 7);
 }
 
+/// What no sample has measured is not a number in the report; what every step records is one.
+TEST(Simulation, ReportsNoNumberThatItHasNotMeasured)
+{
+  for (const bool sampled : {false, true})
+  {
+    Simulation simulation = example("dcb.xml", {});
+    const nlohmann::json before = simulation.report();
+    EXPECT_EQ(before["energy"]["strain"].get<double>(), 0.0); // at the start
+    if (sampled)
+      simulation.sampleEvery(1.0, [](double, const Simulation::Row&) {});
+    simulation.advance(2.0e-5);
+    const nlohmann::json report = simulation.report();
+    for (const char* name : {"kinetic", "strain", "residual"})
+      EXPECT_EQ(std::isfinite(report["energy"][name].get<double>()), sampled) << name;
+    EXPECT_EQ(std::isfinite(report["momentum"][0].get<double>()), sampled);
+    EXPECT_GT(report["energy"]["external_work"].get<double>(), 0.0);
+    const nlohmann::json& front = report["cracks"][0]["fronts"][0];
+    EXPECT_EQ(std::isfinite(front["G_J"].get<double>()), sampled);
+    ASSERT_FALSE(report["boundaries"].empty());
+    for (const auto& boundary : report["boundaries"])
+      EXPECT_EQ(std::isfinite(boundary["force"][0].get<double>()), sampled) << boundary["name"];
+  }
+}
+
 /// Tolerances that any sample meets: settled after two samples. The run ends there only if the scene requests
 /// it.
 TEST(Simulation, EndsAtRestWhereTheSceneSaysSo)
