@@ -66,6 +66,10 @@ Section crackSection()
                "Broken Cell: shape functions truncated by visibility. Corrected Broken Cell: the same, made "
                "linearly complete by extrapolation.");
   s.provide(capability::cracks);
+  s.refuse(
+      {when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}),
+       when::is("Domain", "Shear Strain", {"At Cell Centres"})},
+      "shear strain at cell centres is available for dual fields only; write Dual Field or At Particles");
   s.refuse({when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}), when::equilibrium()},
            "equilibrium is verified with the dual field only; write Dual Field");
   s.boolean("Front Springs")
