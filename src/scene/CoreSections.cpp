@@ -54,8 +54,9 @@ Section domain()
       .meaning(
           "Where the velocity gradient is taken that gives the shear strain of a particle and the nodal "
           "force of its shear stress. At Particles: as normal strains. At Cell Centres: constant in each "
-          "cell, which takes away the excess stiffness of few cells in bending. For beams and plates "
-          "along the cells; those at more than 10 degrees to them become too soft (docs/verification.md).");
+          "cell, which takes away the excess stiffness of few cells in bending; use it with 3 particles "
+          "along a cell's edge. For beams and plates along the cells: at more than 20 degrees to them they "
+          "become too soft (docs/verification.md).");
   return s;
 }
 
