@@ -38,10 +38,14 @@ const std::vector<Case>& allCases()
 {
   static const std::vector<Case> cases = {
       {"2d-linear", 2, false, false, 288.0, 5.0, ""},
+      {"2d-linear-shear-at-centres", 2, false, false, 288.0, 5.0, "2d-linear", true},
       {"2d-gimp", 2, true, false, 288.0, 7.5, ""},
       {"2d-gimp-crack-elsewhere", 2, true, true, 288.0, 7.5, "2d-gimp"},
+      {"2d-gimp-shear-at-centres", 2, true, false, 288.0, 7.5, "2d-gimp", true},
       {"3d-linear", 3, false, false, 472.0, 5.0, ""},
+      {"3d-linear-shear-at-centres", 3, false, false, 472.0, 5.0, "3d-linear", true},
       {"3d-gimp", 3, true, false, 472.0, 10.0, ""},
+      {"3d-gimp-shear-at-centres", 3, true, false, 472.0, 10.0, "3d-gimp", true},
   };
   return cases;
 }
@@ -73,6 +77,7 @@ Teuchos::RCP<Teuchos::ParameterList> makeScene(const Case& which, int particles,
   domain.set("Upper Corner", domainUpper);
   domain.set("Cell Size", cell);
   domain.set("Shape Functions", std::string(which.gimp ? "GIMP" : "Linear"));
+  domain.set("Shear Strain", std::string(which.centres ? "At Cell Centres" : "At Particles"));
   scene->sublist("Time").set("Final Time", 1.0);
   Teuchos::ParameterList& material = scene->sublist("Materials").sublist("Polymer");
   material.set("Model", std::string("Linear Elastic"));

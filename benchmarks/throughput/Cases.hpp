@@ -19,7 +19,8 @@ struct Case
   bool crack;            ///< a short crack in a corner of the body, far from nearly all particles
   double boundBytes;     ///< that a particle-step has to move
   double allowed;        ///< multiple of the bandwidth bound on two threads
-  std::string compareTo; ///< the same body without the crack; empty without one
+  std::string compareTo; ///< the case without the crack or with shear strain at particles; empty without one
+  bool centres = false;  ///< shear strain at the cells' centres
 };
 
 /// All cases. The bound is the time that 288 bytes (2D) or 472 bytes (3D) take at the bandwidth of the triad:

@@ -54,6 +54,17 @@ void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& e
     }
 }
 
+/// What is available for dual fields only.
+void refuseOtherFormulations(Section& s)
+{
+  s.refuse(
+      {when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}),
+       when::is("Domain", "Shear Strain", {"At Cell Centres"})},
+      "shear strain at cell centres is available for dual fields only; write Dual Field or At Particles");
+  s.refuse({when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}), when::equilibrium()},
+           "equilibrium is verified with the dual field only; write Dual Field");
+}
+
 } // namespace
 
 Section crackSection()
@@ -66,8 +77,7 @@ Section crackSection()
                "Broken Cell: shape functions truncated by visibility. Corrected Broken Cell: the same, made "
                "linearly complete by extrapolation.");
   s.provide(capability::cracks);
-  s.refuse({when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}), when::equilibrium()},
-           "equilibrium is verified with the dual field only; write Dual Field");
+  refuseOtherFormulations(s);
   s.boolean("Front Springs")
       .formerly("Front Ties")
       .byDefault(true)

@@ -220,7 +220,8 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
           const int across = pieces.within(x, reach) ? pieces.across(points.side(r)) : -1;
           if (across < 0)
             return;
-          double seen = 0.0, all = 0.0, slope[2] = {0.0, 0.0};
+          double seen = 0.0, all = 0.0, slope[2] = {0.0, 0.0}, gradient[4] = {0.0, 0.0, 0.0, 0.0};
+          const int gradients = table.hasGradients() ? 4 : 0;
           int left = 0;
           const auto hidden = [&](int k)
           {
@@ -239,6 +240,8 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
             seen += table.weight(r, k);
             for (int d = 0; d < 2; ++d)
               slope[d] += table.slope(r, k, d);
+            for (int c = 0; c < gradients; ++c)
+              gradient[c] += table.gradient(r, k, c);
           }
           if (left == table.count(r) || !(seen > leastSeen * all))
             return;
@@ -250,6 +253,8 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
             const double weight = table.weight(r, k) / seen;
             for (int d = 0; d < 2; ++d)
               table.slope(r, kept, d) = (table.slope(r, k, d) - weight * slope[d]) / seen * all;
+            for (int c = 0; c < gradients; ++c)
+              table.gradient(r, kept, c) = (table.gradient(r, k, c) - weight * gradient[c]) / seen * all;
             table.node(r, kept) = table.node(r, k);
             table.weight(r, kept) = weight * all;
             ++kept;

@@ -45,7 +45,7 @@ std::map<int, SideForces> nodeForces(const std::vector<ParticleAroundTip>& parti
       const int s = p.side > 0 ? 1 : 0;
       f.touched[s] = true;
       for (int d = 0; d < 2; ++d)
-        f.of[s][d] += p.force[d][0] * p.slope[k][0] + p.force[d][1] * p.slope[k][1];
+        f.of[s][d] += p.force[d][0] * p.slope[k][d][0] + p.force[d][1] * p.slope[k][d][1];
     }
   std::map<int, SideForces> forces;
   for (std::size_t n = 0; n < table.size(); ++n)

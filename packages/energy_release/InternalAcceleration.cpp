@@ -30,14 +30,15 @@ struct ForceBlock
         x[d] = position(p, d);
       if (!range.holds(x))
         continue;
-      connect.visit(p,
-                    [&](int node, double fraction, const double* slope)
-                    {
-                      force(node, D) += fraction * mass(p);
-                      for (int i = 0; i < D; ++i)
-                        for (int j = 0; j < D; ++j)
-                          force(node, i) -= volume(p) * stress(p, symmetricIndex<D>(i, j)) * slope[j];
-                    });
+      connect.visitStraining(p,
+                             [&](int node, double fraction, const typename Connect::Slopes& slopes)
+                             {
+                               force(node, D) += fraction * mass(p);
+                               for (int i = 0; i < D; ++i)
+                                 for (int j = 0; j < D; ++j)
+                                   force(node, i) -=
+                                       volume(p) * stress(p, symmetricIndex<D>(i, j)) * slopes(i, j);
+                             });
     }
   }
 };
@@ -83,20 +84,20 @@ void accelerate(const State<D>& state, const Range& range, NodalAcceleration<D>&
     Kokkos::deep_copy(force, 0.0);
   if (state.clock.step == 0 || force.extent(0) == 0) // nodes have no mass before the first step
     return;
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     using Connect = std::decay_t<decltype(connect)>;
-                     const ForceBlock<D, Range, Connect> block{
-                         connect,
-                         range,
-                         force,
-                         state.particles.template real<D>(fields::position),
-                         state.particles.scalar(fields::mass),
-                         state.particles.scalar(fields::volume),
-                         state.particles.template real<symmetricSize<D>>(fields::stress)};
-                     forEachBlock("rhegma::internalForce", state.mesh.blocks, block);
-                   });
+  withStraining(state,
+                [&](const auto& connect)
+                {
+                  using Connect = std::decay_t<decltype(connect)>;
+                  const ForceBlock<D, Range, Connect> block{
+                      connect,
+                      range,
+                      force,
+                      state.particles.template real<D>(fields::position),
+                      state.particles.scalar(fields::mass),
+                      state.particles.scalar(fields::volume),
+                      state.particles.template real<symmetricSize<D>>(fields::stress)};
+                  forEachBlock("rhegma::internalForce", state.mesh.blocks, block);
+                });
   // In 3D their work belongs to the integrals, as the work of all loads does.
   if (D == 2 && state.cracks.addTractions)
     state.cracks.addTractions(state, force);

@@ -69,7 +69,7 @@ StencilTable<2> patchStencils(const State<2>& state, const View<int*>& list)
 {
   const int n = static_cast<int>(list.extent(0));
   StencilTable<2> table;
-  table.reserve(n);
+  table.reserve(n, state.method.shear == ShearStrain::AtCellCentres);
   const TreeStencils<2, S> stencils(state.mesh.grid, state.mesh.tree, table);
   const auto position = state.particles.real<2>(fields::position);
   BorrowedView<double* [2]> box;
@@ -106,7 +106,7 @@ std::vector<int> namedSides(const State<2>& state, const View<int*>& list)
 }
 
 /// Numbers of a particle that ranks exchange.
-constexpr int reportedWidth = 13 + 4 * ParticleAroundTip::capacity;
+constexpr int reportedWidth = 13 + 6 * ParticleAroundTip::capacity;
 
 void report(const ParticleAroundTip& p, std::vector<double>& numbers)
 {
@@ -116,8 +116,9 @@ void report(const ParticleAroundTip& p, std::vector<double>& numbers)
   for (int k = 0; k < ParticleAroundTip::capacity; ++k)
   {
     const bool has = k < p.count;
-    numbers.insert(numbers.end(), {has ? double(p.node[k]) : 0.0, has ? p.weight[k] : 0.0,
-                                   has ? p.slope[k][0] : 0.0, has ? p.slope[k][1] : 0.0});
+    numbers.insert(numbers.end(), {has ? double(p.node[k]) : 0.0, has ? p.weight[k] : 0.0});
+    for (int c = 0; c < 4; ++c)
+      numbers.push_back(has ? p.slope[k][c / 2][c % 2] : 0.0);
   }
 }
 
@@ -135,10 +136,11 @@ ParticleAroundTip hear(const double* at)
   p.count = static_cast<int>(at[12]);
   for (int k = 0; k < p.count; ++k)
   {
-    const double* const of = at + 13 + 4 * k;
+    const double* const of = at + 13 + 6 * k;
     p.node[k] = static_cast<int>(of[0]);
     p.weight[k] = of[1];
-    p.slope[k] = {{of[2], of[3]}};
+    for (int c = 0; c < 4; ++c)
+      p.slope[k][c / 2][c % 2] = of[2 + c];
   }
   return p;
 }
@@ -171,6 +173,7 @@ std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const Crac
   const auto node = onHost(table.node);
   const auto weight = onHost(table.weight);
   const auto slope = onHost(table.slope);
+  const auto gradient = onHost(table.gradient); // empty where all components have the same slopes
   const std::vector<int> named = namedSides(state, list);
   const CrackSide line(state.cracks, front);
   const WholeNodes whole(state);
@@ -203,7 +206,10 @@ std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const Crac
       {
         p.node[p.count] = whole(node(i, k));
         p.weight[p.count] = weight(i, k);
-        p.slope[p.count++] = {{slope(i, k, 0), slope(i, k, 1)}};
+        for (int d = 0; d < 2; ++d)
+          for (int e = 0; e < 2; ++e)
+            p.slope[p.count][d][e] = table.hasGradients() ? gradient(i, k, 2 * e + d) : slope(i, k, e);
+        ++p.count;
       }
   }
   return state.mesh.subdomain ? ofAllRanks(state.ranks, particles) : particles;

@@ -22,7 +22,7 @@ struct ParticleAroundTip
   int count;
   int node[capacity];
   double weight[capacity];
-  Vector<2> slope[capacity];
+  double slope[capacity][2][2]; ///< of component d of a displacement along axis e [1/m]
 };
 
 /// Particles within `radius` of a front, on the host: on every rank those of all. Their nodes have the

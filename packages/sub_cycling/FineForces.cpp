@@ -2,6 +2,7 @@
 
 #include "state/Subdomain.hpp"
 #include "sub_cycling/TrialStress.hpp"
+#include "transfer/Connectivity.hpp"
 
 namespace Rhegma::sub_cycling
 {
@@ -136,13 +137,13 @@ void FineParticles<D>::startVelocity(const State<D>& state, const Values& veloci
 }
 
 template <int D>
-template <class Trial>
+template <ShearStrain H, class Trial>
 void FineParticles<D>::sumForces(const State<D>& state, int level, const Values& displacement,
                                  const Trial& trial)
 {
   const View<int*> count = count_, particle = particle_;
   const View<int**> slot = slot_;
-  const View<double** [D]> slope = slope_;
+  const View<double***> slope = slope_;
   const auto volume = state.particles.scalar(fields::volume);
   sumInParts(
       "rhegma::subcycling::force", particlesFrom_[level + 1], particlesFrom_[level],
@@ -150,9 +151,12 @@ void FineParticles<D>::sumForces(const State<D>& state, int level, const Values&
         const int p = particle(i);
         double gradient[D][D] = {};
         for (int k = 0; k < count(i); ++k)
+        {
+          const ComponentSlopes<D, H> slopes{&slope(i, k, 0)};
           for (int a = 0; a < D; ++a)
             for (int b = 0; b < D; ++b)
-              gradient[a][b] += slope(i, k, b) * displacement(slot(i, k), a);
+              gradient[a][b] += slopes(a, b) * displacement(slot(i, k), a);
+        }
         double tau[symmetricSize<D>], back[D][D];
         trial(p, gradient, tau);
         inverseOfMotion<D>(gradient, back);
@@ -165,9 +169,12 @@ void FineParticles<D>::sumForces(const State<D>& state, int level, const Values&
               flux[a][c] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
           }
         for (int k = 0; k < count(i); ++k)
+        {
+          const ComponentSlopes<D, H> slopes{&slope(i, k, 0)};
           for (int a = 0; a < D; ++a)
             for (int c = 0; c < D; ++c)
-              sums[slot(i, k) * D + a] += flux[a][c] * slope(i, k, c);
+              sums[slot(i, k) * D + a] += flux[a][c] * slopes(a, c);
+        }
       });
 }
 
@@ -175,10 +182,17 @@ template <int D>
 void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement, double duration,
                              const Values& force)
 {
+  const auto sumWith = [&](const auto& trial)
+  {
+    if (state.method.shear == ShearStrain::AtCellCentres)
+      sumForces<ShearStrain::AtCellCentres>(state, level, displacement, trial);
+    else
+      sumForces<ShearStrain::AtParticles>(state, level, displacement, trial);
+  };
   if (state.materials.thermo.empty())
-    sumForces(state, level, displacement, LawStress<D>(state, duration));
+    sumWith(LawStress<D>(state, duration));
   else
-    sumForces(state, level, displacement, HeatedStress<D>(state, duration));
+    sumWith(HeatedStress<D>(state, duration));
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
   Kokkos::parallel_for(

@@ -29,16 +29,16 @@ KOKKOS_INLINE_FUNCTION bool isTouched(double weight) { return weight > noWeight 
 KOKKOS_INLINE_FUNCTION double codeOf(int own) { return static_cast<double>(1LL << 7 * own); }
 static_assert(7 * deepestLevel < 63);
 
-/// Calls visit(node, weight, slope) for each node that a particle touches.
+/// Calls visit(node, weight, slopes) for each node that a particle touches.
 template <class Connect, class Visit>
 KOKKOS_INLINE_FUNCTION void visitTouched(const Connect& connect, int p, const Visit& visit)
 {
-  connect.visit(p,
-                [&](int node, double weight, const double* slope)
-                {
-                  if (isTouched(weight))
-                    visit(node, weight, slope);
-                });
+  connect.visitStraining(p,
+                         [&](int node, double weight, const typename Connect::Slopes& slopes)
+                         {
+                           if (isTouched(weight))
+                             visit(node, weight, slopes);
+                         });
 }
 
 // Kernels over particles and the nodes that they touch; functions of their own, as compilers for devices want
@@ -53,7 +53,7 @@ void classifyParticles(const Connect& connect, int count, const View<int*>& cand
       "rhegma::subcycling::classifyParticles", Range(0, count), KOKKOS_LAMBDA(const int i) {
         int deepest = 0;
         visitTouched(connect, candidate(i),
-                     [&](int node, double, const double*)
+                     [&](int node, double, const auto&)
                      { deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest; });
         classOf(i) = deepest;
       });
@@ -67,7 +67,7 @@ void classifyNodesOf(const Connect& connect, int begin, int end, const View<int*
   Kokkos::parallel_for(
       "rhegma::subcycling::markNodes", Range(begin, end), KOKKOS_LAMBDA(const int i) {
         visitTouched(connect, particle(i),
-                     [&](int node, double, const double*)
+                     [&](int node, double, const auto&)
                      {
                        if (!onlyNew || nodeClass(node) < 0)
                          nodeClass(node) = own;
@@ -86,7 +86,7 @@ void findNeighbours(const Connect& connect, int count, int first, const View<int
           return;
         bool touches = false;
         visitTouched(connect, candidate(i),
-                     [&](int node, double, const double*) { touches = touches || slotOf(node) >= 0; });
+                     [&](int node, double, const auto&) { touches = touches || slotOf(node) >= 0; });
         classOf(i) = touches ? 0 : -1;
       });
 }
@@ -98,7 +98,7 @@ struct Packed
   View<int*> count, reach;
   View<int**> slot;
   View<double**> weight;
-  View<double** [D]> slope;
+  View<double***> slope;
 };
 
 template <int D, class Connect>
@@ -109,13 +109,13 @@ void pack(const Connect& connect, int number, const View<int*>& particle, const 
       "rhegma::subcycling::packStencils", Range(0, number), KOKKOS_LAMBDA(const int i) {
         int k = 0, deepest = 0;
         visitTouched(connect, particle(i),
-                     [&](int node, double w, const double* gradient)
+                     [&](int node, double w, const typename Connect::Slopes& slopes)
                      {
                        to.slot(i, k) = slotOf(node);
                        deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest;
                        to.weight(i, k) = w;
-                       for (int d = 0; d < D; ++d)
-                         to.slope(i, k, d) = gradient[d];
+                       for (int c = 0; c < slopes.size; ++c)
+                         to.slope(i, k, c) = slopes.of[c];
                        ++k;
                      });
         to.count(i) = k;
@@ -318,11 +318,12 @@ void FineParticles<D>::packStencils(const State<D>& state)
     reach_ = View<int*>("rhegma::subcycling::reach", rows);
     slot_ = View<int**>("rhegma::subcycling::slots", rows, stencilCapacity<D>);
     weight_ = View<double**>("rhegma::subcycling::weights", rows, stencilCapacity<D>);
-    slope_ = View<double** [D]>("rhegma::subcycling::slopes", rows, stencilCapacity<D>);
+    const int slopes = state.method.shear == ShearStrain::AtCellCentres ? D * D : D;
+    slope_ = View<double***>("rhegma::subcycling::slopes", rows, stencilCapacity<D>, slopes);
   }
   const Packed<D> to{count_, reach_, slot_, weight_, slope_};
-  withConnectivity(state, [&](const auto& connect)
-                   { pack<D>(connect, numListed_, particle_, slotOf_, nodeClass_, to); });
+  withStraining(state, [&](const auto& connect)
+                { pack<D>(connect, numListed_, particle_, slotOf_, nodeClass_, to); });
 }
 
 template <int D>

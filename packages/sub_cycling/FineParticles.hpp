@@ -115,8 +115,9 @@ public:
   void packStencils(const State<D>& state);
   void holdNodes(const State<D>& state);
   void weighNodes(const State<D>& state);
-  /// Forces of one class in parts. \param trial tau of a particle after a displacement gradient
-  template <class Trial>
+  /// Forces of one class in parts, with the slopes of the scene's ShearStrain H. \param trial tau of a
+  /// particle after a displacement gradient
+  template <ShearStrain H, class Trial>
   void sumForces(const State<D>& state, int level, const Values& displacement, const Trial& trial);
   /// Zeroes the parts and runs add(particle, sums of its part) for particles begin .. end - 1.
   template <class Add>
@@ -139,8 +140,8 @@ private:
   View<int*> count_;            ///< nodes of each of the particles
   View<int**> slot_;            ///< of the nodes of each particle
   View<double**> weight_;
-  View<double** [D]> slope_;
-  View<double*> mass_; ///< of every slot [kg]
+  View<double***> slope_; ///< of each node of each particle, as ComponentSlopes has them
+  View<double*> mass_;    ///< of every slot [kg]
   View<int* [D]> held_;
   View<double* [D]> heldVelocity_;
   Values before_; ///< velocity at the start of the step before supports hold [m/s]

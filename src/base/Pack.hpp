@@ -35,12 +35,20 @@ struct Pack
   KOKKOS_FORCEINLINE_FUNCTION void store(double* to) const { *reinterpret_cast<Unaligned*>(to) = c; }
   /// Adds s a.
   KOKKOS_FORCEINLINE_FUNCTION void add(double s, const Pack& a) { c += s * a.c; }
+  /// Adds s a, number by number.
+  KOKKOS_FORCEINLINE_FUNCTION void add(const Pack& s, const Pack& a) { c += s.c * a.c; }
 };
 
 template <int W>
 KOKKOS_FORCEINLINE_FUNCTION Pack<W> operator*(double s, const Pack<W>& a)
 {
   return {s * a.c};
+}
+
+template <int W>
+KOKKOS_FORCEINLINE_FUNCTION Pack<W> operator*(const Pack<W>& s, const Pack<W>& a)
+{
+  return {s.c * a.c};
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Pack<2> pack(double a, double b) { return {Pack<2>::Vector{a, b}}; }
@@ -77,10 +85,24 @@ struct Pack
     for (int k = 0; k < W; ++k)
       c[k] += s * a.c[k];
   }
+  /// Adds s a, number by number.
+  KOKKOS_FORCEINLINE_FUNCTION void add(const Pack& s, const Pack& a)
+  {
+    for (int k = 0; k < W; ++k)
+      c[k] += s.c[k] * a.c[k];
+  }
 };
 
 template <int W>
 KOKKOS_FORCEINLINE_FUNCTION Pack<W> operator*(double s, const Pack<W>& a)
+{
+  Pack<W> r = Pack<W>::zero();
+  r.add(s, a);
+  return r;
+}
+
+template <int W>
+KOKKOS_FORCEINLINE_FUNCTION Pack<W> operator*(const Pack<W>& s, const Pack<W>& a)
 {
   Pack<W> r = Pack<W>::zero();
   r.add(s, a);

@@ -14,12 +14,15 @@ template <int D>
 constexpr int mostNodes = stencilCapacity<D> < 27 ? 27 : stencilCapacity<D>;
 
 /// The rows of a particle's nodes, and the slopes of their functions [1/m].
-template <int D>
+template <int D, class Slopes>
 struct RowsOfParticle
 {
   int count = 0;
   int row[mostNodes<D>];
-  double slope[mostNodes<D>][D];
+  double slope[mostNodes<D>][Slopes::size];
+
+  /// Of node a.
+  KOKKOS_FORCEINLINE_FUNCTION Slopes slopes(int a) const { return {slope[a]}; }
 };
 
 template <int D>
@@ -69,27 +72,26 @@ struct ParticleData
 
   /// \param G becomes the gradient of the displacement
   template <class Connect>
-  KOKKOS_INLINE_FUNCTION void see(const Connect& connect, int p, RowsOfParticle<D>& rows,
-                                  double (&G)[D * D]) const
+  KOKKOS_INLINE_FUNCTION void see(const Connect& connect, int p,
+                                  RowsOfParticle<D, typename Connect::Slopes>& rows, double (&G)[D * D]) const
   {
     for (double& g : G)
       g = 0.0;
     rows.count = 0;
-    connect.visit(p,
-                  [&](int node, double weight, const double* slope)
-                  {
-                    if (weight < leastWeight)
-                      return;
-                    const int row = rowOf(node);
-                    rows.row[rows.count] = row;
-                    for (int i = 0; i < D; ++i)
-                    {
-                      rows.slope[rows.count][i] = slope[i];
-                      for (int j = 0; j < D; ++j)
-                        G[i * D + j] += displacement(D * row + i) * slope[j];
-                    }
-                    ++rows.count;
-                  });
+    connect.visitStraining(p,
+                           [&](int node, double weight, const typename Connect::Slopes& slopes)
+                           {
+                             if (weight < leastWeight)
+                               return;
+                             const int row = rowOf(node);
+                             rows.row[rows.count] = row;
+                             for (int k = 0; k < slopes.size; ++k)
+                               rows.slope[rows.count][k] = slopes.of[k];
+                             for (int i = 0; i < D; ++i)
+                               for (int j = 0; j < D; ++j)
+                                 G[i * D + j] += displacement(D * row + i) * slopes(i, j);
+                             ++rows.count;
+                           });
   }
 };
 
@@ -104,7 +106,7 @@ struct ForceBlock
   {
     for (int p = begin; p < end; ++p)
     {
-      RowsOfParticle<D> rows;
+      RowsOfParticle<D, typename Connect::Slopes> rows;
       double G[D * D], P[D * D];
       data.see(connect, p, rows, G);
       if (!trialStress<D>(data.before(p), G, P))
@@ -117,7 +119,7 @@ struct ForceBlock
         {
           double f = 0.0;
           for (int j = 0; j < D; ++j)
-            f += P[i * D + j] * rows.slope[a][j];
+            f += P[i * D + j] * rows.slopes(a)(i, j);
           force(D * rows.row[a] + i) -= data.volume(p) * f;
         }
     }
@@ -136,7 +138,7 @@ struct StiffnessBlock
   {
     for (int p = begin; p < end; ++p)
     {
-      RowsOfParticle<D> rows;
+      RowsOfParticle<D, typename Connect::Slopes> rows;
       double G[D * D], A[D * D][D * D];
       data.see(connect, p, rows, G);
       if (!trialTangent<D>(data.before(p), G, A))
@@ -149,8 +151,8 @@ struct StiffnessBlock
     }
   }
 
-  KOKKOS_INLINE_FUNCTION void addColumn(const RowsOfParticle<D>& rows, int b, double volume,
-                                        const double (&A)[D * D][D * D]) const
+  KOKKOS_INLINE_FUNCTION void addColumn(const RowsOfParticle<D, typename Connect::Slopes>& rows, int b,
+                                        double volume, const double (&A)[D * D][D * D]) const
   {
     double M[D * D][D]; // V0 A . slope of b, of (i, j) and k
     for (int r = 0; r < D * D; ++r)
@@ -158,7 +160,7 @@ struct StiffnessBlock
       {
         M[r][k] = 0.0;
         for (int l = 0; l < D; ++l)
-          M[r][k] += volume * A[r][k * D + l] * rows.slope[b][l];
+          M[r][k] += volume * A[r][k * D + l] * rows.slopes(b)(k, l);
       }
     for (int a = 0; a < rows.count; ++a)
     {
@@ -168,7 +170,7 @@ struct StiffnessBlock
         {
           double sum = 0.0;
           for (int j = 0; j < D; ++j)
-            sum += rows.slope[a][j] * M[i * D + j][k];
+            sum += rows.slopes(a)(i, j) * M[i * D + j][k];
           block[i * D + k] += sum;
         }
     }
@@ -182,13 +184,13 @@ bool subtractInternalForce(const State<D>& state, const RowGraph& graph, const V
                            const Values& force)
 {
   const ParticleData<D> data(state, graph, displacement);
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     using Connect = std::decay_t<decltype(connect)>;
-                     forEachBlock("rhegma::equilibrium::force", state.mesh.blocks,
-                                  ForceBlock<D, Connect>{connect, data, force});
-                   });
+  withStraining(state,
+                [&](const auto& connect)
+                {
+                  using Connect = std::decay_t<decltype(connect)>;
+                  forEachBlock("rhegma::equilibrium::force", state.mesh.blocks,
+                               ForceBlock<D, Connect>{connect, data, force});
+                });
   return onHost(data.bad)() == 0;
 }
 
@@ -197,13 +199,13 @@ bool addStiffness(const State<D>& state, const RowGraph& graph, const Values& di
                   const StiffnessBlocks& stiffness)
 {
   const ParticleData<D> data(state, graph, displacement);
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     using Connect = std::decay_t<decltype(connect)>;
-                     forEachBlock("rhegma::equilibrium::stiffness", state.mesh.blocks,
-                                  StiffnessBlock<D, Connect>{connect, data, graph, stiffness});
-                   });
+  withStraining(state,
+                [&](const auto& connect)
+                {
+                  using Connect = std::decay_t<decltype(connect)>;
+                  forEachBlock("rhegma::equilibrium::stiffness", state.mesh.blocks,
+                               StiffnessBlock<D, Connect>{connect, data, graph, stiffness});
+                });
   return onHost(data.bad)() == 0;
 }
 

@@ -12,6 +12,14 @@ enum class ShapeKind
   Gimp
 };
 
+/// Where the gradients are taken that give the shear strain of a particle and the nodal force of its shear
+/// stress.
+enum class ShearStrain
+{
+  AtParticles,  ///< where normal strains are
+  AtCellCentres ///< at the centre of the cell in the direction of the displacement's component
+};
+
 /// Nodes that a particle touches along one axis.
 template <ShapeKind S>
 constexpr int nodesPerAxis = S == ShapeKind::Linear ? 2 : 3;
@@ -54,6 +62,15 @@ KOKKOS_INLINE_FUNCTION AxisStencil<3> gimpStencil(double at, double half)
   return {cell,
           {rest * (1.0 - middle), rest * middle + fraction * (1.0 - beyond), fraction * beyond},
           {-rest, rest - fraction, fraction}};
+}
+
+/// Value of the function of node k of an axis at the centre of the cell, averaged over the cells that the
+/// point or box touches: half of the fraction of it that lies in the cells next to the node, which the slopes
+/// give. \param first, last slopes of the first and the last of the N nodes [1/cell]
+template <int N>
+KOKKOS_FORCEINLINE_FUNCTION double centreWeight(double first, double last, int k)
+{
+  return k == 0 ? -0.5 * first : k == N - 1 ? 0.5 * last : 0.5;
 }
 
 /// The stencil of kind S.

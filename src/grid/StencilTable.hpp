@@ -20,21 +20,51 @@ struct StencilTable
   View<int * [stencilCapacity<D>]> node;
   View<double * [stencilCapacity<D>]> weight;
   View<double * [stencilCapacity<D>][D]> slope;
+  /// Slope along axis j for component i of a displacement at D j + i [1/m]; empty unless they differ between
+  /// components (ShearStrain).
+  View<double * [stencilCapacity<D>][D * D]> gradient;
 
+  KOKKOS_INLINE_FUNCTION bool hasGradients() const { return gradient.extent(0) > 0; }
   int size() const { return static_cast<int>(count.extent(0)); }
 
-  /// Allocates at least this many rows; values are lost when the table grows.
-  void reserve(int rows)
+  /// Allocates at least this many rows; values are lost when the table grows. \param gradients whether slopes
+  /// differ between components
+  void reserve(int rows, bool gradients = false)
   {
-    if (size() >= rows)
+    if (size() >= rows && (hasGradients() || !gradients))
       return;
     const int capacity = rows + rows / 4 + 16;
     count = View<int*>("rhegma::stencilCount", capacity);
     node = View<int * [stencilCapacity<D>]>("rhegma::stencilNode", capacity);
     weight = View<double * [stencilCapacity<D>]>("rhegma::stencilWeight", capacity);
     slope = View<double * [stencilCapacity<D>][D]>("rhegma::stencilSlope", capacity);
+    if (gradients)
+      gradient = View<double * [stencilCapacity<D>][D * D]>("rhegma::stencilGradient", capacity);
   }
 };
+
+/// Slopes of one node along axis j for component i of a displacement: a product over the axes, of the slope
+/// along j, the value at the centre of the cell along i, if i is another axis, and the values where the
+/// point is along the rest. So the shear strain of a cell is constant in its plane: a cell that bends, whose
+/// shear strain at its centre is zero, has none. Source: Doherty, Wilson and Taylor, Stress analysis of
+/// axisymmetric solids utilizing higher-order quadrilateral finite elements, report 69-3, University of
+/// California, Berkeley (1969). \param k number of the node along each axis \param inverse of the cell [1/m]
+/// \param gradient out: D j + i [1/m]
+template <int D, int N>
+KOKKOS_INLINE_FUNCTION void componentSlopes(const AxisStencil<N> (&axis)[D], const int (&k)[D],
+                                            double inverse, double* gradient)
+{
+  for (int j = 0; j < D; ++j)
+    for (int i = 0; i < D; ++i)
+    {
+      double g = inverse;
+      for (int d = 0; d < D; ++d)
+        g *= d == j   ? axis[d].slope[k[d]]
+             : d == i ? centreWeight<N>(axis[d].slope[0], axis[d].slope[N - 1], k[d])
+                      : axis[d].weight[k[d]];
+      gradient[D * j + i] = g;
+    }
+}
 
 /// Writes the unbroken stencil of a point or of a box into a row. \param half half widths of the box [m]
 template <int D, ShapeKind S>
@@ -49,7 +79,9 @@ KOKKOS_INLINE_FUNCTION void writeStencil(const Grid<D>& grid, const StencilTable
   const int all = D == 2 ? N * N : N * N * N;
   for (int e = 0; e < all; ++e)
   {
-    int k[3] = {e % N, (e / N) % N, e / (N * N)};
+    int k[D];
+    for (int d = 0, rest = e; d < D; ++d, rest /= N)
+      k[d] = rest % N;
     double w = 1.0;
     int n = 0;
     for (int d = 0; d < D; ++d)
@@ -66,6 +98,8 @@ KOKKOS_INLINE_FUNCTION void writeStencil(const Grid<D>& grid, const StencilTable
         g *= o == d ? 1.0 : axis[o].weight[k[o]];
       table.slope(row, entries, d) = g;
     }
+    if (table.hasGradients())
+      componentSlopes<D, N>(axis, k, grid.inverse, &table.gradient(row, entries, 0));
     ++entries;
   }
   table.count(row) = entries;

@@ -2,6 +2,7 @@
 /// Refined cells: a tree in each refined cell of the lattice.
 
 #include "grid/Grid.hpp"
+#include "grid/StencilTable.hpp"
 
 #include <string>
 
@@ -191,6 +192,27 @@ struct TreeSight
   template <class Add>
   KOKKOS_INLINE_FUNCTION void forEachNode(const Vector<D>& x, const Vector<D>& half, const Add& add) const
   {
+    forEachOverlap(x, half,
+                   [&](const Leaf& leaf, double fraction, const double(&at)[D])
+                   { addCorners(leaf, fraction, at, add); });
+  }
+
+  /// Calls add(node, gradient) with slopes that differ between the components of a displacement, as
+  /// componentSlopes() has them; a node may come several times.
+  template <class Add>
+  KOKKOS_INLINE_FUNCTION void forEachGradient(const Vector<D>& x, const Vector<D>& half, const Add& add) const
+  {
+    forEachOverlap(x, half,
+                   [&](const Leaf& leaf, double fraction, const double(&at)[D])
+                   { addGradients(leaf, fraction, at, add); });
+  }
+
+  /// Calls visit(leaf, fraction, at) for the leaves that a box touches: the fraction of the box in it, and
+  /// the middle of the overlap in edges of the leaf from its lowest corner.
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void forEachOverlap(const Vector<D>& x, const Vector<D>& half,
+                                             const Visit& visit) const
+  {
     double low[D], high[D];
     for (int d = 0; d < D; ++d)
     {
@@ -210,7 +232,7 @@ struct TreeSight
                       fraction *= (end - begin) / (high[d] - low[d]);
                     at[d] = (0.5 * (begin + end) - leaf.corner[d]) / leaf.edge;
                   }
-                  addCorners(leaf, fraction, at, add);
+                  visit(leaf, fraction, at);
                 });
   }
 
@@ -231,6 +253,37 @@ struct TreeSight
   }
 
 private:
+  template <class Add>
+  KOKKOS_INLINE_FUNCTION void addGradients(const Leaf& leaf, double fraction, const double (&at)[D],
+                                           const Add& add) const
+  {
+    AxisStencil<2> axis[D];
+    for (int d = 0; d < D; ++d)
+      axis[d] = {0, {1.0 - at[d], at[d]}, {-1.0, 1.0}};
+    for (int corner = 0; corner < Tree<D>::corners; ++corner)
+    {
+      int k[D];
+      for (int d = 0; d < D; ++d)
+        k[d] = (corner >> d) & 1;
+      const int masters = leaf.level == 0 ? 1 : masterCount(leaf.number, corner);
+      double gradient[D * D];
+      componentSlopes<D, 2>(axis, k, fraction * grid.inverse / (leaf.edge * masters), gradient);
+      for (int m = 0; m < masters; ++m)
+        add(cornerNode(leaf, corner, m), gradient);
+    }
+  }
+
+  /// The m-th node on which corner k of a leaf depends.
+  KOKKOS_INLINE_FUNCTION int cornerNode(const Leaf& leaf, int k, int m) const
+  {
+    if (leaf.level > 0)
+      return master(leaf.number, k, m);
+    int node = -1 - leaf.number;
+    for (int d = 0; d < D; ++d)
+      node += ((k >> d) & 1) * grid.stride[d];
+    return node;
+  }
+
   template <class Visit>
   KOKKOS_INLINE_FUNCTION void descend(int branch, const Leaf& top, const double (&low)[D],
                                       const double (&high)[D], const Visit& visit) const

@@ -49,6 +49,14 @@ Section domain()
       .byDefault("GIMP")
       .meaning("Linear: cheap, but stresses jump when particles cross cell boundaries. GIMP: shape functions "
                "averaged over the particle domain; smoother.");
+  s.choice("Shear Strain", {"At Particles", "At Cell Centres"})
+      .byDefault("At Particles")
+      .meaning(
+          "Where the velocity gradient is taken that gives the shear strain of a particle and the nodal "
+          "force of its shear stress. At Particles: as normal strains. At Cell Centres: constant in each "
+          "cell, which takes away the excess stiffness of few cells in bending; use it with 3 particles "
+          "along a cell's edge. For beams and plates along the cells: at more than 20 degrees to them they "
+          "become too soft (docs/verification.md).");
   return s;
 }
 

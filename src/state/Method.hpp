@@ -36,13 +36,14 @@ enum class Analysis
 /// What the scene's Domain and Time sections choose.
 struct Method
 {
-  Analysis analysis = Analysis::Dynamic;    ///< what is solved
-  Plane plane = Plane::Solid;               ///< how 2D treats the third direction
-  double thickness = 1.0;                   ///< of 2D scenes [m]
-  ShapeKind shape = ShapeKind::Gimp;        ///< shape functions
-  UpdateScheme scheme = UpdateScheme::Musl; ///< when stress is updated
-  double picFraction = 0.0;                 ///< fraction of PIC in the velocity update
-  double cfl = 0.4;                         ///< fraction of the stable step that is used
+  Analysis analysis = Analysis::Dynamic;        ///< what is solved
+  Plane plane = Plane::Solid;                   ///< how 2D treats the third direction
+  double thickness = 1.0;                       ///< of 2D scenes [m]
+  ShapeKind shape = ShapeKind::Gimp;            ///< shape functions
+  ShearStrain shear = ShearStrain::AtParticles; ///< where slopes of shear are taken
+  UpdateScheme scheme = UpdateScheme::Musl;     ///< when stress is updated
+  double picFraction = 0.0;                     ///< fraction of PIC in the velocity update
+  double cfl = 0.4;                             ///< fraction of the stable step that is used
   bool mechanics = true; ///< false: nothing moves, and there is neither velocity nor stress
 
   /// Whether each step ends in equilibrium; its length is then no limit of what acts on nodes.

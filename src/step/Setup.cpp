@@ -33,6 +33,9 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
   state.method.thickness = D == 2 ? domain.get<double>("Thickness") : 1.0;
   state.method.shape =
       domain.get<std::string>("Shape Functions") == "Linear" ? ShapeKind::Linear : ShapeKind::Gimp;
+  state.method.shear = domain.get<std::string>("Shear Strain") == "At Cell Centres"
+                           ? ShearStrain::AtCellCentres
+                           : ShearStrain::AtParticles;
   const std::string analysis =
       time.isType<std::string>("Analysis") ? time.get<std::string>("Analysis") : "Dynamic";
   state.method.analysis = analysis == "Static"         ? Analysis::Static

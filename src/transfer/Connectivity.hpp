@@ -9,9 +9,23 @@
 namespace Rhegma
 {
 
+/// Slopes of a node's function along axis j for component i of a displacement.
+template <int D, ShearStrain H>
+struct ComponentSlopes
+{
+  const double* of;
+
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i, int j) const
+  {
+    return H == ShearStrain::AtCellCentres ? of[D * j + i] : of[j];
+  }
+  static constexpr int size = H == ShearStrain::AtCellCentres ? D * D : D; ///< numbers read
+};
+
 /// Visits the nodes of a particle. Particles with a row in the table use the stored nodes; all others, and
-/// all particles when Stored is false, use the nodes of their cell.
-template <int D, ShapeKind S, bool Stored>
+/// all particles when Stored is false, use the nodes of their cell. H says where the slopes of transfers of
+/// strain and internal forces are taken; stored stencils then have them (StencilTable::gradient).
+template <int D, ShapeKind S, bool Stored, ShearStrain H = ShearStrain::AtParticles>
 struct Connectivity
 {
   Grid<D> grid;
@@ -21,6 +35,7 @@ struct Connectivity
   StencilTable<D> table;
 
   static constexpr ShapeKind shape = S;
+  static constexpr ShearStrain shear = H;
 
   /// Calls visit(p, stencil) for the particles begin .. end - 1; a stencil has the operations of
   /// TensorStencil.
@@ -40,11 +55,11 @@ struct Connectivity
           const int r = row(first + l);
           if (r >= 0)
           {
-            visit(first + l, TableStencil<D>{table, r});
+            visit(first + l, TableStencil<D, H>{table, r});
             continue;
           }
         }
-        visit(first + l, TensorStencil<D, S>{stencils, grid.stride, l});
+        visit(first + l, TensorStencil<D, S, H>{stencils, grid.stride, l, grid.spacing});
       }
     }
   }
@@ -56,6 +71,32 @@ struct Connectivity
       if (row(p) < 0)
         return false;
     return true;
+  }
+
+  using Slopes = ComponentSlopes<D, H>;
+
+  /// Calls visit(node, weight, slopes) for each node, slopes(i, j) along axis j for component i in 1/m: what
+  /// strains a particle, and what its stress exerts on the node.
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void visitStraining(int p, const Visit& straining) const
+  {
+    if constexpr (H == ShearStrain::AtParticles)
+      visit(p, [&](int node, double weight, const double* slope) { straining(node, weight, Slopes{slope}); });
+    else
+    {
+      if constexpr (Stored)
+      {
+        const int r = row(p);
+        if (r >= 0)
+        {
+          const int count = table.count(r);
+          for (int k = 0; k < count; ++k)
+            straining(table.node(r, k), table.weight(r, k), Slopes{&table.gradient(r, k, 0)});
+          return;
+        }
+      }
+      visitComponents(p, straining);
+    }
   }
 
   /// Calls visit(node, weight, slope) for each node, slope in 1/m.
@@ -112,6 +153,35 @@ struct Connectivity
             visit(line + k * grid.stride[2], across * axis[2].weight[k], slope);
           }
         }
+    }
+  }
+
+private:
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void visitComponents(int p, const Visit& straining) const
+  {
+    constexpr int N = nodesPerAxis<S>;
+    AxisStencil<N> axis[D];
+    for (int d = 0; d < D; ++d)
+    {
+      double half = 0.0;
+      if constexpr (S == ShapeKind::Gimp)
+        half = box(p, d) * grid.inverse;
+      axis[d] = axisStencil<S>(grid.inCells(position(p, d), d), half);
+    }
+    constexpr int all = D == 2 ? N * N : N * N * N;
+    for (int e = 0; e < all; ++e)
+    {
+      int k[D], node = 0;
+      double weight = 1.0, gradient[D * D];
+      for (int d = D - 1, rest = e; d >= 0; --d, rest /= N)
+      {
+        k[d] = rest % N;
+        node += (axis[d].first + k[d]) * grid.stride[d];
+        weight *= axis[d].weight[k[d]];
+      }
+      componentSlopes<D, N>(axis, k, grid.inverse, gradient);
+      straining(node, weight, Slopes{gradient});
     }
   }
 };

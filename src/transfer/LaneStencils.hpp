@@ -46,14 +46,18 @@ struct LaneStencils
   }
 };
 
-/// The stencil in one lane: a tensor product, of which sums over the inner axes are formed once.
-template <int D, ShapeKind S>
+/// The stencil in one lane: a tensor product, of which sums over the inner axes are formed once. With H
+/// AtCellCentres, slopes differ between the components of a row (componentSlopes): so do the weights of
+/// their products, of which there is one register a node of an axis.
+template <int D, ShapeKind S, ShearStrain H = ShearStrain::AtParticles>
 struct TensorStencil
 {
   static constexpr int N = nodesPerAxis<S>;
+  static constexpr int components = D == 2 ? 2 : 4; ///< width of a register of components
   const LaneStencils<D, S>& all;
   const int (&stride)[D];
   int lane;
+  double spacing; ///< [m]; not read with H AtParticles
 
   KOKKOS_FORCEINLINE_FUNCTION double weight(int d, int k) const { return all.weight[d][k][lane]; }
   KOKKOS_FORCEINLINE_FUNCTION double slope(int d, int k) const { return all.slope[d][k][lane]; }
@@ -95,6 +99,11 @@ struct TensorStencil
     Pack<W> sum = Pack<W>::zero();
     for (int d = 0; d < D; ++d)
       result[d] = Pack<W>::zero();
+    if constexpr (H == ShearStrain::AtCellCentres)
+    {
+      addComponentGradients<Width>(rows, sum, result);
+      return sum;
+    }
     for (int i = 0; i < N; ++i)
     {
       // Sums over the inner axes: weights only, slopes along axis 1, slopes along axis 2.
@@ -155,6 +164,11 @@ struct TensorStencil
   template <int Width, int W>
   KOKKOS_FORCEINLINE_FUNCTION void addFlux(double* rows, const Pack<W> (&b)[D]) const
   {
+    if constexpr (H == ShearStrain::AtCellCentres)
+    {
+      addComponentFlux<Width>(rows, b);
+      return;
+    }
     for (int i = 0; i < N; ++i)
     {
       const Pack<W> b0 = slope(0, i) * b[0], b1 = weight(0, i) * b[1];
@@ -177,6 +191,95 @@ struct TensorStencil
   }
 
 private:
+  /// Weight of node k of axis d in slopes along other axes, of each component: at the centre of the cell for
+  /// component d.
+  KOKKOS_FORCEINLINE_FUNCTION Pack<components> spread(int d, int k) const
+  {
+    const double w = weight(d, k);
+    const double c = centreWeight<N>(spacing * slope(d, 0), spacing * slope(d, N - 1), k);
+    if constexpr (D == 2)
+      return pack(d == 0 ? c : w, d == 1 ? c : w);
+    else
+      return pack(d == 0 ? c : w, d == 1 ? c : w, d == 2 ? c : w, w);
+  }
+
+  template <int Width>
+  KOKKOS_FORCEINLINE_FUNCTION void addComponentGradients(const double* rows, Pack<components>& sum,
+                                                         Pack<components> (&result)[D]) const
+  {
+    using Row = Pack<components>;
+    Row spread1[N], spread2[N];
+    for (int k = 0; k < N; ++k)
+    {
+      spread1[k] = spread(1, k);
+      spread2[k] = spread(D - 1, k);
+    }
+    for (int i = 0; i < N; ++i)
+    {
+      // Sums over the inner axes: of values, of weights that spread slopes, of slopes along axes 1 and 2.
+      Row value = Row::zero(), flat = Row::zero(), slope1 = Row::zero(), slope2 = Row::zero();
+      if constexpr (D == 2)
+        for (int j = 0; j < N; ++j)
+        {
+          const Row row = Row::load(rows + Width * (line(i) + j * stride[1]));
+          value.add(weight(1, j), row);
+          flat.add(spread1[j], row);
+          slope1.add(slope(1, j), row);
+        }
+      else
+        for (int j = 0; j < N; ++j)
+        {
+          Row along = Row::zero(), spreadAlong = Row::zero(), steep = Row::zero();
+          for (int k = 0; k < N; ++k)
+          {
+            const Row row = Row::load(rows + Width * (line(i, j) + k * stride[2]));
+            along.add(weight(2, k), row);
+            spreadAlong.add(spread2[k], row);
+            steep.add(slope(2, k), row);
+          }
+          value.add(weight(1, j), along);
+          flat.add(spread1[j], spreadAlong);
+          slope1.add(slope(1, j), spreadAlong);
+          slope2.add(spread1[j], steep);
+        }
+      const Row spread0 = spread(0, i);
+      sum.add(weight(0, i), value);
+      result[0].add(slope(0, i), flat);
+      result[1].add(spread0, slope1);
+      if constexpr (D == 3)
+        result[2].add(spread0, slope2);
+    }
+  }
+
+  template <int Width>
+  KOKKOS_FORCEINLINE_FUNCTION void addComponentFlux(double* rows, const Pack<components> (&b)[D]) const
+  {
+    using Row = Pack<components>;
+    Row spread1[N], spread2[N];
+    for (int k = 0; k < N; ++k)
+    {
+      spread1[k] = spread(1, k);
+      spread2[k] = spread(D - 1, k);
+    }
+    for (int i = 0; i < N; ++i)
+    {
+      const Row b0 = slope(0, i) * b[0], b1 = spread(0, i) * b[1];
+      for (int j = 0; j < N; ++j)
+      {
+        Row flat = spread1[j] * b0;
+        flat.add(slope(1, j), b1);
+        if constexpr (D == 2)
+          addTo(rows + Width * (line(i) + j * stride[1]), 1.0, flat);
+        else
+        {
+          const Row steep = spread1[j] * (spread(0, i) * b[2]);
+          for (int k = 0; k < N; ++k)
+            addTo(rows + Width * (line(i, j) + k * stride[2]), slope(2, k), steep, 1.0, spread2[k] * flat);
+        }
+      }
+    }
+  }
+
   template <int W>
   KOKKOS_FORCEINLINE_FUNCTION static void addTo(double* row, double s, const Pack<W>& a)
   {
@@ -196,9 +299,10 @@ private:
 };
 
 /// A stencil of the table, with the same operations.
-template <int D>
+template <int D, ShearStrain H = ShearStrain::AtParticles>
 struct TableStencil
 {
+  static constexpr int components = D == 2 ? 2 : 4;
   const StencilTable<D>& table;
   int row;
 
@@ -224,7 +328,10 @@ struct TableStencil
       const Pack<W> at = Pack<W>::load(rows + Width * table.node(row, k));
       sum.add(table.weight(row, k), at);
       for (int d = 0; d < D; ++d)
-        result[d].add(table.slope(row, k, d), at);
+        if constexpr (H == ShearStrain::AtCellCentres)
+          result[d].add(gradient(k, d), at);
+        else
+          result[d].add(table.slope(row, k, d), at);
     }
     return sum;
   }
@@ -251,9 +358,23 @@ struct TableStencil
       double* const to = rows + Width * table.node(row, k);
       Pack<W> sum = Pack<W>::load(to);
       for (int d = 0; d < D; ++d)
-        sum.add(table.slope(row, k, d), b[d]);
+        if constexpr (H == ShearStrain::AtCellCentres)
+          sum.add(gradient(k, d), b[d]);
+        else
+          sum.add(table.slope(row, k, d), b[d]);
       sum.store(to);
     }
+  }
+
+private:
+  /// Slopes along axis d of each component.
+  KOKKOS_FORCEINLINE_FUNCTION Pack<components> gradient(int k, int d) const
+  {
+    const double* const of = &table.gradient(row, k, D * d);
+    if constexpr (D == 2)
+      return pack(of[0], of[1]);
+    else
+      return pack(of[0], of[1], of[2], 0.0);
   }
 };
 

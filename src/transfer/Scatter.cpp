@@ -103,16 +103,18 @@ void clearProjection(State<D>& state)
 template <int D>
 void scatter(State<D>& state, ScatterWhat what)
 {
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     if (what == ScatterWhat::All)
-                       scatterWith<true, true>(state, connect, "rhegma::scatterMassMomentumForce");
-                     else if (what == ScatterWhat::MassAndMomentum)
-                       scatterWith<true, false>(state, connect, "rhegma::scatterMassMomentum");
-                     else
-                       scatterWith<false, true>(state, connect, "rhegma::scatterForce");
-                   });
+  if (what == ScatterWhat::MassAndMomentum)
+    withConnectivity(state, [&](const auto& connect)
+                     { scatterWith<true, false>(state, connect, "rhegma::scatterMassMomentum"); });
+  else
+    withStraining(state,
+                  [&](const auto& connect)
+                  {
+                    if (what == ScatterWhat::All)
+                      scatterWith<true, true>(state, connect, "rhegma::scatterMassMomentumForce");
+                    else
+                      scatterWith<false, true>(state, connect, "rhegma::scatterForce");
+                  });
 }
 
 template void clearNodes(State<2>&);

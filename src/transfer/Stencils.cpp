@@ -199,7 +199,7 @@ void storeStencils(State<D>& state)
   state.stored.count = numberRows(state.mesh.blocks, state.stored.row, state.stored.particle);
   if (state.stored.count == 0)
     return;
-  state.stored.table.reserve(state.stored.count);
+  state.stored.table.reserve(state.stored.count, state.method.shear == ShearStrain::AtCellCentres);
   gatherPoints(state);
   const ObservedPoints<D>& points = state.stored.points;
   if (writeUnbroken(state, state.method.shape, points, state.stored.table) > 0)

@@ -298,7 +298,7 @@ template <class Heat, int D>
 double strainAndMoveAll(State<D>& state, StrainVelocity velocity, bool strain, bool move)
 {
   double fastest = 0.0;
-  withConnectivity(
+  withStraining(
       state,
       [&](const auto& connect)
       {

@@ -32,6 +32,36 @@ KOKKOS_INLINE_FUNCTION bool addEntry(const StencilTable<D>& table, int row, int&
   return true;
 }
 
+/// Writes the slopes that differ between components of a row whose nodes are written. \return false where the
+/// row is full
+template <int D>
+KOKKOS_INLINE_FUNCTION bool writeGradients(const TreeSight<D>& sight, const StencilTable<D>& table, int row,
+                                           const Vector<D>& x, const Vector<D>& half)
+{
+  constexpr double none[D] = {};
+  bool fits = true;
+  int entries = table.count(row);
+  for (int k = 0; k < stencilCapacity<D>; ++k)
+    for (int c = 0; c < D * D; ++c)
+      table.gradient(row, k, c) = 0.0;
+  sight.forEachGradient(x, half,
+                        [&](int node, const double(&gradient)[D * D])
+                        {
+                          if (!addEntry(table, row, entries, node, 0.0, none))
+                          {
+                            fits = false;
+                            return;
+                          }
+                          int k = 0;
+                          while (table.node(row, k) != node)
+                            ++k;
+                          for (int c = 0; c < D * D; ++c)
+                            table.gradient(row, k, c) += gradient[c];
+                        });
+  table.count(row) = entries;
+  return fits;
+}
+
 /// Writes the unbroken stencil of a box of half widths `half` [m] around x, of a point where they are zero,
 /// into a row, leaf by leaf; each node comes once. \return false where the box touches more nodes than a row
 /// holds: then the row is empty
@@ -70,6 +100,17 @@ struct TreeStencils
   /// holds: then the row is empty
   KOKKOS_INLINE_FUNCTION bool write(int row, const Vector<D>& x, const Vector<D>& half) const
   {
+    bool fits = writeSlopes(row, x, half);
+    if (fits && table.hasGradients())
+      fits = writeGradients(sight, table, row, x, half);
+    if (!fits)
+      table.count(row) = 0;
+    return fits;
+  }
+
+private:
+  KOKKOS_INLINE_FUNCTION bool writeSlopes(int row, const Vector<D>& x, const Vector<D>& half) const
+  {
     const typename TreeSight<D>::Leaf leaf = sight.leafAt(x);
     const double perCell = static_cast<double>(1 << leaf.level); // leaves in a cell of the lattice
     const double inverse = sight.grid.inverse * perCell;
@@ -98,7 +139,6 @@ struct TreeStencils
     return writeProduct(row, axes, stride, own, &around(leaf.number, 0));
   }
 
-private:
   /// Stencils of the axes from the lowest of the cells around, slopes in 1/m, and how many of their nodes the
   /// box touches.
   struct Axes

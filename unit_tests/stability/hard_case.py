@@ -1,7 +1,7 @@
 """What every hard case must keep to, and how to read it from the files of a run.
 
 RHEGMA_STABILITY=full in the environment runs the cases at their full size; without it they are short enough for a
-test.
+test. RHEGMA_STABILITY_SET=Section:Parameter=value runs them with another value of a parameter.
 """
 
 import csv
@@ -24,6 +24,7 @@ from scenes import Scene  # noqa: E402
 FLUCTUATION = 0.5
 
 FULL = os.environ.get("RHEGMA_STABILITY") == "full"
+CHANGED = os.environ.get("RHEGMA_STABILITY_SET")
 
 
 def sized(short, full):
@@ -88,6 +89,7 @@ class HardCase(ProgramTest):
 
     def survives(self, scene, *options, energy=0.01, gain=None, momentum=False, status=0, launcher=()):
         path = self.write("scene.xml", scene.text())
+        options = (*options, "--set", CHANGED) if CHANGED else options
         answer = rhegma(path, "--quiet", *options, launcher=launcher, timeout=7200)
         self.assertEqual(answer.status, status, answer)
         outcome = Outcome(self.path("scene.out"))

@@ -67,7 +67,8 @@ void refineBox(Teuchos::ParameterList& scene, int levels)
 /// of a turned body do not tile the cells, which is an error of the integration over particles (Steffen,
 /// Kirby and Berzins, Int. J. Numer. Meth. Eng. 76 (2008) 922) and not of the solver.
 template <int D>
-void testPatch(const std::string& shape, double turn, double tolerance, int levels = 0)
+void testPatch(const std::string& shape, double turn, double tolerance, int levels = 0,
+               const std::string& shear = "At Particles")
 {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> anywhere(0.0, 1.0);
@@ -78,6 +79,7 @@ void testPatch(const std::string& shape, double turn, double tolerance, int leve
       offset[d] = anywhere(random);
     const double degrees = turn * anywhere(random);
     Teuchos::ParameterList scene = turnedBox<D>("Neo-Hookean", offset, degrees, 5.0, shape);
+    scene.sublist("Domain").set("Shear Strain", shear);
     if (levels > 0)
       refineBox<D>(scene, levels);
     holdRim<D>(scene, 1.7, 4.3,
@@ -131,6 +133,16 @@ TEST(Equilibrium, PatchInRefinedCells) { testPatch<2>("GIMP", 0.0, 1e-7, 2); }
 TEST(Equilibrium, PatchInRefinedCells3D) { testPatch<3>("GIMP", 0.0, 1e-7, 1); }
 TEST(Equilibrium, PatchOfTurnedBoxes) { testPatch<2>("GIMP", 45.0, 1.5e-2); }
 TEST(Equilibrium, PatchOfTurnedBoxesIn3D) { testPatch<3>("GIMP", 45.0, 1.5e-2); }
+
+TEST(Equilibrium, PatchWithShearAtCentres)
+{
+  const std::string centres = "At Cell Centres";
+  testPatch<2>("Linear", 0.0, 1e-7, 0, centres);
+  testPatch<2>("GIMP", 0.0, 1e-7, 0, centres);
+  testPatch<2>("GIMP", 0.0, 1e-7, 2, centres);
+  testPatch<3>("GIMP", 0.0, 1e-7, 0, centres);
+  testPatch<3>("GIMP", 0.0, 1e-7, 1, centres);
+}
 
 TEST(Equilibrium, RateOfNeoHookean) { testRate("Neo-Hookean", 0.0); }
 TEST(Equilibrium, RateOfMooneyRivlin) { testRate("Mooney-Rivlin", 0.0); }

@@ -22,10 +22,11 @@ constexpr double pi = 3.14159265358979323846;
 /// A square or cube that turns about an axis through the middle of the domain.
 template <int D>
 Rhegma::Run<D> turningBody(const std::string& model, const std::string& plane, const std::string& shape,
-                           double cells, double spin)
+                           double cells, double spin, const std::string& shear = "At Particles")
 {
   Teuchos::ParameterList scene =
       emptyScene<D>(all<D>(-cells - 2.0), all<D>(cells + 2.0), 1.0, "MUSL", shape, plane);
+  scene.sublist("Domain").set("Shear Strain", shear);
   addMaterial(scene, model, 0.3);
   Teuchos::Array<double> axis(D == 2 ? 1 : 3, 0.0);
   axis.back() = spin;
@@ -106,12 +107,12 @@ protected:
   /// about exp(pi theta), and the positions of the particles by just as much: the stress is that of the
   /// motion made. The chord takes the stretch away.
   template <int D>
-  void checkKernel(const std::string& shape)
+  void checkKernel(const std::string& shape, const std::string& shear = "At Particles")
   {
     const int steps = 360;
     const double theta = 2.0 * pi / steps;
-    Rhegma::Run<D> tangent = turningBody<D>(model(), plane(), shape, 4.0, 0.0);
-    Rhegma::Run<D> chord = turningBody<D>(model(), plane(), shape, 4.0, 0.0);
+    Rhegma::Run<D> tangent = turningBody<D>(model(), plane(), shape, 4.0, 0.0, shear);
+    Rhegma::Run<D> chord = turningBody<D>(model(), plane(), shape, 4.0, 0.0, shear);
     for (Rhegma::Run<D>* run : {&tangent, &chord})
       sortState(run->state());
     const HostParticles<D> start(chord.state());
@@ -159,12 +160,14 @@ TEST_P(TurnIn2D, LeavesTheDerivedStretch)
 {
   checkKernel<2>("Linear");
   checkKernel<2>("GIMP");
+  checkKernel<2>("GIMP", "At Cell Centres");
 }
 
 TEST_P(TurnIn3D, LeavesTheDerivedStretch)
 {
   checkKernel<3>("Linear");
   checkKernel<3>("GIMP");
+  checkKernel<3>("GIMP", "At Cell Centres");
 }
 
 /// A free square of half width R that spins, its rim at v = w R. Here the nodes' velocity is not linear at
