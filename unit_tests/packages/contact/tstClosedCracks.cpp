@@ -156,6 +156,7 @@ TEST(ClosedCracks, WorkOfFrictionIsThatOfTheLoads)
   Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)),
                         Teuchos::rcp(new Teuchos::ParameterList(scene)));
   simulation.initialize();
+  simulation.sampleEvery(0.25, {});
   double slid = 0.0, last = 0.0;
   for (int k = 1; k <= 12; ++k)
   {
