@@ -26,6 +26,10 @@ constexpr double joining = 20.0;
 /// residual.
 constexpr double touchingGap = 1e-9;
 
+/// Most by which the area of a node differs from that of the crack next to it: nodes that the crack or the
+/// particles hardly touch would have areas of any size and sign.
+constexpr double mostScale = 10.0;
+
 /// Rounding of the shear traction of faces that slide, as a part of its limit.
 constexpr double atLimit = 1e-6;
 
@@ -112,7 +116,8 @@ void ContactInEquilibrium<D>::collect(const State<D>& state)
   const std::vector<FaceNode<D>> nodes = findFaceNodes(state);
   std::vector<int> pairOf(state.mesh.nodes.sums.extent(0), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    pairOf[nodes[i].plus] = pairOf[nodes[i].minus] = static_cast<int>(i);
+    if (nodes[i].isDouble)
+      pairOf[nodes[i].plus] = pairOf[nodes[i].minus] = static_cast<int>(i);
   std::vector<std::map<int, Frame>> frames(patches_.size());
   std::vector<Frame> all(nodes.size()); // of all patches
   for (std::size_t m = 0; m < patches_.size(); ++m)
@@ -146,7 +151,7 @@ void ContactInEquilibrium<D>::collect(const State<D>& state)
     for (int d = 0; d < D; ++d)
       normal[d] = all[i].axes[0][d];
     if (const double square = dot(normal, normal); nodes[i].isInside && square > 0.0)
-      scale[i] = dot(nodes[i].area, normal) / square;
+      scale[i] = std::clamp(dot(nodes[i].area, normal) / square, 1.0 / mostScale, mostScale);
   }
   for (std::size_t m = 0; m < patches_.size(); ++m)
     addJumps(patches_[m], frames[m], nodes, scale);

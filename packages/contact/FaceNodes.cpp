@@ -14,6 +14,9 @@ namespace
 /// of particles do not tile it.
 constexpr double unbalanced = 0.05;
 
+/// Weight of a node in a particle's stencil that is more than rounding.
+constexpr double leastWeight = 1e-12;
+
 } // namespace
 
 template <int D>
@@ -27,17 +30,21 @@ std::vector<FaceNode<D>> findFaceNodes(const State<D>& state)
     fieldOf[nodes.numLattice + i] = 2 * i + 1;
   }
   std::vector<Vector<D>> sums(2 * nodes.numEnriched, Vector<D>{});
+  std::vector<char> seen(2 * nodes.numEnriched, 0);
   const auto volume = state.particles.scalar(fields::volume);
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      for (int p = 0; p < state.particles.size(); ++p)
                        connect.visit(p,
-                                     [&](int node, double, const double* slope)
+                                     [&](int node, double weight, const double* slope)
                                      {
-                                       if (const int field = fieldOf[node]; field >= 0)
-                                         for (int d = 0; d < D; ++d)
-                                           sums[field][d] += volume(p) * slope[d];
+                                       const int field = fieldOf[node];
+                                       if (field < 0)
+                                         return;
+                                       seen[field] = seen[field] != 0 || weight > leastWeight ? 1 : 0;
+                                       for (int d = 0; d < D; ++d)
+                                         sums[field][d] += volume(p) * slope[d];
                                      });
                    });
   std::vector<FaceNode<D>> found(nodes.numEnriched);
@@ -50,6 +57,7 @@ std::vector<FaceNode<D>> findFaceNodes(const State<D>& state)
     const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
     found[i].plus = primaryIsPlus ? primary : enriched;
     found[i].minus = primaryIsPlus ? enriched : primary;
+    found[i].isDouble = seen[plus] != 0 && seen[minus] != 0;
     found[i].area = 0.5 * (sums[minus] - sums[plus]);
     found[i].isInside = norm(sums[minus] + sums[plus]) <= unbalanced * whole;
   }

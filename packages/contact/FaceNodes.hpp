@@ -18,6 +18,7 @@ struct FaceNode
   /// sides, so that it is not the area of the crack itself, which would leave forces of both signs on the
   /// nodes.
   Vector<D> area{};
+  bool isDouble = false; ///< whether particles see both fields: there may be some on one side only
   /// Whether `area` is that of the crack alone: next to a surface of the body there is another part.
   bool isInside = false;
 };

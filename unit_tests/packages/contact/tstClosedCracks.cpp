@@ -148,7 +148,7 @@ TEST(ClosedCracks, WorkOfFrictionIsThatOfTheLoads)
   rim.set("Upper Corner", array(all<2>(9.99)));
   // Pressed in the first third, sheared there and back in the others.
   // There and halfway back.
-  rim.set("Field", "3e-3*y, -1e-3*y");
+  rim.set("Field", "3e-5*y, -1e-5*y");
   rim.set("History", "t < 2 ? 0.5 : -0.5");
   scene.sublist("Cracks").sublist("Cut").set("Points", Teuchos::Array<double>({2.1, 5.2, 7.9, 5.2}));
   scene.sublist("Contact").set("Law", "Coulomb");
@@ -156,12 +156,13 @@ TEST(ClosedCracks, WorkOfFrictionIsThatOfTheLoads)
   Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)),
                         Teuchos::rcp(new Teuchos::ParameterList(scene)));
   simulation.initialize();
+  simulation.sampleEvery(0.25, {});
   double slid = 0.0, last = 0.0;
   for (int k = 1; k <= 12; ++k)
   {
     simulation.advance(0.25 * k);
     const double lost = simulation.report()["energy"]["friction"];
-    EXPECT_GE(lost, last - 1e-12);
+    EXPECT_GE(lost, last);
     last = lost;
     slid = k == 8 ? lost : slid;
   }
@@ -170,7 +171,7 @@ TEST(ClosedCracks, WorkOfFrictionIsThatOfTheLoads)
   EXPECT_GT(slid, 0.0);
   EXPECT_GT(last, 1.01 * slid) << "it slides back, too";
   EXPECT_NEAR(energy["contact"].get<double>(), last, 1e-3 * last);
-  // Loads and forces are linear over each step, but for the second order of strains of 1e-3.
+  // Loads and forces are linear over each step, but for the second order of strains of 1e-5.
   EXPECT_NEAR(energy["residual"].get<double>(), 0.0, 0.05 * last);
 }
 
