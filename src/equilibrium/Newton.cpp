@@ -265,6 +265,24 @@ bool NewtonStep<D>::search(const State<D>& state, const Values& change, double b
 }
 
 template <int D>
+int NewtonStep<D>::iterationsFor(int most) const
+{
+  for (const auto& force : forces_)
+    if (most > 1)
+      most = std::max(most, mostIterations * force->iterationFactor());
+  return most;
+}
+
+template <int D>
+void NewtonStep<D>::explain(const State<D>& state, StepReport& report) const
+{
+  report.freeMotion = report.reason = motionsBetweenPieces(state);
+  for (const auto& force : forces_)
+    if (const std::string one = force->reason(); !one.empty())
+      report.reason += (report.reason.empty() ? "" : "; ") + one;
+}
+
+template <int D>
 StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int most)
 {
   StepReport report;
@@ -287,9 +305,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   // A free body that heat strains has no other forces.
   report.forces = std::max(report.forces, norm(atStart, false));
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
-  if (most > 1)
-    for (const auto& force : forces_)
-      most = std::max(most, mostIterations * force->iterationFactor());
+  most = iterationsFor(most);
   for (int k = 0; k <= most; ++k)
   {
     // A body that is unloaded has forces of its own size no longer.
@@ -319,10 +335,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
                         std::fabs(held_.change[i] - displacement_(i)) > 1e-12 * std::fabs(held_.change[i]));
     updateForces(state, report.removedFraction);
   }
-  report.freeMotion = report.reason = motionsBetweenPieces(state);
-  for (const auto& force : forces_)
-    if (const std::string one = force->reason(); !one.empty())
-      report.reason += (report.reason.empty() ? "" : "; ") + one;
+  explain(state, report);
   workOfSupports_ = 0.0;
   for (int k = 0; k < n; ++k)
   {

@@ -78,6 +78,9 @@ private:
   void updateForces(const State<D>& state, double& removed);
   /// Free motions of pieces that forces of the step join, as they are now, in a sentence; empty if none.
   std::string motionsBetweenPieces(const State<D>& state) const;
+  int iterationsFor(int most) const;
+  /// Says in a report what keeps the step from equilibrium, and what is free to move.
+  void explain(const State<D>& state, StepReport& report) const;
   /// Takes the mean motion and rotation from the change of free pieces: loads do not turn with a body, so
   /// that the stiffness of a body's rotation is that of its stress, which is as small and may be negative.
   void removeRigidMotion(const Values& change) const;
