@@ -12,7 +12,10 @@ namespace Rhegma
 class LoadFactorSearch
 {
 public:
-  static constexpr double tolerance = 1e-5; ///< of s
+  /// Of s. It doubles with each equilibrium beyond the usual ones, up to the loosest: where particles cross
+  /// cells, G jumps by more than the tolerance.
+  static constexpr double tolerance = 1e-5, loosest = 1e-3;
+  static constexpr int usual = 6;
   /// Largest change of the factor at a time: beyond it no straight line is trusted.
   static constexpr double most = 20.0;
 
@@ -24,7 +27,11 @@ public:
     ++count_;
   }
 
-  bool found() const { return count_ > 0 && std::fabs(last_.s - 1.0) <= tolerance; }
+  bool found() const
+  {
+    const double now = std::ldexp(tolerance, std::max(0, count_ - usual));
+    return count_ > 0 && std::fabs(last_.s - 1.0) <= std::min(now, loosest);
+  }
 
   /// The factor to try next. Call after `record`.
   double next() const
