@@ -162,7 +162,7 @@ TEST(ClosedCracks, WorkOfFrictionIsThatOfTheLoads)
   {
     simulation.advance(0.25 * k);
     const double lost = simulation.report()["energy"]["friction"];
-    EXPECT_GE(lost, last);
+    EXPECT_GE(lost, (1.0 - 1e-6) * last); // faces that stick may slip by the tolerance of the solution
     last = lost;
     slid = k == 8 ? lost : slid;
   }

@@ -30,6 +30,7 @@ nlohmann::json frontsOf(const InclinedCrack& crack)
   scene->sublist("Face Pressure").sublist("Notch").set("Pressure", std::to_string(crack.pressure));
   Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), scene);
   simulation.initialize();
+  simulation.sampleEvery(1e-3, {});
   simulation.advance(1e-3);
   return simulation.report()["cracks"][0]["fronts"];
 }
