@@ -134,13 +134,13 @@ void ContactInEquilibrium<D>::collect(const State<D>& state)
           const int i = pairOf[face->node(k, e)];
           if (i < 0)
             continue;
-          const double share = 0.5 * face->weight(k, e) * points.size(k) * state.method.thickness;
+          const double part = 0.5 * face->weight(k, e) * points.size(k) * state.method.thickness;
           for (Frame* const frame : {&frames[m][i], &all[i]})
           {
-            frame->area += share;
+            frame->area += part;
             for (int c = 0; c < D; ++c)
               for (int d = 0; d < D; ++d)
-                frame->axes[c][d] += share * axes[c][d];
+                frame->axes[c][d] += part * axes[c][d];
           }
         }
     }

@@ -109,9 +109,9 @@ StencilTable<D> stencilsOnFaces(const State<D>& state, int crack, const std::vec
   ObservedPoints<D> points;
   points.onAllRanks = true;
   points.count = 2 * half;
-  points.position = View<double* [D]>("rhegma::facePosition", points.count);
-  points.half = View<double* [D]>("rhegma::faceHalf", points.count);
-  points.side = View<int*>("rhegma::faceSide", points.count);
+  points.position = View<double* [D]>("rhegma::nearFrontPosition", points.count);
+  points.half = View<double* [D]>("rhegma::nearFrontHalf", points.count);
+  points.side = View<int*>("rhegma::nearFrontSide", points.count);
   const auto position = Kokkos::create_mirror_view(points.position);
   const auto side = Kokkos::create_mirror_view(points.side);
   for (int k = 0; k < points.count; ++k)
@@ -136,9 +136,10 @@ std::vector<Vector<D>> openingAt(const State<D>& state, const NodalDisplacements
   if (half == 0)
     return jump;
   const StencilTable<D> table = stencilsOnFaces(state, crack, positions);
-  const View<double * [D + 1]> face("rhegma::faceDisplacement", 2 * half); // and whether there is a node
+  const View<double * [D + 1]> face("rhegma::nearFrontDisplacement", 2 * half); // and whether there is a node
   Kokkos::parallel_for(
-      "rhegma::faceDisplacement", Kokkos::RangePolicy<ExecSpace>(0, 2 * half), KOKKOS_LAMBDA(const int k) {
+      "rhegma::nearFrontDisplacement", Kokkos::RangePolicy<ExecSpace>(0, 2 * half),
+      KOKKOS_LAMBDA(const int k) {
         for (int e = 0; e < table.count(k); ++e)
           for (int d = 0; d < D; ++d)
             face(k, d) += table.weight(k, e) * displacement(table.node(k, e), d);

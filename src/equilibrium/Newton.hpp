@@ -76,7 +76,7 @@ private:
   bool assemble(const State<D>& state);
   /// Lets the step's forces learn from an accepted displacement, and finds the residual that then remains.
   void updateForces(const State<D>& state, double& removed);
-  /// Free motions of pieces that forces of the step join, as they are now, in a sentence; empty if none.
+  /// Free motions of pieces that forces of the step join, as they are now, as a message; empty if none.
   std::string motionsBetweenPieces(const State<D>& state) const;
   int iterationsFor(int most) const;
   /// Says in a report what keeps the step from equilibrium, and what is free to move.

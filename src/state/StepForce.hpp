@@ -17,7 +17,7 @@ struct State;
 template <int D>
 struct HeldDirection
 {
-  int row = 0;
+  int row = 0;           ///< of the equilibrium's unknowns
   Vector<D> position{};  ///< [m]
   Vector<D> direction{}; ///< unit vector
 };
@@ -46,7 +46,7 @@ public:
   virtual void add(const Values& displacement, const Values& force) = 0;
 
   /// Adds minus the derivative of the force, where `add` was last called.
-  /// \param symmetric the symmetric part alone is wanted \return whether what was added is symmetric
+  /// \param symmetric wants the symmetric part alone \param addBlock takes it \return whether it is symmetric
   virtual bool addStiffness(bool symmetric, const AddBlock& addBlock) = 0;
 
   /// Chooses branches, and improves what the force takes as known, such as multipliers, at the displacement

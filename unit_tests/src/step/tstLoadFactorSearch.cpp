@@ -54,9 +54,15 @@ TEST(LoadFactorSearch, OfALinearBodyTakesTwo)
 /// A body that stiffens or softens, and a crack that a part of the loads holds closed.
 TEST(LoadFactorSearch, OfOtherBodiesConverges)
 {
-  EXPECT_LE(search(0.01, 1.0, [](double f) { return std::pow(0.5 * f + 0.5 * f * f * f, 2); }, 1e-3), 10);
-  EXPECT_LE(search(0.01, 1.0, [](double f) { return std::sqrt(f); }, 1e-3), 10);
-  EXPECT_LE(search(0.01, 4.0, [](double f) { return f > 3.0 ? std::pow(f - 3.0, 2) : 0.0; }, 1e-3), 12);
+  EXPECT_LE(search(
+                0.01, 1.0, [](double f) { return std::pow(0.5 * f + 0.5 * f * f * f, 2); }, 1e-3),
+            10);
+  EXPECT_LE(search(
+                0.01, 1.0, [](double f) { return std::sqrt(f); }, 1e-3),
+            10);
+  EXPECT_LE(search(
+                0.01, 4.0, [](double f) { return f > 3.0 ? std::pow(f - 3.0, 2) : 0.0; }, 1e-3),
+            12);
 }
 
 /// G that jumps by a thousandth between any two equilibria is met to that.
