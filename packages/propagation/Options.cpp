@@ -83,6 +83,17 @@ void addRules(Section& s)
       "without T");
 }
 
+void addLoadControl(Section& s)
+{
+  s.choice("Load Control", {"Load Factor", "Functions of Time"})
+      .byDefault("Load Factor")
+      .meaning(
+          "In equilibrium only. Load Factor: each load step is an increment of the crack, under the loads "
+          "and prescribed displacements of Final Time times the factor, one for all, with which G is the "
+          "toughness. The factor may fall. Functions of Time: the loads are those of the time, and cracks "
+          "grow at each time until G is below the toughness.");
+}
+
 } // namespace
 
 Section propagationSection()
@@ -114,13 +125,7 @@ Section propagationSection()
       .range(leastIncrement, 4.0)
       .optional("1, in equilibrium 0.25")
       .meaning("Length of one crack increment, in cells at the front. At least 0.5 in a dynamic analysis.");
-  s.choice("Load Control", {"Load Factor", "Functions of Time"})
-      .byDefault("Load Factor")
-      .meaning(
-          "In equilibrium only. Load Factor: each load step is an increment of the crack, under the loads "
-          "and prescribed displacements of Final Time times the factor, one for all, with which G is the "
-          "toughness. The factor may fall. Functions of Time: the loads are those of the time, and cracks "
-          "grow at each time until G is below the toughness.");
+  addLoadControl(s);
   s.real("Start Time").unit("s").notNegative().byDefault(0.0).meaning("No front advances before this time.");
   s.real("Speed Limit")
       .unit("m/s")
