@@ -34,17 +34,17 @@ std::vector<std::string> answersOf(json summary)
 
 } // namespace
 
-/// The first three warnings in full, then how many there are.
-TEST(Answer, HasTheFirstThreeWarnings)
+/// How many warnings there are, and the first words of three; they are printed in full where they arise.
+TEST(Answer, CountsAndNamesWarnings)
 {
   using Lines = std::vector<std::string>;
-  const std::string end = "the run finished at t = 4 ms after 120 steps";
+  const std::string end = "the run finished at t = 4 ms after 120 steps",
+                    where = "in full above and in summary.json";
   EXPECT_EQ(answersOf(finished(0)), (Lines{end, "no warnings"}));
-  EXPECT_EQ(answersOf(finished(1)), (Lines{end, "warning: number 0", "1 warning"}));
-  EXPECT_EQ(answersOf(finished(3)),
-            (Lines{end, "warning: number 0", "warning: number 1", "warning: number 2", "3 warnings"}));
-  EXPECT_EQ(answersOf(finished(5)), (Lines{end, "warning: number 0", "warning: number 1", "warning: number 2",
-                                           "5 warnings; all are in summary.json"}));
+  EXPECT_EQ(answersOf(finished(1)), (Lines{end, "1 warning (number 0), " + where}));
+  EXPECT_EQ(answersOf(finished(3)), (Lines{end, "3 warnings (number 0; number 1; number 2), " + where}));
+  EXPECT_EQ(answersOf(finished(5)),
+            (Lines{end, "5 warnings (number 0; number 1; number 2; and 2 more), " + where}));
 }
 
 /// Fronts that the cells have stopped come before what effects say; of a front with several nodes, how many
@@ -74,8 +74,9 @@ TEST(Answer, IsPrintedLineByLine)
   std::ostringstream all, failed;
   printAnswers(summary, false, all);
   printAnswers(summary, true, failed);
-  EXPECT_EQ(all.str(), "the run finished at t = 4 ms after 120 steps\nwarning: number 0\n1 warning\n");
-  EXPECT_EQ(failed.str(), "warning: number 0\n1 warning\n");
+  const std::string count = "1 warning (number 0), in full above and in summary.json\n";
+  EXPECT_EQ(all.str(), "the run finished at t = 4 ms after 120 steps\n" + count);
+  EXPECT_EQ(failed.str(), count);
 }
 
 } // namespace Test
