@@ -97,7 +97,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
     addLoads(effect, scene, loads);
   effect.atStart = inOrder(effect.atStart,
                            [constraints, loads, finalTime, supports = parts.supports, placed = parts.loads,
-                            all = Teuchos::ParameterList(scene)](State<D>& state)
+                            all = &scene](State<D>& state)
                            {
                              Attempts attempts;
                              for (const auto& read : supports)
@@ -112,7 +112,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
                              for (const auto& read : placed)
                                attempts.attempt([&] { loads->push_back(read(state)); });
                              attempts.throwIfAny();
-                             warnOfIdleSupports(all, *constraints, state);
+                             warnOfIdleSupports(*all, *constraints, state);
                            });
   return effect;
 }

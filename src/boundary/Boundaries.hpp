@@ -10,6 +10,8 @@ namespace Rhegma
 constexpr const char* boundariesName = "Boundaries";
 
 /// The boundaries of a scene (its section `Boundaries`) as a part of the core.
+/// \param scene must outlive the effect, which reads it at its start
+/// \param cellsChange whether cells refine or coarsen in the run
 template <int D>
 Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange);
 

@@ -144,7 +144,7 @@ void Run<D>::makeAll()
   effects.insert(effects.begin(), makeCore(state_, lastEquilibrium_));
   Effect<D> boundaries = makeBoundaries<D>(*scene_, options.adaptive);
   if (!boundaries.calls.empty())
-    effects.insert(effects.begin() + 1, boundaries);
+    effects.insert(effects.begin() + 1, std::move(boundaries));
   // Without constraints, calls that read the constrained motion get the solved one.
   plan_ = makePlan<D>(std::move(effects));
   order_ = stageOrder(state_.method.scheme);
