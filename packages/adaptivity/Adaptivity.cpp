@@ -359,8 +359,10 @@ EffectEntry adaptivityEntry()
     options.adaptive = true;
     options.frontLevels = list.get<double>("Front Cells") > 0.0 ? list.get<int>("Maximum Level") : 0;
   };
-  entry.cells.refine = [](Teuchos::ParameterList& scene, int levels)
-  { scene.sublist("Adaptivity").set("Maximum Level", levels); };
+  entry.cells.refine = [](Teuchos::ParameterList& scene, const FrontRefinement& refinement)
+  {
+    scene.sublist("Adaptivity").set("Maximum Level", refinement.levels).set("Front Cells", refinement.around);
+  };
   return entry;
 }
 

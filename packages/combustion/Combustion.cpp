@@ -113,12 +113,10 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 
 EffectEntry combustionEntry()
 {
-  return {combustionSection(),
-          checkCombustion,
-          make<2>,
-          make<3>,
-          true,
-          [](const Teuchos::ParameterList&, RunOptions& options) { options.burning = true; }};
+  EffectEntry entry{combustionSection(), checkCombustion, make<2>, make<3>, true};
+  entry.declare = [](const Teuchos::ParameterList&, RunOptions& options) { options.burning = true; };
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.facesLoaded = true; };
+  return entry;
 }
 
 } // namespace Rhegma::combustion

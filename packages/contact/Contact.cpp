@@ -340,9 +340,10 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 
 EffectEntry contactEntry()
 {
-  return {section(), check,
-          make<2>,   make<3>,
-          true,      [](const Teuchos::ParameterList&, RunOptions& options) { options.contact = true; }};
+  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.declare = [](const Teuchos::ParameterList&, RunOptions& options) { options.contact = true; };
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.facesLoaded = true; };
+  return entry;
 }
 
 } // namespace Rhegma::contact

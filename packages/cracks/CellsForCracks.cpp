@@ -24,9 +24,11 @@ constexpr double breakingDepth = 0.01;
 /// What is known of one crack.
 struct Lengths
 {
-  double ligament = CellNeeds::none; ///< from its fronts to the nearest surface
-  double crack = CellNeeds::none;    ///< its (half) length, or radius
-  bool inside = false;               ///< whether any of it is in a body
+  double ligament = CellNeeds::none;  ///< from its fronts to the nearest surface
+  double crack = CellNeeds::none;     ///< its (half) length, or radius
+  double ahead = CellNeeds::none;     ///< from its fronts along their directions to a surface
+  double thickness = CellNeeds::none; ///< as in CellNeeds
+  bool inside = false;                ///< whether any of it is in a body
 
   void front(double depth) { ligament = std::min(ligament, depth); }
 };
@@ -56,7 +58,41 @@ Vector<2> enter(const Vector<2>& from, const Vector<2>& to, const SceneBodies<2>
   return from + inside * (to - from);
 }
 
-/// The length of a polyline inside the bodies, and its ligament.
+/// How much longer than thick a part next to a crack is that bends as an arm. At a distance s from a front
+/// cells grow to a fraction of s anyway, which resolves parts that are thicker.
+constexpr double slenderness = 1.5;
+
+Vector<2> turned(const Vector<2>& direction) { return {-direction[1], direction[0]}; }
+
+/// What the body has ahead of a front, and its thickness there. \param direction of the front, of length one
+void measureAhead(const Vector<2>& front, const Vector<2>& direction, const SceneBodies<2>& bodies,
+                  Lengths& found)
+{
+  const auto reach = [&](const Vector<2>& to) { return bodies.reach(front, to, 2.0 * bodies.extent()); };
+  const double ahead = reach(direction);
+  const Vector<2> normal = turned(direction);
+  found.ahead = std::min(found.ahead, ahead);
+  found.thickness = std::min({found.thickness, 0.5 * (ahead + reach(-1.0 * direction)),
+                              0.5 * (reach(normal) + reach(-1.0 * normal))});
+}
+
+/// The thickness of arms next to the middle of a crack, whose fronts are half of its length away.
+void measureArms(const std::vector<Vector<2>>& points, double length, const SceneBodies<2>& bodies,
+                 Lengths& found)
+{
+  double passed = 0.0;
+  std::size_t k = 1;
+  while (k + 1 < points.size() && passed + norm(points[k] - points[k - 1]) < 0.5 * length)
+    passed += norm(points[k] - points[k - 1]), ++k;
+  const Vector<2> along = (1.0 / norm(points[k] - points[k - 1])) * (points[k] - points[k - 1]);
+  const Vector<2> middle = points[k - 1] + (0.5 * length - passed) * along;
+  for (const double side : {1.0, -1.0})
+    if (const double arm = bodies.reach(middle, side * turned(along), 2.0 * bodies.extent());
+        0.5 * length > slenderness * arm)
+      found.thickness = std::min(found.thickness, arm);
+}
+
+/// The length of a polyline inside the bodies, its ligament, and what is around it.
 Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
 {
   std::vector<Vector<2>> points = readPositions<2>(crack);
@@ -96,9 +132,14 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
       continue;
     ++fronts;
     found.front(depth);
+    const Vector<2> last = first ? points[0] - points[1] : points.back() - points[points.size() - 2];
+    measureAhead(first ? points.front() : points.back(), (1.0 / norm(last)) * last, bodies, found);
   }
   if (fronts > 0)
+  {
     found.crack = length / fronts;
+    measureArms(points, length, bodies, found);
+  }
   return found;
 }
 
@@ -219,6 +260,9 @@ void reportCells(const ParameterList& scene, CellNeeds& needs, std::vector<Scene
         needs.shortestAcross = where;
       needs.across = std::min({needs.across, found.ligament, found.crack});
       needs.atFronts = std::min(needs.atFronts, found.crack);
+      if (found.ahead < CellNeeds::none)
+        needs.ahead = std::min({needs.ahead, found.ahead, found.crack});
+      needs.thickness = std::min(needs.thickness, found.thickness);
     }
     catch (const std::invalid_argument& wrong)
     {

@@ -319,6 +319,7 @@ EffectEntry dampingEntry()
       options.endAtRest = {list.get<double>("Settled Energy Ratio"), list.get<double>("Settled Drift"),
                            list.get<double>("Mass Rate")};
   };
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.rests = true; };
   return entry;
 }
 

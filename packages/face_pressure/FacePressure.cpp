@@ -129,16 +129,14 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 EffectEntry facePressureEntry()
 {
-  return {section(),
-          check,
-          make<2>,
-          make<3>,
-          true,
-          [](const Teuchos::ParameterList& list, RunOptions& options)
-          {
-            for (const std::string& name : sublistNames(list))
-              options.pressedCracks.insert(name);
-          }};
+  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
+  {
+    for (const std::string& name : sublistNames(list))
+      options.pressedCracks.insert(name);
+  };
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.facesLoaded = true; };
+  return entry;
 }
 
 template void FacePressure::apply(State<2>&, const FacePoints<2>&);

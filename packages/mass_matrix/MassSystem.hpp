@@ -83,6 +83,10 @@ struct MassSystem
   }
 };
 
+/// Values of a row of a MassSystem.
+template <int D>
+constexpr int width = MassSystem<D>::width;
+
 /// Makes the rows and fills the matrix for the particles as they lie now. Needs the nodal mass.
 template <int D>
 void assemble(const State<D>& state, const Unlumping& unlumping, MassSystem<D>& system);

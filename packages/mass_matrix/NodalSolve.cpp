@@ -23,9 +23,6 @@ constexpr int polynomialProducts = 4;
 /// Smallest relative residual in double precision.
 constexpr double leastResidual = 1e-13;
 
-template <int D>
-constexpr int width = MassSystem<D>::width;
-
 /// x += scale correction, in the rows; the correction as `toWeighed` makes it.
 template <int D>
 void addScaled(const MassSystem<D>& system, double scale, const BorrowedView<const double*>& correction,

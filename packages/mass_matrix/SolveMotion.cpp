@@ -9,9 +9,6 @@ namespace Rhegma::mass_matrix
 namespace
 {
 
-template <int D>
-constexpr int width = MassSystem<D>::width;
-
 /// Velocity before the forces, and acceleration, of the lumped mass.
 template <int D>
 void guessFromRowSums(const State<D>& state, const MassSystem<D>& system,

@@ -27,11 +27,19 @@ constexpr const char* adviceAtStop =
 
 /// How close a front that has not initiated came to initiation, in its entry and in a warning.
 template <int D>
-void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, nlohmann::json& summary)
+void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, double startTime,
+                nlohmann::json& summary)
 {
   summary["cracks"][front.crack]["fronts"][front.number]["closest_to_initiation"] = closest;
   if (state.clock.step == 0) // a scene that is only checked
     return;
+  if (state.clock.time < startTime)
+  {
+    summary["warnings"].push_back(
+        frontName(state.cracks, front) + ": no crack may advance before " + readableTime(startTime) +
+        " (Propagation > Start Time), and the run ended at " + readableTime(state.clock.time));
+    return;
+  }
   const double rounded = 0.001 * std::floor(1000.0 * closest); // below one
   summary["warnings"].push_back(frontName(state.cracks, front) + ": not initiated; G reached at most " +
                                 formatReal(rounded) + " of the initiation toughness");
@@ -335,7 +343,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
       summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front) + ", " : "") +
                                    fateAsText(front, own, end));
     else if (end.fate == Fate::NotInitiated && state.method.analysis != Analysis::LoadFactor)
-      reportRest(state, front, own.closest(), summary);
+      reportRest(state, front, own.closest(), options.rule.startTime, summary);
     if (stopped && options.endsAtStops && !summary.contains("ended_by"))
       summary["ended_by"] = name + (D == 2 ? " " : ": ") + fateAsText(front, own, end) + adviceAtStop;
   }

@@ -91,7 +91,11 @@ EffectEntry subCyclingEntry()
 {
   EffectEntry entry{section(), {}, make<2>, make<3>, true};
   entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
-  entry.cells.refine = [](Teuchos::ParameterList& scene, int) { scene.sublist("Sub-Cycling"); };
+  entry.cells.refine = [](Teuchos::ParameterList& scene, const FrontRefinement& refinement)
+  {
+    if (refinement.moves)
+      scene.sublist("Sub-Cycling");
+  };
   return entry;
 }
 

@@ -47,6 +47,7 @@ bool meetsMaterial(const Teuchos::ParameterList& source, const Teuchos::Paramete
 
 void reportCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
 {
+  needs.facesLoaded = needs.heat = true;
   if (!scene.sublist("Thermal").isSublist("Sources"))
     return;
   const Teuchos::ParameterList& sources = scene.sublist("Thermal").sublist("Sources");

@@ -44,7 +44,7 @@ double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
 }
 
 template <int D>
-void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& /*name*/)
+void addGravity(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& /*name*/)
 {
   const Vector<D> acceleration = readVector<D>(list, "Acceleration");
   const TimeFunction history = TimeFunction::parse(list.get<std::string>("History"));
@@ -65,7 +65,7 @@ BoundaryType gravityBoundary()
   Section s("Gravity", "A uniform body force on all mass.");
   s.realArray("Acceleration").unit("m/s2").perAxis().meaning("Acceleration of gravity: the force per mass.");
   describeHistory(s);
-  return {s, {}, add<2>, add<3>};
+  return {s, {}, addGravity<2>, addGravity<3>};
 }
 
 } // namespace Rhegma

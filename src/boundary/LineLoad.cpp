@@ -18,14 +18,14 @@ PlacedLoad<D> position(const Teuchos::ParameterList& list, const Seeds<D>& seeds
 }
 
 template <int D>
-void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+void addLineLoad(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
 {
   parts.loads.push_back(
       [=](const State<D>& state)
       { return readLoad<D>(list, state, name, list.get<std::string>("History"), position<D>); });
 }
 
-void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
+void checkLineLoad(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
 {
   checks.different(boundary, "From", "To", where);
 }
@@ -43,7 +43,7 @@ BoundaryType lineLoadBoundary()
       .byDefault("Uniform")
       .meaning("Distribution along the line: uniform, or a parabola that is zero at both ends.");
   describeHistory(s);
-  return {s, check, add<2>, add<3>, "", [](const Teuchos::ParameterList& list) {
+  return {s, checkLineLoad, addLineLoad<2>, addLineLoad<3>, "", [](const Teuchos::ParameterList& list) {
             return BoundaryRegion{"", BoundaryRegion::Kind::Force, readPoint(list, "From"),
                                   readPoint(list, "To")};
           }};

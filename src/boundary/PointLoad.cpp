@@ -15,7 +15,7 @@ PlacedLoad<D> position(const Teuchos::ParameterList& list, const Seeds<D>& seeds
 }
 
 template <int D>
-void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+void addPointLoad(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
 {
   parts.loads.push_back(
       [=](const State<D>& state)
@@ -33,8 +33,8 @@ BoundaryType pointLoadBoundary()
   describeHistory(s);
   return {s,
           {},
-          add<2>,
-          add<3>,
+          addPointLoad<2>,
+          addPointLoad<3>,
           "",
           [](const Teuchos::ParameterList& list)
           {

@@ -51,7 +51,7 @@ TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, State<D>& st
 }
 
 template <int D>
-void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+void addSymmetry(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
 {
   parts.supports.push_back([=](State<D>& state) { return readSymmetry<D>(list, state, name); });
 }
@@ -64,7 +64,7 @@ BoundaryRegion regionOf(const Teuchos::ParameterList& list)
   return plane;
 }
 
-void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
+void checkSymmetry(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
 {
   if (checks.dimension() == 2 && SceneValues::text(boundary, "Axis") == "z")
     checks.report(scenePath(where, "Axis"), "is z in a 2D scene; write x or y.");
@@ -80,7 +80,7 @@ BoundaryType symmetryBoundary()
   s.choice("Side", {"Lower", "Upper"})
       .optional("the side of the nearer end of the domain")
       .meaning("Side of the plane that is the mirror image and holds no material.");
-  return {s, check, add<2>, add<3>, "", regionOf};
+  return {s, checkSymmetry, addSymmetry<2>, addSymmetry<3>, "", regionOf};
 }
 
 } // namespace Rhegma

@@ -41,7 +41,7 @@ PlacedLoad<3> placeTraction(const Teuchos::ParameterList& list, const Seeds<3>& 
 }
 
 template <int D>
-void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+void addTraction(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
 {
   parts.loads.push_back(
       [=](const State<D>& state)
@@ -51,7 +51,7 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
       });
 }
 
-void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
+void checkTraction(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
 {
   checks.surface(boundary, where);
 }
@@ -98,7 +98,7 @@ BoundaryType tractionBoundary()
       .meaning("Pressure normal to the undeformed surface; positive values push into the body.");
   s.exactlyOneOf({"Stress", "Pressure"});
   describeHistory(s);
-  return {s, check, add<2>, add<3>};
+  return {s, checkTraction, addTraction<2>, addTraction<3>};
 }
 
 } // namespace Rhegma

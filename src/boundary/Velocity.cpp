@@ -62,7 +62,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
 }
 
 template <int D>
-void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+void addVelocity(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
 {
   parts.supports.push_back([=](State<D>& state) { return readVelocity<D>(list, state, name); });
 }
@@ -102,7 +102,7 @@ void checkField(SectionChecks& checks, const ParameterList& boundary, const std:
   }
 }
 
-void check(SectionChecks& checks, const ParameterList& boundary, const std::string& where)
+void checkVelocity(SectionChecks& checks, const ParameterList& boundary, const std::string& where)
 {
   checks.corners(boundary, where, true);
   checkComponents(checks, boundary, where);
@@ -130,7 +130,7 @@ BoundaryType velocityBoundary()
       "\"2*x, -y\". Common terms are defined first, as in \"r = sqrt(x*x + y*y); x / r, y / r\".");
   s.exactlyOneOf({"Value", "Field"});
   describeHistory(s);
-  return {s, check, add<2>, add<3>, "", regionOf};
+  return {s, checkVelocity, addVelocity<2>, addVelocity<3>, "", regionOf};
 }
 
 } // namespace Rhegma

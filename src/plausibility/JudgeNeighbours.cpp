@@ -1,5 +1,5 @@
 #include "base/EntryValue.hpp"
-#include "base/Numbers.hpp"
+#include "base/PointText.hpp"
 #include "plausibility/Judges.hpp"
 
 #include <cmath>
@@ -112,15 +112,6 @@ private:
   std::vector<int> owner_;
 };
 
-template <int D>
-std::string asText(const Vector<D>& x)
-{
-  std::string text;
-  for (int d = 0; d < D; ++d)
-    text += (d == 0 ? "(" : ", ") + formatReal(x[d]);
-  return text + ") m";
-}
-
 } // namespace
 
 template <int D>
@@ -139,7 +130,7 @@ Messages judgeNeighbours(const JudgedScene<D>& judged)
     const std::string &one = judged.bodies[pair.first].name, &other = judged.bodies[pair.second].name;
     if (bonded.count({one, other}) == 0)
       messages.push_back("Bodies > " + other + ": it touches Bodies > " + one +
-                         " or is less than two cells away, such as at " + asText(x) +
+                         " or is less than two cells away, such as at " + formatPoint(x) +
                          ", so both share one motion there, as if bonded; leave two cells between them, or "
                          "write Bonded To = " +
                          one + " if that is meant");

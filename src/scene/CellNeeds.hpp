@@ -20,13 +20,28 @@ struct CellNeeds
 
   double across = none;   ///< from a crack front to a surface, or a crack's (half) length if shorter [m]
   double atFronts = none; ///< the shortest crack's (half) length, next to which cells at fronts are small [m]
-  double source = none;   ///< radius of the smallest round source of heat that moves [m]
-  double atRest = none;   ///< radius of the smallest one at rest [m]
-  bool running = false;   ///< whether fronts run
-  bool equal = false;     ///< whether all effects of the scene need cells of equal size
+  double ahead = none;    ///< in 2D from a front to the surface ahead of it, or `atFronts` if shorter [m]
+  /// In 2D the least thickness that cells far from fronts resolve: of an arm next to a crack, or half the
+  /// extent of the body through a front [m].
+  double thickness = none;
+  double source = none;     ///< radius of the smallest round source of heat that moves [m]
+  double atRest = none;     ///< radius of the smallest one at rest [m]
+  bool running = false;     ///< whether fronts run
+  bool rests = false;       ///< whether the scene comes to rest, so that no wave needs small cells
+  bool heat = false;        ///< whether layers of heat need small cells far from fronts, too
+  bool facesLoaded = false; ///< whether faces of cracks may have pressure, contact, gas or heat
+  bool equal = false;       ///< whether all effects of the scene need cells of equal size
   std::string shortestAcross, smallestSource; ///< sections that give these lengths
 
   bool fronts() const { return across < none; }
+};
+
+/// Smaller cells at fronts.
+struct FrontRefinement
+{
+  int levels;    ///< below Domain > Cell Size
+  double around; ///< cells of each size next to a front
+  bool moves;    ///< whether the scene has time steps
 };
 
 /// Functions of an effect. All may be empty.
@@ -37,8 +52,8 @@ struct CellHook
   /// Adds the needs of the effect's section, or an error where the section is wrong. The scene is valid
   /// except for cross checks, and has the section.
   std::function<void(const Teuchos::ParameterList& scene, CellNeeds&, std::vector<SceneError>&)> addNeeds{};
-  /// Adds smaller cells at fronts, by a number of levels, to a scene that has no section of the effect.
-  std::function<void(Teuchos::ParameterList& scene, int levels)> refine{};
+  /// Adds smaller cells at fronts to a scene that has no section of the effect.
+  std::function<void(Teuchos::ParameterList& scene, const FrontRefinement&)> refine{};
 };
 
 } // namespace Rhegma

@@ -29,7 +29,7 @@ using Teuchos::ParameterList;
 const std::vector<std::string> knownTypes = {"double", "int",           "bool",
                                              "string", "Array(double)", "Array(int)"};
 
-const std::string howToWrite = "write <Parameter name=\"...\" type=\"...\" value=\"...\"/>.";
+const std::string formOfParameter = "write <Parameter name=\"...\" type=\"...\" value=\"...\"/>.";
 
 /// Adds a parameter with the value that a text says. \return whether the text is a value of the type
 bool setFromText(ParameterList& list, const std::string& name, const std::string& type,
@@ -209,7 +209,7 @@ private:
       report(path(), unknownTag(m_xml.tag()));
     else if (trimmed(name).empty())
       report(path(), sublist ? "a <ParameterList> has no name; write <ParameterList name=\"...\">."
-                             : "a <Parameter> has no name; " + howToWrite);
+                             : "a <Parameter> has no name; " + formOfParameter);
     else if (isTaken(m_open.back(), name))
       report(scenePath(path(), name), "the name is given twice; keep one of the two.");
     else
@@ -244,7 +244,7 @@ private:
     for (const auto& [attribute, value] : m_parameter)
       if (!value)
       {
-        report(path(), std::string("has no ").append(attribute).append("; ").append(howToWrite));
+        report(path(), std::string("has no ").append(attribute).append("; ").append(formOfParameter));
         return false;
       }
     std::string type = trimmed(*m_parameter[0].second);
@@ -271,7 +271,7 @@ private:
     element.refused = true;
     const std::string_view content = m_xml.content();
     const std::string line = trimmed(std::string(content.substr(0, content.find('\n'))));
-    report(path(), "the text \"" + line.substr(0, 40) + "\" is outside of any parameter; " + howToWrite);
+    report(path(), "the text \"" + line.substr(0, 40) + "\" is outside of any parameter; " + formOfParameter);
   }
 
   void reportAttributes(const std::string& name)

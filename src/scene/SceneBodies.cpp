@@ -69,7 +69,6 @@ double SceneBodies<D>::nearest(const Vector<D>& x, double span) const
   return least;
 }
 
-/// How far along a direction all positions are inside, searched up to `most`.
 template <int D>
 double SceneBodies<D>::reach(const Vector<D>& x, const Vector<D>& direction, double most) const
 {

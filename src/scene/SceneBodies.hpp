@@ -30,12 +30,17 @@ public:
   /// shifted, and displacements prescribed on the face are off by up to half a cell.
   double fit(double most, const Teuchos::Array<double>& corner) const;
 
-private:
-  double nearest(const Vector<D>& x, double span) const;
+  /// How far along a direction all positions are inside [m], to 1/400 of `most`, up to which it is searched;
+  /// infinite if there is no end. \param direction of length one
   double reach(const Vector<D>& x, const Vector<D>& direction, double most) const;
 
+  double extent() const { return extent_; } ///< the longest edge of their bounds [m]
+
+private:
+  double nearest(const Vector<D>& x, double span) const;
+
   std::vector<Shape<D>> shapes_;
-  double extent_ = 0.0; ///< the longest edge of their bounds
+  double extent_ = 0.0;
 };
 
 } // namespace Rhegma

@@ -1,6 +1,6 @@
 #include "step/OutsideDomain.hpp"
 
-#include "base/Numbers.hpp"
+#include "base/PointText.hpp"
 
 namespace Rhegma
 {
@@ -8,21 +8,12 @@ namespace Rhegma
 namespace
 {
 
-template <int D>
-std::string asText(const Vector<D>& x)
-{
-  std::string text;
-  for (int d = 0; d < D; ++d)
-    text += (d > 0 ? ", " : "(") + formatReal(x[d]);
-  return text + ") m";
-}
-
 /// Where, and what helps. \param own what else helps
 template <int D>
 std::string positionAndHelp(const Vector<D>& x, const Grid<D>& grid, const std::string& own)
 {
-  return asText(x) + "; the domain reaches from " + asText(grid.lower) + " to " + asText(grid.upper) +
-         ": enlarge it (Domain > Lower Corner, Upper Corner), " + own +
+  return formatPoint(x) + "; the domain reaches from " + formatPoint(grid.lower) + " to " +
+         formatPoint(grid.upper) + ": enlarge it (Domain > Lower Corner, Upper Corner), " + own +
          "; where material lies beyond a plane of symmetry, Boundaries > * > Side (Type = Symmetry) says "
          "which "
          "side of it is empty";

@@ -3,12 +3,12 @@
 #include "base/Attempts.hpp"
 #include "base/EntryValue.hpp"
 #include "base/MemoryNeed.hpp"
+#include "base/PointText.hpp"
 #include "geometry/NearBoxes.hpp"
 #include "geometry/Overlap.hpp"
 #include "step/OutsideDomain.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 namespace Rhegma
@@ -55,16 +55,6 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
 }
 
 template <int D>
-std::string asText(const Vector<D>& x)
-{
-  std::ostringstream text;
-  for (int d = 0; d < D; ++d)
-    text << (d == 0 ? "(" : ", ") << x[d];
-  text << ") m";
-  return text.str();
-}
-
-template <int D>
 void seed(PlacedBody<D>& body, const Grid<D>& grid)
 {
   body.seeds = seedParticles<D>(body.shape, grid.spacing, body.particlesPerCell(), body.where());
@@ -82,7 +72,7 @@ void refuseOverlap(const PlacedBody<D>& one, const PlacedBody<D>& other)
     return;
   throw std::invalid_argument(
       other.where() + ": overlaps " + one.where() + ", such as at " +
-      asText<D>(inOther >= 0 ? one.seeds.position[inOther] : other.seeds.position[inOne]) +
+      formatPoint<D>(inOther >= 0 ? one.seeds.position[inOther] : other.seeds.position[inOne]) +
       ", so the mass there would be counted twice; move one of them, or cut it with Operations");
 }
 

@@ -203,6 +203,15 @@ class FrontsThatStop(ProgramTest):
         self.assertEqual(sorted(quiet.messages.splitlines()), sorted(printed))
         self.assertEqual(quiet.output, "")
 
+    def test_a_start_time_that_the_run_does_not_reach_is_said(self):
+        scene = pulled_apart([0.0, 0.52, 0.4, 0.52])
+        scene.set("Propagation > Start Time", 5e-3)
+        answer, _, summary, _ = self.run_scene(scene)
+        self.assertEqual(answer.status, 0, answer)
+        self.assertEqual(summary["cracks"][0]["fronts"][0]["increments"], 0)
+        self.assertRegex(answer.messages, r"crack Notch, front 0: no crack may advance before 5 ms "
+                                          r"\(Propagation > Start Time\), and the run ended at 4 ms")
+
     def test_held_cracks_have_g_and_k_with_the_time(self):
         answer, _, summary, rows = self.run_scene(plate())
         self.assertEqual(answer.status, 0, answer)
