@@ -363,7 +363,14 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
 
 EffectEntry energyReleaseEntry()
 {
-  return {energyReleaseSection(), checkEnergyRelease, make<2>, make<3>, true};
+  EffectEntry entry{energyReleaseSection(), checkEnergyRelease, make<2>, make<3>, true};
+  entry.cells.addNeeds = [](const Teuchos::ParameterList& scene, CellNeeds& needs, auto&)
+  {
+    const Teuchos::ParameterList& list = scene.sublist("Energy Release");
+    if (list.isType<double>("Inner Radius"))
+      needs.contour = std::min(needs.contour, list.get<double>("Inner Radius"));
+  };
+  return entry;
 }
 
 } // namespace Rhegma::energy_release

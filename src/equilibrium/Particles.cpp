@@ -39,6 +39,7 @@ struct ParticleData
   BorrowedView<double*> temperature; ///< empty without heat
   View<int> bad;                     ///< not 0 where a particle is inverted
   double dt;
+  double spacing; ///< of the cells [m]
 
   ParticleData(const State<D>& state, const RowGraph& graph, const Values& u)
       : rowOf(graph.rowOf),
@@ -49,7 +50,8 @@ struct ParticleData
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
         heat(state.materials.thermo),
         bad("rhegma::invertedParticles"),
-        dt(state.clock.dt)
+        dt(state.clock.dt),
+        spacing(state.mesh.grid.spacing)
   {
     if (state.particles.has(fields::history))
       history = state.particles.table(fields::history);
@@ -81,9 +83,9 @@ struct ParticleData
     connect.visitStraining(p,
                            [&](int node, double weight, const typename Connect::Slopes& slopes)
                            {
-                             if (weight < leastWeight)
-                               return;
                              const int row = rowOf(node);
+                             if (row < 0 || !counts(weight, slopes.of, slopes.size, spacing))
+                               return;
                              rows.row[rows.count] = row;
                              for (int k = 0; k < slopes.size; ++k)
                                rows.slope[rows.count][k] = slopes.of[k];

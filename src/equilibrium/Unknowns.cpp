@@ -26,9 +26,9 @@ void forEachStencil(const State<D>& state, const Use& use)
                      {
                        nodes.clear();
                        connect.visit(p,
-                                     [&](int node, double weight, const double*)
+                                     [&](int node, double weight, const double* slopes)
                                      {
-                                       if (weight >= leastWeight)
+                                       if (counts(weight, slopes, D, state.mesh.grid.spacing))
                                          nodes.push_back(node);
                                      });
                        std::sort(nodes.begin(), nodes.end());

@@ -9,9 +9,18 @@
 namespace Rhegma::equilibrium
 {
 
-/// Smallest weight of a node in a particle's stencil that counts: smaller ones are rounding errors of a box
-/// that ends on a row of nodes, and would make unknowns that nothing holds.
-constexpr double leastWeight = 1e-20;
+/// Whether a node of a particle's stencil counts. Where both its weight and its slopes are rounding errors,
+/// as of a box that ends on a row of nodes, it would be an unknown that nothing holds. The weight alone does
+/// not tell: a particle of linear functions on a row of nodes has no weight, but slopes, at the nodes beside
+/// it, without which a uniform motion would strain it. \param slopes [1/m] \param spacing of the cells [m]
+KOKKOS_INLINE_FUNCTION bool counts(double weight, const double* slopes, int numSlopes, double spacing)
+{
+  constexpr double leastWeight = 1e-20, leastSlope = 1e-8;
+  bool found = weight >= leastWeight;
+  for (int k = 0; k < numSlopes; ++k)
+    found = found || std::fabs(slopes[k]) * spacing > leastSlope;
+  return found;
+}
 
 /// Rows, one for each field of a node that some particle sees, in the order of the nodes' numbers; and which
 /// rows are coupled.

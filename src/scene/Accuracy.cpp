@@ -26,6 +26,9 @@ constexpr int mostLevels = 6;
 /// % too low over the number of cells in a crack (docs/verification.md), elsewhere it is off by up to 9 %.
 constexpr double loadedFaces = 2.0;
 
+/// Cells in the inner radius of a contour that keep it out of the cells of the front.
+constexpr double perContour = 2.0;
+
 /// Cells of a lattice whose nodes an int numbers.
 constexpr double mostCells = 2e9;
 
@@ -109,7 +112,8 @@ bool hasTimeSteps(const ParameterList& scene)
 double cellAtFronts(const CellNeeds& needs, const AccuracyRule& rule)
 {
   if (needs.ahead < CellNeeds::none)
-    return needs.ahead / (rule.perFront * (needs.facesLoaded ? loadedFaces : 1.0));
+    return std::min(needs.ahead / (rule.perFront * (needs.facesLoaded ? loadedFaces : 1.0)),
+                    needs.contour / perContour);
   // Four fifths of the error are for the position of the front.
   return 1.6 * rule.error * needs.atFronts;
 }

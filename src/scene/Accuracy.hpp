@@ -32,7 +32,7 @@ const std::vector<AccuracyRule>& accuracyRules();
 /// Sets what Domain > Accuracy chooses and the scene does not give: Domain > Cell Size, and smaller cells at
 /// crack fronts (Adaptivity, Sub-Cycling), where both of these sections are absent and the crack allows them.
 ///
-/// In 2D, cells at fronts are a fraction of the crack's length, and in scenes that come to rest all others
+/// In 2D, cells at fronts are a fraction of the crack's length, and in scenes at rest all others
 /// grow with the distance to the front up to a fraction of the body's thickness. In 3D a front among nodes
 /// acts as if the crack were up to a quarter of a cell shorter, and G is in proportion to no more than the
 /// square of a crack's length in usual bodies; so cells at the front are small compared with the crack, and

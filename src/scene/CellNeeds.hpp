@@ -26,8 +26,9 @@ struct CellNeeds
   double thickness = none;
   double source = none;     ///< radius of the smallest round source of heat that moves [m]
   double atRest = none;     ///< radius of the smallest one at rest [m]
+  double contour = none;    ///< the inner radius that the scene gives to contours round fronts [m]
   bool running = false;     ///< whether fronts run
-  bool rests = false;       ///< whether the scene comes to rest, so that no wave needs small cells
+  bool rests = false;       ///< whether waves are damped, so that none needs small cells
   bool heat = false;        ///< whether layers of heat need small cells far from fronts, too
   bool facesLoaded = false; ///< whether faces of cracks may have pressure, contact, gas or heat
   bool equal = false;       ///< whether all effects of the scene need cells of equal size

@@ -74,8 +74,16 @@ double SceneBodies<D>::reach(const Vector<D>& x, const Vector<D>& direction, dou
 {
   constexpr int samples = 400;
   for (int k = 1; k <= samples; ++k)
-    if (const double at = most * k / samples; !contain(x + at * direction))
-      return at;
+    if (!contain(x + (most * k / samples) * direction))
+    {
+      double inside = most * (k - 1) / samples, outside = most * k / samples;
+      for (int halving = 0; halving < 20; ++halving)
+      {
+        const double middle = 0.5 * (inside + outside);
+        (contain(x + middle * direction) ? inside : outside) = middle;
+      }
+      return outside;
+    }
   return infinity;
 }
 

@@ -30,7 +30,7 @@ public:
   /// shifted, and displacements prescribed on the face are off by up to half a cell.
   double fit(double most, const Teuchos::Array<double>& corner) const;
 
-  /// How far along a direction all positions are inside [m], to 1/400 of `most`, up to which it is searched;
+  /// How far along a direction all positions are inside [m]. It is searched in 400 steps up to `most`;
   /// infinite if there is no end. \param direction of length one
   double reach(const Vector<D>& x, const Vector<D>& direction, double most) const;
 

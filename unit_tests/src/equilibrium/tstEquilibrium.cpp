@@ -67,6 +67,28 @@ void refineBox(Teuchos::ParameterList& scene, int levels)
 /// of a turned body do not tile the cells, which is an error of the integration over particles (Steffen,
 /// Kirby and Berzins, Int. J. Numer. Meth. Eng. 76 (2008) 922) and not of the solver.
 template <int D>
+void testPatchAt(const Vector<D>& offset, const std::string& shape, double degrees, double tolerance,
+                 int levels, const std::string& shear)
+{
+  Teuchos::ParameterList scene = turnedBox<D>("Neo-Hookean", offset, degrees, 5.0, shape);
+  scene.sublist("Domain").set("Shear Strain", shear);
+  if (levels > 0)
+    refineBox<D>(scene, levels);
+  holdRim<D>(scene, 1.7, 4.3,
+             D == 2 ? "0.04*x + 0.1*y, -0.06*y" : "0.04*x + 0.1*y, -0.06*y, 0.02*z + 0.04*x");
+  Rhegma::Run<D> run(validated(scene));
+  run.initialize();
+  run.step(0.5, false);
+  const HostParticles<D> particles(run.state());
+  for (int p = 0; p < particles.size; ++p)
+  {
+    ASSERT_NEAR(particles.deformation(p, 0), 1.02, tolerance) << "offset " << offset[0] << ", " << degrees;
+    ASSERT_NEAR(particles.deformation(p, 1), 0.05, tolerance);
+    ASSERT_NEAR(particles.deformation(p, D + 1), 0.97, tolerance);
+  }
+}
+
+template <int D>
 void testPatch(const std::string& shape, double turn, double tolerance, int levels = 0,
                const std::string& shear = "At Particles")
 {
@@ -78,22 +100,7 @@ void testPatch(const std::string& shape, double turn, double tolerance, int leve
     for (int d = 0; d < D; ++d)
       offset[d] = anywhere(random);
     const double degrees = turn * anywhere(random);
-    Teuchos::ParameterList scene = turnedBox<D>("Neo-Hookean", offset, degrees, 5.0, shape);
-    scene.sublist("Domain").set("Shear Strain", shear);
-    if (levels > 0)
-      refineBox<D>(scene, levels);
-    holdRim<D>(scene, 1.7, 4.3,
-               D == 2 ? "0.04*x + 0.1*y, -0.06*y" : "0.04*x + 0.1*y, -0.06*y, 0.02*z + 0.04*x");
-    Rhegma::Run<D> run(validated(scene));
-    run.initialize();
-    run.step(0.5, false);
-    const HostParticles<D> particles(run.state());
-    for (int p = 0; p < particles.size; ++p)
-    {
-      ASSERT_NEAR(particles.deformation(p, 0), 1.02, tolerance) << "offset " << offset[0] << ", " << degrees;
-      ASSERT_NEAR(particles.deformation(p, 1), 0.05, tolerance);
-      ASSERT_NEAR(particles.deformation(p, D + 1), 0.97, tolerance);
-    }
+    testPatchAt<D>(offset, shape, degrees, tolerance, levels, shear);
   }
 }
 
@@ -133,6 +140,13 @@ TEST(Equilibrium, PatchInRefinedCells) { testPatch<2>("GIMP", 0.0, 1e-7, 2); }
 TEST(Equilibrium, PatchInRefinedCells3D) { testPatch<3>("GIMP", 0.0, 1e-7, 1); }
 TEST(Equilibrium, PatchOfTurnedBoxes) { testPatch<2>("GIMP", 45.0, 1.5e-2); }
 TEST(Equilibrium, PatchOfTurnedBoxesIn3D) { testPatch<3>("GIMP", 45.0, 1.5e-2); }
+
+/// Particles of linear functions on rows of nodes have no weight, but slopes at the nodes beside them.
+TEST(Equilibrium, PatchOfParticlesOnNodes)
+{
+  for (const double offset : {0.25, 0.75})
+    testPatchAt<2>(all<2>(offset), "Linear", 0.0, 1e-7, 0, "At Particles");
+}
 
 TEST(Equilibrium, PatchWithShearAtCentres)
 {
