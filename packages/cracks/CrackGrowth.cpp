@@ -90,7 +90,8 @@ bool CrackGrowth<D>::prepare(const State<D>& state, Advancing& f, double& longes
 
 /// Takes ends of a 3D front that would leave the surface of the body back to it, along the front. A surface
 /// that curves, or a border of the crack that does not follow it, leads them into the body, where the front
-/// would turn round them.
+/// would turn round them. The vertex itself is moved first: an edge from where it was to the surface would
+/// lie along the front, and as the surface-breaking edge at its end would give the end its direction.
 template <int D>
 void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
                                    std::vector<AdvancingNode<D>>& nodes) const
@@ -114,8 +115,10 @@ void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
   const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (ligaments[i].ends && ligaments[i].length > leastInside * paths[i].cell)
-      ends[i]->to =
-          ends[i]->to + (ligaments[i].length - particleOverhang * paths[i].cell) * paths[i].direction;
+    {
+      ends[i]->aside = (ligaments[i].length - particleOverhang * paths[i].cell) * paths[i].direction;
+      ends[i]->to = ends[i]->to + ends[i]->aside;
+    }
 }
 
 /// The end point of each advance, limited by the ligament.
@@ -206,8 +209,11 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
   point.toughness = f.advances[node.node].toughness;
   if (length > leastPiece * f.advances[node.node].length)
   {
-    const double more =
-        f.crack.mesh.advance(f.lines, node.node, to, D == 2 ? length : rowHeight * f.cells[node.node]);
+    double more = 0.0;
+    if constexpr (D == 3)
+      if (norm(node.aside) > 0.0)
+        more += f.crack.mesh.shift(point.vertex, node.aside);
+    more += f.crack.mesh.advance(f.lines, node.node, to, D == 2 ? length : rowHeight * f.cells[node.node]);
     f.area += more;
     f.energy += point.toughness * more * state.method.thickness;
     FrontNode<D>& own = f.front.nodes[node.node];

@@ -38,6 +38,7 @@ struct AdvancingNode
   Ligament ligament; ///< that it has
   Vector<D> to;      ///< where it would go to [m]
   bool due = true;   ///< its own driving force advances it, not the smoothing of its front
+  Vector<D> aside{}; ///< along the front, back to the surface at which it ends, before it advances [m]
 };
 
 /// In 2D: a front that comes closer than three cells to another crack that lies across its path, less than

@@ -132,7 +132,9 @@ private:
   /// At the surface where a line ends, the direction is that of its end; within the last piece it is
   /// interpolated between that and the direction at the nearest point. A virtual advance must not cross a
   /// surface, as the surface term of the integration by parts is left out; behind an inclined last piece it
-  /// would cross the surface with the directions further inside.
+  /// would cross the surface with the directions further inside. Where the foot lies further inside than the
+  /// position from the front and the last piece is long, the surface is another one: a front that meets a
+  /// surface that curves has positions behind it, by the plane through its end, along much of its length.
   KOKKOS_INLINE_FUNCTION void alongSurface(const Vector<3>& x, int last, FrontFoot& foot) const
   {
     const int end = ends(foot.line, last), inner = last != 0 ? end - 1 : end + 1;
@@ -142,7 +144,8 @@ private:
     const double depth = dot(x - at(nodePosition, end), in) / dot(in, in);
     if (!(depth < 1.0)) // a piece along the surface-breaking end has no depth
       return;
-    const double t = depth > 0.0 ? depth : 0.0;
+    const double near = foot.distance + norm(along), fades = foot.inside / near - 1.0;
+    const double t = std::fmin(std::fmax(std::fmax(depth, fades), 0.0), 1.0);
     const Vector<3> mean = (1.0 - t) * endDirection + t * foot.direction;
     foot.direction = (1.0 / norm(mean)) * mean;
   }

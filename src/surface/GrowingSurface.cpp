@@ -105,6 +105,14 @@ double GrowingSurface::advance(FrontLines<3>& lines, std::size_t k, const Vector
   return area;
 }
 
+double GrowingSurface::shift(int v, const Vector<3>& by)
+{
+  const double area = areaAround(v);
+  vertices[v] = vertices[v] + by;
+  faces[v] = {vertices[v], vertices[v]};
+  return areaAround(v) - area;
+}
+
 void GrowingSurface::split(FrontLines<3>& lines, std::size_t k, int name)
 {
   const std::size_t to = nextPoint(lines, k);

@@ -27,6 +27,9 @@ public:
   /// \return the added area [m2]
   double advance(FrontLines<3>& lines, std::size_t k, const Vector<3>& x, double row);
 
+  /// Moves a vertex with its triangles. \return the added area [m2]
+  double shift(int vertex, const Vector<3>& by);
+
   /// Splits the piece that begins at the k-th point in the middle; the new point gets `name`.
   void split(FrontLines<3>& lines, std::size_t k, int name);
 

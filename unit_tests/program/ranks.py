@@ -75,7 +75,6 @@ class OnRanks(unittest.TestCase):
             *("--output", out, "--quiet", "--set", f"Output:Fields={str(with_fields).lower()}"),
             *arguments,
             launcher=launcher,
-            timeout=600,
             **ROOT,
         )
         self.assertIn(answer.status, (0, 4), answer)  # 4: too few steps for the scene's reference

@@ -8,7 +8,7 @@ import time
 
 import h5py
 import numpy
-from program import PROGRAM, ProgramTest, environment, rhegma
+from program import PATIENCE, PROGRAM, ProgramTest, environment, rhegma
 from scenes import plate
 
 END = 4e-3  # [s], about 400 steps of the plate
@@ -72,7 +72,7 @@ class RestartTest(ProgramTest):
         self.addCleanup(run.stderr.close)
         return run
 
-    def wait_for(self, run, path, seconds=60):
+    def wait_for(self, run, path, seconds=PATIENCE):
         end = time.monotonic() + seconds
         while time.monotonic() < end and run.poll() is None:
             if os.path.exists(path):
@@ -85,6 +85,6 @@ class RestartTest(ProgramTest):
         run = self.start(path, "--output", folder, "--quiet")
         self.wait_for(run, os.path.join(folder, "checkpoint.h5"))
         run.send_signal(signal.SIGTERM)
-        run.wait(60)
+        run.wait(PATIENCE)
         self.assertEqual(run.returncode, 2)
         return os.path.join(folder, "checkpoint.h5")

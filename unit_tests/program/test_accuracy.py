@@ -38,7 +38,7 @@ class Accuracy(ProgramTest):
 
     def error(self, scene, accuracy, path, exact, *overrides):
         settings = [word for override in overrides for word in ("--set", override)]
-        answer = rhegma(self.choose(scene, accuracy), "--output", self.path("out"), "--quiet", *settings, timeout=900)
+        answer = rhegma(self.choose(scene, accuracy), "--output", self.path("out"), "--quiet", *settings)
         self.assertEqual(answer.status, 0, answer)
         with open(self.path("out", "summary.json"), encoding="utf-8") as file:
             return abs(at(json.load(file), path) / exact - 1.0)

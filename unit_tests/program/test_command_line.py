@@ -12,7 +12,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import NOISE, PROGRAM, SOURCE, ProgramTest, environment, rhegma  # noqa: E402
+from program import NOISE, PATIENCE, PROGRAM, SOURCE, ProgramTest, environment, rhegma  # noqa: E402
 from scenes import plate  # noqa: E402
 
 SECTIONS = ("Domain", "Time", "Materials", "Bodies", "Boundaries", "Output", "Reference")
@@ -273,7 +273,7 @@ class ClosedPipe(ProgramTest):
         describe.stdout.close()
         messages = describe.stderr.read().decode()
         describe.stderr.close()
-        describe.wait(60)
+        describe.wait(PATIENCE)
         for noise in NOISE:
             self.assertNotIn(noise, messages)
 

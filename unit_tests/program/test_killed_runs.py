@@ -18,7 +18,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import SOURCE, rhegma  # noqa: E402
+from program import PATIENCE, SOURCE, rhegma  # noqa: E402
 from restart_case import RestartTest, scene  # noqa: E402
 
 sys.path.insert(0, os.path.join(SOURCE, "tools"))
@@ -44,7 +44,7 @@ class Killed(RestartTest):
             # So that some kills hit its start and some its end.
             time.sleep(random.uniform(0.0, 0.5) * duration)
             run.kill()
-            run.wait(60)
+            run.wait(PATIENCE)
             if run.returncode == 0:  # it was through: from the start again
                 shutil.rmtree(folder)
                 continue

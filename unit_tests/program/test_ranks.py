@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 
 import h5py  # noqa: E402
 import numpy  # noqa: E402
-from program import PROGRAM, SOURCE, environment, rhegma  # noqa: E402
+from program import PATIENCE, PROGRAM, SOURCE, environment, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT, OnRanks  # noqa: E402
 from scenes import ball, plate  # noqa: E402
 
@@ -148,14 +148,14 @@ class Ranks(OnRanks):
         self.addCleanup(run.stderr.close)
         self.addCleanup(run.kill)
         history = os.path.join(self.folder, "out", "history.csv")
-        for _ in range(600):
+        for _ in range(10 * PATIENCE):
             time.sleep(0.1)
             if os.path.exists(history) and os.path.getsize(history) > 0:
                 break
         children = subprocess.run(["pgrep", "-P", str(run.pid)], stdout=subprocess.PIPE, check=True).stdout.split()
         self.assertEqual(len(children), 3)
         os.kill(int(children[-1]), signal.SIGTERM)
-        _, messages = run.communicate(timeout=60)
+        _, messages = run.communicate(timeout=PATIENCE)
         self.assertEqual(run.returncode, 2, messages)
         self.assertEqual(messages.decode().count("the run was stopped by SIGTERM"), 1, messages)
         with open(os.path.join(self.folder, "out", "summary.json"), encoding="utf-8") as file:
@@ -163,7 +163,7 @@ class Ranks(OnRanks):
 
     def test_a_run_that_bursts_says_so_once(self):
         scene = whole_plate().set("Boundaries > Pull > Stress", [1e13, 0.0]).set("Time > Retries", 0)
-        answer = rhegma(self.write(scene), "--quiet", launcher=(*LAUNCHER, "-np", "3"), timeout=300, **ROOT)
+        answer = rhegma(self.write(scene), "--quiet", launcher=(*LAUNCHER, "-np", "3"), **ROOT)
         self.assertEqual(answer.status, 2, answer)
         self.assertEqual(answer.messages.count("the run stopped at t ="), 1, answer)
 
@@ -196,7 +196,7 @@ class Fields(OnRanks):
             self.skipTest("only root can mount a small disk here: " + mounted.stderr.decode().strip())
         self.addCleanup(subprocess.run, ["umount", disk], check=True)
         out = os.path.join(disk, "out")
-        answer = rhegma(self.scene(), "--output", out, "--quiet", launcher=(*LAUNCHER, "-np", "3"), timeout=120, **ROOT)
+        answer = rhegma(self.scene(), "--output", out, "--quiet", launcher=(*LAUNCHER, "-np", "3"), **ROOT)
         self.assertEqual(answer.status, 2, answer)
         ours = [line for line in answer.messages.splitlines() if line.startswith("rhegma:")]
         self.assertEqual(len(ours), 1, answer)

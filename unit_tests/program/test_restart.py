@@ -13,7 +13,7 @@ sys.dont_write_bytecode = True
 
 import h5py  # noqa: E402
 import numpy  # noqa: E402
-from program import rhegma  # noqa: E402
+from program import PATIENCE, rhegma  # noqa: E402
 from restart_case import END, RestartTest, damped, scene  # noqa: E402
 
 
@@ -25,7 +25,7 @@ class GoesOn(RestartTest):
         run = self.start(path, "--output", broken, "--quiet")
         self.wait_for(run, os.path.join(broken, "fields.xdmf"))
         run.send_signal(number)
-        run.wait(60)
+        run.wait(PATIENCE)
         messages = run.stderr.read().decode()
         self.assertEqual(run.returncode, 2, messages)
         checkpoint = os.path.join(broken, "checkpoint.h5")

@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 
 import h5py  # noqa: E402
 import numpy  # noqa: E402
-from program import PROGRAM, environment, rhegma  # noqa: E402
+from program import PATIENCE, PROGRAM, environment, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT, OnRanks, kind_of  # noqa: E402
 from scenes import plate, too_long_a_step  # noqa: E402
 from test_ranks_of_effects import block, burning, turned_plate  # noqa: E402
@@ -123,14 +123,14 @@ class Stopped(OnRanks):
         command = (*LAUNCHER, "-np", "3", PROGRAM, path, "--output", out, "--quiet")
         run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment(ROOT))
         self.addCleanup(run.stderr.close)
-        end = time.monotonic() + 60
+        end = time.monotonic() + PATIENCE
         while time.monotonic() < end and not os.path.exists(os.path.join(out, "history.csv")):
             time.sleep(0.05)
         rank = sorted(self.children(run.pid))[-1]
         while time.monotonic() < end and not self.catches(rank, signal.SIGTERM):
             time.sleep(0.05)
         os.kill(rank, signal.SIGTERM)
-        messages = run.communicate(timeout=120)[1].decode()
+        messages = run.communicate(timeout=PATIENCE)[1].decode()
         self.assertEqual(run.returncode, 2, messages)
         checkpoint = os.path.join(out, "checkpoint.h5")
         self.assertEqual(messages.count("rhegma: the run was stopped by SIGTERM"), 1, messages)

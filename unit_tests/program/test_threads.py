@@ -23,7 +23,6 @@ def last_particles(scene, threads):
             os.path.join(SOURCE, "xml_inputs", scene),
             *("--output", folder, "--quiet", f"--kokkos-num-threads={threads}"),
             *("--set", f"Time:Maximum Steps={STEPS}", "--set", "Output:Fields=true"),
-            timeout=600,
         )
         # 60 steps are too few for the reference of the scene (exit status 4).
         if answer.status not in (0, 4):

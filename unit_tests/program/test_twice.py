@@ -15,7 +15,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import SOURCE, rhegma  # noqa: E402
+from program import PATIENCE, SOURCE, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT  # noqa: E402
 from restart_case import RestartTest  # noqa: E402
 from scenes import plate  # noqa: E402
@@ -41,7 +41,7 @@ class TwiceTest(RestartTest):
 
 class Twice(TwiceTest):
     def twice(self, scene, *more):
-        answer = rhegma(scene, "--twice", "--output", self.path("out"), *more, timeout=600)
+        answer = rhegma(scene, "--twice", "--output", self.path("out"), *more)
         self.assertIn(answer.status, (0, 4), answer)
         comparison = self.comparison()
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["as_is", "half", "twice.json"])
@@ -111,7 +111,7 @@ class RunsThatStop(TwiceTest):
     """Half the cells may do what the cells of the scene can't."""
 
     def test_a_front_that_the_cells_of_the_scene_stop(self):
-        answer = rhegma(self.write("scene.xml", passing().text()), "--twice", "--output", self.path("out"), timeout=300)
+        answer = rhegma(self.write("scene.xml", passing().text()), "--twice", "--output", self.path("out"))
         self.assertEqual(answer.status, 2, answer)
         comparison = self.comparison()
         answers = {one["name"]: one for one in comparison["answers"]}
@@ -129,12 +129,12 @@ class RunsThatStop(TwiceTest):
         """All ranks agree on whether the second run is made, and on the exit status."""
         ranks = {"launcher": (*LAUNCHER, "-np", "2"), **ROOT}
         scene = self.write("scene.xml", passing().text())
-        answer = rhegma(scene, "--twice", "--quiet", "--output", self.path("out"), timeout=300, **ranks)
+        answer = rhegma(scene, "--twice", "--quiet", "--output", self.path("out"), **ranks)
         self.assertEqual(answer.status, 2, answer)
         self.assertEqual(self.comparison()["runs"]["half"]["status"], self.status_of("out", "half"))
         self.assertFalse(self.has("out", "run.lock"))
         self.write(os.path.join("out", "twice.json"), "notes of my own")
-        answer = rhegma(scene, "--twice", "--quiet", "--output", self.path("out"), timeout=300, **ranks)
+        answer = rhegma(scene, "--twice", "--quiet", "--output", self.path("out"), **ranks)
         self.assertEqual(answer.status, 1, answer)
         self.assertEqual(len([line for line in answer.messages.splitlines() if "no run wrote" in line]), 1, answer)
         self.assertTrue(self.has("out", "half", "summary.json"))
@@ -143,11 +143,11 @@ class RunsThatStop(TwiceTest):
         """The first run stops, and the second misses its reference: 2, though 4 is the greater number."""
         wrong = {"End": {"Quantity": "time", "Value": 1.0, "Tolerance": 1e-3, "Source": "none"}}
         scene = self.write("scene.xml", passing().set("Reference", wrong).text())
-        answer = rhegma(scene, "--twice", "--output", self.path("out"), "--quiet", timeout=300)
+        answer = rhegma(scene, "--twice", "--output", self.path("out"), "--quiet")
         self.assertEqual(answer.status, 2, answer)
         self.assertTrue(self.has("out", "twice.json"))
         scene = self.write("scene.xml", passing(On_Stop="Continue").set("Reference", wrong).text())
-        answer = rhegma(scene, "--twice", "--output", self.path("out"), "--quiet", timeout=300)
+        answer = rhegma(scene, "--twice", "--output", self.path("out"), "--quiet")
         self.assertEqual(answer.status, 4, answer)
 
     def test_a_signal_ends_both(self):
@@ -157,7 +157,7 @@ class RunsThatStop(TwiceTest):
         self.addCleanup(run.kill)
         self.wait_for(run, self.path("out", "as_is", "manifest.json"))
         run.send_signal(signal.SIGTERM)
-        self.assertEqual(run.wait(60), 2)
+        self.assertEqual(run.wait(PATIENCE), 2)
         self.assertIn("stopped by SIGTERM", self.status_of("out", "as_is"))
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["as_is", "half"])
         self.assertEqual(os.listdir(self.path("out", "half")), [])
@@ -177,13 +177,13 @@ class OlderRuns(TwiceTest):
         scene = self.write("scene.xml", plate().set("Time > Final Time", 10.0).text())
         run = self.start(scene, "--twice", "--output", self.path("out"), "--quiet")
         self.addCleanup(run.kill)
-        end = time.monotonic() + 60
+        end = time.monotonic() + PATIENCE
         while self.has("out", "as_is", "summary.json") and run.poll() is None and time.monotonic() < end:
             time.sleep(0.005)
         self.assertFalse(self.has("out", "twice.json"))
         self.assertEqual(os.listdir(self.path("out", "half")), [])
         run.kill()
-        run.wait(60)
+        run.wait(PATIENCE)
         self.assertEqual(run.returncode, -signal.SIGKILL)
 
     def test_kill_at_any_moment(self):
@@ -199,7 +199,7 @@ class OlderRuns(TwiceTest):
             run = self.start(path, "--twice", "--output", self.path("out"), "--quiet", "--set", f"Time:Final Time={final!r}")
             time.sleep(generator.uniform(0.0, duration))
             run.kill()
-            run.wait(60)
+            run.wait(PATIENCE)
             self.assertIn(run.returncode, (0, -signal.SIGKILL))
             killed += run.returncode != 0
             if self.has("out", "twice.json"):
@@ -258,7 +258,7 @@ class OlderRuns(TwiceTest):
             self.assert_messages(answer.messages, [("", ["in use by another run", f"process {run.pid} on ", " UTC", "--output"])])
         self.assertIsNone(run.poll())
         run.kill()
-        run.wait(60)
+        run.wait(PATIENCE)
         # The lock of a dead run does not count.
         self.pair()
         self.assertFalse(self.has("out", "run.lock"))
@@ -274,7 +274,7 @@ class OlderRuns(TwiceTest):
         self.assertFalse(self.has("out", "as_is"))
         self.assertIsNone(run.poll())
         run.kill()
-        run.wait(60)
+        run.wait(PATIENCE)
 
 
 if __name__ == "__main__":

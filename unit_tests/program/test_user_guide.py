@@ -34,7 +34,7 @@ class OwnCrack(ProgramTest):
         check = rhegma(self.scene, "--check")
         self.assertEqual(check.status, 0, check)
         self.assertNotIn("set out", check.messages)  # nothing has run yet
-        answer = rhegma(self.scene, "--quiet", timeout=600)
+        answer = rhegma(self.scene, "--quiet")
         self.assertEqual(answer.status, 0, answer)
         self.assertIn("reached the surface", answer.messages)
         with open(self.path("my_crack.out", "summary.json"), encoding="utf-8") as file:
@@ -50,7 +50,7 @@ class OwnCrack(ProgramTest):
 
     def test_stays_under_a_smaller_load(self):
         command = re.search(r"^ +rhegma (my_crack.xml --output calm.out .*)$", self.text, re.M).group(1)
-        answer = rhegma(*shlex.split(command), "--quiet", cwd=self.folder, timeout=600)
+        answer = rhegma(*shlex.split(command), "--quiet", cwd=self.folder)
         self.assertEqual(answer.status, 0, answer)
         self.assertIn(re.search(r"`(crack Notch, front 0: not initiated; [^`]*)`", self.text).group(1), answer.messages)
 

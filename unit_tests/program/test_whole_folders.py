@@ -18,7 +18,7 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
 import h5py  # noqa: E402
-from program import PROGRAM, SOURCE, environment, rhegma  # noqa: E402
+from program import PATIENCE, PROGRAM, SOURCE, environment, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT  # noqa: E402
 from restart_case import RestartTest, scene  # noqa: E402
 from scenes import many_bodies, many_cracks, plate  # noqa: E402
@@ -59,7 +59,7 @@ class OneRun(RestartTest):
         self.assertEqual(check_tool(folder)[0], 2)
         self.assertIsNone(run.poll())
         run.kill()
-        run.wait(60)
+        run.wait(PATIENCE)
         status, output, _ = check_tool(folder)
         self.assertEqual(status, 2)
         self.assertIn("was cut off", output)
@@ -85,7 +85,7 @@ class OneRun(RestartTest):
 
     def wait_for_size(self, run, path, size):
         """The first size beyond `size` that is seen: HDF5 cuts the file again to what is in it when a frame is whole."""
-        end = time.monotonic() + 60
+        end = time.monotonic() + PATIENCE
         while (now := os.path.getsize(path)) <= size and run.poll() is None and time.monotonic() < end:
             time.sleep(0.01)
         return now
@@ -115,7 +115,7 @@ class OneRun(RestartTest):
             self.addCleanup(run.kill)
             time.sleep(0.5)  # it is there by then, and waits for this
             fcntl.flock(file, fcntl.LOCK_UN)
-        self.assertEqual(run.wait(60), 0, run.stderr.read().decode())
+        self.assertEqual(run.wait(PATIENCE), 0, run.stderr.read().decode())
         self.assertIsNone(is_running(folder))
 
     def test_a_run_starts_while_many_ask(self):
@@ -137,7 +137,7 @@ class OneRun(RestartTest):
         run = subprocess.Popen([PROGRAM, path, "--output", self.path("out")], stdout=subprocess.PIPE, env=environment())
         run.stdout.readline()
         run.stdout.close()
-        self.assertEqual(run.wait(60), 0)
+        self.assertEqual(run.wait(PATIENCE), 0)
         for name in ("history.csv", "fields.xdmf"):
             self.assertEqual(self.file(self.path("out"), name), self.file(self.path("whole"), name))
         self.assertEqual(check_tool(self.path("out"))[0], 0)
@@ -192,19 +192,19 @@ class Many(RestartTest):
     def test_many_bodies(self):
         """How long they take is printed by studies/many_parts.py, and how it grows is tested in src/scene."""
         count = BODIES
-        answer = rhegma(self.write("many.xml", many_bodies(count).text()), "--check", "--quiet", timeout=600)
+        answer = rhegma(self.write("many.xml", many_bodies(count).text()), "--check", "--quiet")
         self.assertEqual((answer.status, answer.messages), (0, ""), answer.messages[:2000])
         self.assertIn(f": {4 * count} particles in cells of 250 mm", answer.output)
 
     def test_many_cracks(self):
         count = BODIES
-        answer = rhegma(self.write("many.xml", many_cracks(count).text()), "--check", "--quiet", timeout=600)
+        answer = rhegma(self.write("many.xml", many_cracks(count).text()), "--check", "--quiet")
         self.assertEqual(answer.status, 0, answer.messages[:2000])
         self.assertIn(f": {16 * (int(count**0.5) + 1)**2} particles in cells of 250 mm", answer.output)
         self.assertIn(f"and {count - 10} more like: Cracks > Crack 0: ", answer.messages)
 
     def test_a_thousand_errors(self):
-        answer = rhegma(self.write("many.xml", many_bodies(1000, Material="Polymr").text()), "--check", timeout=600)
+        answer = rhegma(self.write("many.xml", many_bodies(1000, Material="Polymr").text()), "--check")
         self.assertEqual(answer.status, 1)
         lines = answer.messages.splitlines()
         self.assertEqual(len(lines), 11, answer.messages[:2000])

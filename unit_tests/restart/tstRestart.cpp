@@ -2,6 +2,7 @@
 
 #include "restart/ContinuedRun.hpp"
 
+#include "checkpoint/CheckpointFile.hpp"
 #include "plan/Effect.hpp"
 #include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
@@ -9,10 +10,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <ostream>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -374,6 +378,82 @@ TEST(ForgetfulEffect, IsFound)
     found.insert(last);
   EXPECT_EQ(found, all);
   EXPECT_GE(all.size(), 8U);
+}
+
+namespace
+{
+
+/// What a checkpoint holds, with the types; numbers of cracks, fronts and the like are #.
+std::set<std::string> namesOf(const Record& record)
+{
+  std::set<std::string> names;
+  for (const auto& [path, table] : record)
+  {
+    std::string name;
+    for (const char c : path)
+      if (std::isdigit(static_cast<unsigned char>(c)) == 0)
+        name += c;
+      else if (name.empty() || name.back() != '#')
+        name += '#';
+    const char* const types[] = {"real", "integer", "long", "byte"};
+    names.insert(name + ": " + types[static_cast<int>(table.type)]);
+  }
+  return names;
+}
+
+} // namespace
+
+/// A program that reads other names than an older one wrote has another schema, so that it refuses the older
+/// checkpoints in a sentence of its own.
+TEST(NamesInCheckpoints, ChangeWithTheSchemaOnly)
+{
+  std::vector<Case> cases = ownCases();
+  cases.push_back(joinedGases());
+  for (const Case& one : allCases())
+    if (one.name == "examples_penny_growth" || one.name == "verification_dcb_static" ||
+        one.name == "verification_burning_penny")
+      cases.push_back(one);
+  std::set<std::string> now = {"schema " + std::to_string(checkpointSchema)};
+  for (const Case& one : cases)
+    now.merge(namesOf(recordAfter(sceneOf(one), 3)));
+  std::set<std::string> then;
+  std::ifstream file(std::string(RHEGMA_SOURCE_DIR) + "/unit_tests/restart/checkpoint_names.txt");
+  for (std::string line; std::getline(file, line);)
+    then.insert(line);
+  std::string changes;
+  for (const std::string& name : now)
+    changes += then.count(name) == 0 ? "\n+ " + name : "";
+  for (const std::string& name : then)
+    changes += now.count(name) == 0 ? "\n- " + name : "";
+  if (changes.empty())
+    return;
+  std::ofstream out("checkpoint_names.txt");
+  for (const std::string& name : now)
+    out << name << "\n";
+  FAIL() << "A checkpoint holds other data:" << changes
+         << "\nRaise checkpointSchema (src/checkpoint/CheckpointFile.hpp), then copy "
+         << std::filesystem::current_path() / "checkpoint_names.txt"
+         << " to unit_tests/restart";
+}
+
+/// A checkpoint of the same schema that lacks something is refused by the versions of both programs.
+TEST(NamesInCheckpoints, ThatAreMissingAreSaid)
+{
+  const Teuchos::ParameterList scene = sceneOf(ownCases().front());
+  Record record = recordAfter(scene, 3);
+  ASSERT_EQ(record.erase("run/momentum"), 1U);
+  try
+  {
+    continuedFrom(scene, record, 3);
+    FAIL() << "it was read";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    const std::string message = error.what();
+    for (const char* words : {"was written by another state of this program, version ",
+                              "\"run/momentum\" is missing", "restart with the program that wrote it"})
+      EXPECT_NE(message.find(words), std::string::npos) << message;
+  }
 }
 
 /// A new effect needs a scene above, or its own verification scene.

@@ -24,14 +24,14 @@ class Watch(HardCase):
 
     def test_without_retries_the_run_stops(self):
         path = self.write("scene.xml", too_long_a_step().set("Time > Retries", 0).text())
-        answer = rhegma(path, "--quiet", timeout=600)
+        answer = rhegma(path, "--quiet")
         self.assertEqual(answer.status, 2, answer)
         self.assertNotIn("returned to", answer.messages)
 
     def test_body_that_leaves_the_domain_stops_after_two_attempts(self):
         scene = flying([0.0, 0.0], [0.4, 0.4], velocity=(1.0, 0.0), time=2.0).set("Domain > Upper Corner", [1.0, 2.0])
         path = self.write("scene.xml", scene.text())
-        answer = rhegma(path, "--quiet", timeout=600)
+        answer = rhegma(path, "--quiet")
         self.assertEqual(answer.status, 2, answer)
         self.assertIn("did not help", answer.messages)
 

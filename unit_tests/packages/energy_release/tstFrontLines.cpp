@@ -71,6 +71,42 @@ TEST(FrontLines, LeaveTheSurfaceOutOfTheirCurvature)
   EXPECT_LT(found, radius * (1.0 + 1e-9));
 }
 
+/// Half a circle that ends at a surface which leans by 50 degrees, as half a penny crack in an axle: behind
+/// the planes through its ends lies much of the front, and each position there has the direction of the front
+/// next to it. With that of the end, J of front nodes that are cells away from the surface was divided by
+/// next to nothing.
+TEST(FrontLines, HaveTheDirectionOfTheirEndsNearThemOnly)
+{
+  const double radius = 3.5 * cell, lean = 50.0 * pi / 180.0;
+  const int pieces = 18;
+  for (const double sense : {-1.0, 1.0})
+  {
+    CrackFront<3> front;
+    for (int k = 0; k <= pieces; ++k)
+    {
+      const double around = pi * k / pieces;
+      const double turned = around + (k == 0 ? -sense * lean : k == pieces ? sense * lean : 0.0);
+      FrontNode<3> frontNode;
+      frontNode.position = radius * Vector<3>{std::cos(around), std::sin(around), 0.0};
+      frontNode.direction = {std::cos(turned), std::sin(turned), 0.0};
+      frontNode.normal = {0.0, 0.0, 1.0};
+      frontNode.facet = k < pieces ? k : -1;
+      front.nodes.push_back(frontNode);
+    }
+    const FrontLine line = lineOf(front);
+    ASSERT_GT(line.open.at(0), 0.0);
+    const FrontSight sight(line, 8.0 * cell);
+    const double corner = std::cos(0.5 * pi / pieces);
+    for (int k = 7; k <= pieces - 7; ++k) // further along than a tube of 2.5 cells is wide
+      for (const double off : {-1.0, -0.3, 0.3, 1.0, 2.0})
+      {
+        const Vector<3>& radial = line.nodes[k].direction;
+        const Vector<3> x = line.nodes[k].position + off * cell * radial + 0.4 * cell * line.nodes[k].normal;
+        EXPECT_GT(dot(sight.locate(x).direction, radial), corner) << sense << " " << k << " " << off;
+      }
+  }
+}
+
 /// The radius of a circle of pieces of 0.5 and 1.5 cells by turns, the shortest and the longest that a front
 /// has: each front node points along its radius, so that all of them say the same.
 TEST(FrontLines, ArcsOfUnequalPiecesAreAsCurvedAsTheyAre)
