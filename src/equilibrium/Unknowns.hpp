@@ -10,9 +10,9 @@ namespace Rhegma::equilibrium
 {
 
 /// Whether a node of a particle's stencil counts. Where both its weight and its slopes are rounding errors,
-/// as of a box that ends on a row of nodes, it would be an unknown that nothing holds. The weight alone does
-/// not tell: a particle of linear functions on a row of nodes has no weight, but slopes, at the nodes beside
-/// it, without which a uniform motion would strain it. \param slopes [1/m] \param spacing of the cells [m]
+/// as of a box that ends on a row of nodes, it would be an unknown that nothing holds. The weight alone is
+/// not enough: a particle of linear functions on a row of nodes has no weight, but slopes, at the nodes next
+/// to it, without which a uniform motion would strain it. \param slopes [1/m] \param spacing of the cells [m]
 KOKKOS_INLINE_FUNCTION bool counts(double weight, const double* slopes, int numSlopes, double spacing)
 {
   constexpr double leastWeight = 1e-20, leastSlope = 1e-8;
