@@ -22,6 +22,7 @@ public:
         centres_(readVectors(state, fields::position)),
         edge_(readVectors(state, fields::edge)),
         body_(readBodies(state)),
+        whole_(wholeEdges(bodies_.size(), body_, edge_)),
         nearest_(centres_, reach())
   {
   }
@@ -29,7 +30,8 @@ public:
   /// Whether x is within half a particle's diagonal of a particle's centre, as every point inside a body is.
   bool isNear(const Vector<D>& x) const { return nearest_.find(x) >= 0; }
 
-  /// Whether x is in the box of the nearest particle.
+  /// Whether x is in the box of the nearest particle, or in that of a whole particle there: of one that the
+  /// body's edge cuts, a corner may reach out of its box.
   bool contains(const Vector<D>& x) const
   {
     const int p = nearest_.find(x);
@@ -41,7 +43,7 @@ public:
       double along = 0.0;
       for (int d = 0; d < D; ++d)
         along += body.axes[i][d] * (x[d] - centres_[p][d]);
-      if (std::abs(along) > 0.5 * edge_[p][i] * (1.0 + 1e-6))
+      if (std::abs(along) > 0.5 * std::max(edge_[p][i], whole_[body_[p]][i]) * (1.0 + 1e-6))
         return false;
     }
     return true;
@@ -64,6 +66,26 @@ private:
     return std::vector<int>(body.data(), body.data() + state.particles.size());
   }
 
+  /// The median edges of the particles of each body.
+  static std::vector<Vector<D>> wholeEdges(std::size_t bodies, const std::vector<int>& body,
+                                           const std::vector<Vector<D>>& edge)
+  {
+    std::vector<Vector<D>> whole(bodies);
+    for (int d = 0; d < D; ++d)
+    {
+      std::vector<std::vector<double>> edges(bodies);
+      for (std::size_t p = 0; p < edge.size(); ++p)
+        edges[body[p]].push_back(edge[p][d]);
+      for (std::size_t b = 0; b < bodies; ++b)
+      {
+        const auto middle = edges[b].begin() + static_cast<std::ptrdiff_t>(edges[b].size() / 2);
+        std::nth_element(edges[b].begin(), middle, edges[b].end());
+        whole[b][d] = edges[b].empty() ? 0.0 : *middle;
+      }
+    }
+    return whole;
+  }
+
   double reach() const
   {
     double reach = 0.0;
@@ -75,6 +97,7 @@ private:
   const std::vector<BodyInfo<D>>& bodies_;
   std::vector<Vector<D>> centres_, edge_;
   std::vector<int> body_;
+  std::vector<Vector<D>> whole_; ///< edges of whole particles of each body [m]
   NearestPoint<D> nearest_;
 };
 
