@@ -1,11 +1,13 @@
 #pragma once
 /// Where there is material at the start.
 
+#include "geometry/NearBoxes.hpp"
 #include "geometry/NearestPoint.hpp"
 #include "state/State.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,26 +32,51 @@ public:
   /// Whether x is within half a particle's diagonal of a particle's centre, as every point inside a body is.
   bool isNear(const Vector<D>& x) const { return nearest_.find(x) >= 0; }
 
-  /// Whether x is in the box of the nearest particle, or in that of a whole particle there: of one that the
-  /// body's edge cuts, a corner may reach out of its box.
+  /// Whether x is in the box of a particle. Of one that the body's edge cuts, a corner may reach out of its
+  /// box, so it counts with edges no smaller than those of whole particles.
   bool contains(const Vector<D>& x) const
   {
-    const int p = nearest_.find(x);
-    if (p < 0)
-      return false;
-    const BodyInfo<D>& body = bodies_[body_[p]];
+    if (!boxes_)
+      boxes_ = std::make_unique<Geometry::NearBoxes<D>>(boundsOfParticles());
+    const std::vector<int> near = boxes_->near({x, x}, 0.0);
+    return std::any_of(near.begin(), near.end(), [&](int p) { return isInBox(x, p); });
+  }
+
+private:
+  /// Half an edge of a particle, with some rounding.
+  double half(int p, int axis) const
+  {
+    return 0.5 * std::max(edge_[p][axis], whole_[body_[p]][axis]) * (1.0 + 1e-6);
+  }
+
+  bool isInBox(const Vector<D>& x, int p) const
+  {
     for (int i = 0; i < D; ++i)
     {
       double along = 0.0;
       for (int d = 0; d < D; ++d)
-        along += body.axes[i][d] * (x[d] - centres_[p][d]);
-      if (std::abs(along) > 0.5 * std::max(edge_[p][i], whole_[body_[p]][i]) * (1.0 + 1e-6))
+        along += bodies_[body_[p]].axes[i][d] * (x[d] - centres_[p][d]);
+      if (std::abs(along) > half(p, i))
         return false;
     }
     return true;
   }
 
-private:
+  std::vector<Geometry::Bounds<D>> boundsOfParticles() const
+  {
+    std::vector<Geometry::Bounds<D>> bounds;
+    bounds.reserve(centres_.size());
+    for (std::size_t p = 0; p < centres_.size(); ++p)
+    {
+      Vector<D> reach{};
+      for (int d = 0; d < D; ++d)
+        for (int i = 0; i < D; ++i)
+          reach[d] += std::abs(bodies_[body_[p]].axes[i][d]) * half(static_cast<int>(p), i);
+      bounds.push_back({centres_[p] - reach, centres_[p] + reach});
+    }
+    return bounds;
+  }
+
   static std::vector<Vector<D>> readVectors(const State<D>& state, const std::string& field)
   {
     const auto values = onHost(state.particles.template real<D>(field));
@@ -99,6 +126,7 @@ private:
   std::vector<int> body_;
   std::vector<Vector<D>> whole_; ///< edges of whole particles of each body [m]
   NearestPoint<D> nearest_;
+  mutable std::unique_ptr<Geometry::NearBoxes<D>> boxes_; ///< of the particles, made when first needed
 };
 
 } // namespace Rhegma::cracks
