@@ -29,11 +29,11 @@ public:
   {
   }
 
-  /// Whether x is within half a particle's diagonal of a particle's centre, as every point inside a body is.
-  bool isNear(const Vector<D>& x) const { return nearest_.find(x) >= 0; }
+  /// Whether x is within half a particle's diagonal of a particle's centre, or in its box, as every point
+  /// inside a body is.
+  bool isNear(const Vector<D>& x) const { return nearest_.find(x) >= 0 || contains(x); }
 
-  /// Whether x is in the box of a particle. Of one that the body's edge cuts, a corner may reach out of its
-  /// box, so it counts with edges no smaller than those of whole particles.
+  /// Whether x is in the box of a particle, which for a part of a lattice cell is large enough to hold it.
   bool contains(const Vector<D>& x) const
   {
     if (!boxes_)
@@ -43,10 +43,13 @@ public:
   }
 
 private:
-  /// Half an edge of a particle, with some rounding.
+  /// How far a particle reaches from its centroid along an axis, with some rounding: half its edge, or of a
+  /// part up to D / (D + 1) of a whole edge, as in any convex shape.
   double half(int p, int axis) const
   {
-    return 0.5 * std::max(edge_[p][axis], whole_[body_[p]][axis]) * (1.0 + 1e-6);
+    const double whole = whole_[body_[p]][axis];
+    const bool isPart = norm(edge_[p] - whole_[body_[p]]) > 1e-6 * whole;
+    return std::max(0.5 * edge_[p][axis], isPart ? D / (D + 1.0) * whole : 0.0) * (1.0 + 1e-6);
   }
 
   bool isInBox(const Vector<D>& x, int p) const
