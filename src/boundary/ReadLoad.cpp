@@ -1,5 +1,7 @@
 #include "boundary/ReadLoad.hpp"
 
+#include <algorithm>
+
 namespace Rhegma
 {
 
@@ -22,18 +24,14 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
       for (int d = 0; d < D; ++d)
       {
         at[d] = x(p, d);
-        seeds.edge[d] = edge(p, d);
+        seeds.edge[d] = std::max(seeds.edge[d], edge(p, d)); // those at the body's edges differ
       }
       seeds.position.push_back(at);
       ids.push_back(id(p));
     }
-  seeds.volume = 1.0;
   for (int d = 0; d < D; ++d)
-  {
-    seeds.volume *= seeds.edge[d];
     for (int e = 0; e < D; ++e)
       seeds.axes[d][e] = state.bodies.info[body].axes[d][e];
-  }
   return seeds;
 }
 

@@ -7,13 +7,14 @@ namespace
 {
 
 template <int D>
-bool liesInside(const Vector<D>& centre, const Seeds<D>& seeds, const Shape<D>& shape)
+bool liesInside(const Seeds<D>& seeds, std::size_t p, const Shape<D>& shape)
 {
+  const Vector<D>& centre = seeds.position[p];
   if (!shape.contains(centre))
     return false;
   for (int axis = 0; axis < D; ++axis)
     for (const double fraction : {-0.25, 0.25})
-      if (!shape.contains(centre + fraction * seeds.edge[axis] * seeds.axes[axis]))
+      if (!shape.contains(centre + fraction * seeds.box[p][axis] * seeds.axes[axis]))
         return false;
   return true;
 }
@@ -34,7 +35,7 @@ int findOverlap(const Seeds<D>& seeds, const Shape<D>& other)
 {
   const Geometry::Bounds<D> bounds = other.bounds();
   for (std::size_t p = 0; p < seeds.position.size(); ++p)
-    if (holds(bounds, seeds.position[p]) && liesInside(seeds.position[p], seeds, other))
+    if (holds(bounds, seeds.position[p]) && liesInside(seeds, p, other))
       return static_cast<int>(p);
   return -1;
 }

@@ -1,6 +1,7 @@
 #include "geometry/Primitives.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace Rhegma::Geometry
 {
@@ -50,6 +51,26 @@ bool insidePolygon(const std::vector<Vector<2>>& points, const Vector<2>& x)
   return inside;
 }
 
+/// Distance to the nearest edge, negative outside by the even-odd rule.
+double depthInPolygon(const std::vector<Vector<2>>& points, const Vector<2>& x)
+{
+  double square = std::numeric_limits<double>::infinity();
+  bool inside = false;
+  for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++)
+  {
+    const Vector<2>& a = points[j];
+    const Vector<2>& b = points[i];
+    const Vector<2> edge = b - a;
+    const double lengthSquared = dot(edge, edge);
+    const double s = lengthSquared > 0.0 ? std::clamp(dot(x - a, edge) / lengthSquared, 0.0, 1.0) : 0.0;
+    const Vector<2> away = x - a - s * edge;
+    square = std::min(square, dot(away, away));
+    if ((a[1] > x[1]) != (b[1] > x[1]) && x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+      inside = !inside;
+  }
+  return inside ? std::sqrt(square) : -std::sqrt(square);
+}
+
 bool segmentsMeet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)
 {
   const double abc = cross(b - a, c - a), abd = cross(b - a, d - a);
@@ -74,6 +95,15 @@ bool Box<D>::contains(const Vector<D>& own) const
 }
 
 template <int D>
+double Box<D>::depth(const Vector<D>& own) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < D; ++d)
+    least = std::min({least, own[d] - corners.lower[d], corners.upper[d] - own[d]});
+  return least;
+}
+
+template <int D>
 Bounds<D> Box<D>::bounds(const Frame<D>& frame) const
 {
   Bounds<D> result = emptyBounds<D>();
@@ -86,6 +116,12 @@ template <int D>
 bool Ball<D>::contains(const Vector<D>& own) const
 {
   return norm(own - centre) <= radius * (1.0 + surfaceTolerance);
+}
+
+template <int D>
+double Ball<D>::depth(const Vector<D>& own) const
+{
+  return radius - norm(own - centre);
 }
 
 template <int D>
@@ -109,6 +145,15 @@ bool Cylinder<D>::contains(const Vector<D>& own) const
   if (s < -surfaceTolerance || s > 1.0 + surfaceTolerance)
     return false;
   return norm(own - from - s * axis) <= radius * (1.0 + surfaceTolerance);
+}
+
+template <int D>
+double Cylinder<D>::depth(const Vector<D>& own) const
+{
+  const double length = norm(to - from);
+  const Vector<D> along = (1.0 / length) * (to - from);
+  const double s = dot(own - from, along);
+  return std::min({s, length - s, radius - norm(own - from - s * along)});
 }
 
 template <int D>
@@ -139,6 +184,13 @@ bool Polygon<D>::contains(const Vector<D>& own) const
       return false;
   }
   return insidePolygon(points, {{own[0], own[1]}});
+}
+
+template <int D>
+double Polygon<D>::depth(const Vector<D>& own) const
+{
+  const double inPlane = depthInPolygon(points, {{own[0], own[1]}});
+  return D == 2 ? inPlane : std::min({inPlane, own[D - 1] - bottom, top - own[D - 1]});
 }
 
 template <int D>

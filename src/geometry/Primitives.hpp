@@ -1,5 +1,8 @@
 #pragma once
 /// Primitive shapes of bodies, each in its own axes. A point on a surface is inside.
+///
+/// `depth` is positive inside and negative outside [m]. Between two points it changes by no more than their
+/// distance, so a ball of the radius |depth| about a point is on one side of the surface.
 
 #include "geometry/Frame.hpp"
 
@@ -13,8 +16,10 @@ template <int D>
 struct Box
 {
   Bounds<D> corners;
+  static constexpr bool convex = true; ///< a box is inside where its corners are
 
   bool contains(const Vector<D>& own) const;
+  double depth(const Vector<D>& own) const;
   /// Smallest bounds in 3D of the box turned by the frame; so for the other primitives.
   Bounds<D> bounds(const Frame<D>& frame) const;
 };
@@ -23,10 +28,12 @@ struct Box
 template <int D>
 struct Ball
 {
-  Vector<D> centre; ///< [m]
-  double radius;    ///< [m]
+  Vector<D> centre;                    ///< [m]
+  double radius;                       ///< [m]
+  static constexpr bool convex = true; ///< a box is inside where its corners are
 
   bool contains(const Vector<D>& own) const;
+  double depth(const Vector<D>& own) const;
   Bounds<D> bounds(const Frame<D>& frame) const;
 };
 
@@ -34,11 +41,13 @@ struct Ball
 template <int D>
 struct Cylinder
 {
-  Vector<D> from; ///< [m]
-  Vector<D> to;   ///< [m]
-  double radius;  ///< [m]
+  Vector<D> from;                      ///< [m]
+  Vector<D> to;                        ///< [m]
+  double radius;                       ///< [m]
+  static constexpr bool convex = true; ///< a box is inside where its corners are
 
   bool contains(const Vector<D>& own) const;
+  double depth(const Vector<D>& own) const;
   Bounds<D> bounds(const Frame<D>& frame) const;
 };
 
@@ -46,11 +55,13 @@ struct Cylinder
 template <int D>
 struct Polygon
 {
-  std::vector<Vector<2>> points; ///< [m]
-  double bottom = 0.0;           ///< 3D only [m]
-  double top = 0.0;              ///< 3D only [m]
+  std::vector<Vector<2>> points;        ///< [m]
+  double bottom = 0.0;                  ///< 3D only [m]
+  double top = 0.0;                     ///< 3D only [m]
+  static constexpr bool convex = false; ///< a box is inside where its corners are
 
   bool contains(const Vector<D>& own) const;
+  double depth(const Vector<D>& own) const;
   Bounds<D> bounds(const Frame<D>& frame) const;
 };
 

@@ -1,5 +1,7 @@
 #include "geometry/Seeds.hpp"
 
+#include "geometry/Slivers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,12 +58,99 @@ Lattice<D> makeLattice(const Shape<D>& shape, double edge)
 }
 
 template <int D>
+using Part = Geometry::LatticePart<D>;
+
+/// Smaller fractions of a cell are rounding.
+constexpr double tiny = 1e-9;
+
+template <int D>
+void refuseMany(const Lattice<D>& lattice, const std::string& section)
+{
+  double total = 1.0;
+  for (int d = 0; d < D; ++d)
+    total *= lattice.count[d];
+  if (total < std::numeric_limits<int>::max())
+    return;
+  std::ostringstream message;
+  message << section << ": the body would need about " << total << " particles, more than "
+          << std::numeric_limits<int>::max() << "; make the cells larger or the body smaller.";
+  throw std::invalid_argument(message.str());
+}
+
+template <int D>
 Vector<D> positionOf(const Lattice<D>& lattice, const double (&index)[3])
 {
   Vector<D> own;
   for (int d = 0; d < D; ++d)
     own[d] = lattice.origin[d] + (lattice.first[d] + index[d]) * lattice.edge[d];
   return own;
+}
+
+/// The particle of a lattice cell about `own`; of the fraction 0 where there is none.
+template <int D>
+Part<D> partOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const Vector<D>& own,
+               const Geometry::Region<D>& region)
+{
+  const Geometry::OrientedBox<D> box{frame.toSpace(own), lattice.edge, frame.axes};
+  const Geometry::BoxPart<D> found = Geometry::partOfBox(box, region);
+  Part<D> part{{}, 1.0, own, {}};
+  const bool whole = found.fraction >= 1.0 - tiny;
+  if (!whole)
+    part.fraction = found.fraction > tiny ? found.fraction : 0.0;
+  for (int d = 0; d < D; ++d)
+  {
+    part.centroid[d] += whole ? 0.0 : lattice.edge[d] * found.centroid[d];
+    part.variance[d] = lattice.edge[d] * lattice.edge[d] * (whole ? 1.0 / 12.0 : found.variance[d]);
+  }
+  return part;
+}
+
+template <int D>
+std::vector<Part<D>> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame,
+                             const Geometry::Region<D>& region)
+{
+  std::vector<Part<D>> parts;
+  long long counts[3] = {1, 1, 1};
+  for (int d = 0; d < D; ++d)
+    counts[d] = static_cast<long long>(lattice.count[d]);
+  for (long long k = 0; k < counts[2]; ++k)
+    for (long long j = 0; j < counts[1]; ++j)
+      for (long long i = 0; i < counts[0]; ++i)
+      {
+        const long long cell[3] = {i, j, k};
+        const double middle[3] = {double(i) + 0.5, double(j) + 0.5, double(k) + 0.5};
+        Part<D> part = partOf(lattice, frame, positionOf(lattice, middle), region);
+        std::copy(cell, cell + D, part.cell.begin());
+        if (part.fraction > 0.0)
+          parts.push_back(part);
+      }
+  return parts;
+}
+
+template <int D>
+Seeds<D> seedsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame,
+                 const std::vector<Part<D>>& parts)
+{
+  Seeds<D> seeds;
+  seeds.edge = lattice.edge;
+  seeds.axes = frame.axes;
+  double whole = 1.0;
+  for (int d = 0; d < D; ++d)
+    whole *= lattice.edge[d];
+  for (const Part<D>& part : parts)
+  {
+    Vector<D> box;
+    for (int d = 0; d < D; ++d)
+    {
+      box[d] = std::sqrt(12.0 * part.variance[d]);
+      if (std::abs(box[d] - lattice.edge[d]) < tiny * lattice.edge[d])
+        box[d] = lattice.edge[d];
+    }
+    seeds.position.push_back(frame.toSpace(part.centroid));
+    seeds.box.push_back(box);
+    seeds.volume.push_back(part.fraction * whole);
+  }
+  return seeds;
 }
 
 } // namespace
@@ -97,46 +186,23 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
     throw std::invalid_argument(section +
                                 ": particles need a positive cell size and at least one particle per cell.");
   const Lattice<D> lattice = makeLattice(shape, cell / particlesPerCell);
-
-  double total = 1.0;
-  Seeds<D> seeds;
-  seeds.edge = lattice.edge;
-  seeds.axes = shape.base().frame.axes;
-  seeds.volume = 1.0;
-  for (int d = 0; d < D; ++d)
-  {
-    total *= lattice.count[d];
-    seeds.volume *= lattice.edge[d];
-  }
-  if (!(total < std::numeric_limits<int>::max()))
-  {
-    std::ostringstream message;
-    message << section << ": the body would need about " << total << " particles, more than "
-            << std::numeric_limits<int>::max() << "; make the cells larger or the body smaller.";
-    throw std::invalid_argument(message.str());
-  }
-
-  long long counts[3] = {1, 1, 1};
-  for (int d = 0; d < D; ++d)
-    counts[d] = static_cast<long long>(lattice.count[d]);
-  for (long long k = 0; k < counts[2]; ++k)
-    for (long long j = 0; j < counts[1]; ++j)
-      for (long long i = 0; i < counts[0]; ++i)
-      {
-        const double index[3] = {double(i) + 0.5, double(j) + 0.5, double(k) + 0.5};
-        const Vector<D> x = shape.base().frame.toSpace(positionOf(lattice, index));
-        if (shape.contains(x))
-          seeds.position.push_back(x);
-      }
-
-  if (seeds.position.empty())
-  {
-    std::ostringstream message;
-    message << section << ": the body contains no particle; it is smaller than a particle ("
-            << cell / particlesPerCell << " m) or fully cut away; make the body larger or the cells smaller.";
-    throw std::invalid_argument(message.str());
-  }
-  return seeds;
+  refuseMany(lattice, section);
+  const Geometry::Frame<D>& frame = shape.base().frame;
+  const Geometry::Region<D> region{[&](const Vector<D>& x) { return shape.depth(x); },
+                                   [&](const Geometry::BoxPoints<D>& box) { return shape.coverage(box); }};
+  std::vector<Part<D>> parts = partsOf(lattice, frame, region);
+  const double slack = -tiny * norm(lattice.edge);
+  Geometry::joinSlivers<D>(parts,
+                           [&](const Vector<D>& a, const Vector<D>& b)
+                           {
+                             bool seen = true;
+                             for (const double s : {0.25, 0.5, 0.75})
+                               seen = seen && shape.depth(frame.toSpace(a + s * (b - a))) >= slack;
+                             return seen;
+                           });
+  if (parts.empty())
+    throw std::invalid_argument(section + ": the body contains no particle; it is fully cut away; cut less.");
+  return seedsOf(lattice, frame, parts);
 }
 
 template double estimateSeeds<2>(const Shape<2>&, double, int);

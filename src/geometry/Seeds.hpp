@@ -9,30 +9,36 @@
 namespace Rhegma
 {
 
-/// Equal particles on a lattice along the own axes of a body's base shape.
+/// Particles on a lattice along the own axes of a body's base shape.
 template <int D>
 struct Seeds
 {
-  std::vector<Vector<D>> position; ///< centres, in 3D [m]
-  Vector<D> edge;                  ///< edge lengths of every particle along `axes` [m]
+  std::vector<Vector<D>> position; ///< centroids [m]
+  std::vector<Vector<D>> box;      ///< edge lengths along `axes` of the box with each particle's moments [m]
+  std::vector<double> volume;      ///< an area in 2D [m^D]
+  Vector<D> edge;                  ///< edge lengths of a cell of the lattice [m]
   Geometry::Axes<D> axes;          ///< unit directions of the lattice
-  double volume;                   ///< of every particle; an area in 2D [m^D]
 };
 
 /// Fills a shape with particles.
 ///
 /// The lattice starts at the lower corner of the base shape's bounds, in the base shape's own axes, and its
 /// edges are cell / particlesPerCell, changed along each axis so that a whole number of particles spans those
-/// bounds. So the particles of a box tile it and their volumes add up to its own, those of a box on grid
-/// lines sit evenly in the cells, and those of a ball are mirror images of each other. Of any shape, the
-/// particles whose centre is inside are kept.
+/// bounds. So the particles of a box tile it, those of a box on grid lines sit evenly in the cells, and those
+/// of a ball are mirror images of each other.
+///
+/// A particle is the part of a cell of the lattice that is inside the shape: it has the part's volume and
+/// centroid, and a box with its second moments along the axes. A part below a fraction of a cell
+/// (joinedBelow, geometry/Slivers.hpp) belongs to the particle of a cell next to it. So the volume, the first
+/// moments and the second moments along the axes of a shape are those of its particles, as exactly as
+/// partOfBox (geometry/PartOfBox.hpp) finds them.
 ///
 /// \param cell              edge of a grid cell [m]
 /// \param particlesPerCell  along one axis
 /// \param section           the body's section, for messages (`Bodies > Beam`)
 ///
-/// Throws std::invalid_argument where no particle is inside, or where there would be more than an int can
-/// count.
+/// Throws std::invalid_argument where the shape is empty, or where there would be more particles than an int
+/// can count.
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section);
 

@@ -1,5 +1,6 @@
 #include "geometry/Shape.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +14,30 @@ bool Part<D>::contains(const Vector<D>& x) const
 {
   const Vector<D> own = frame.toOwn(x);
   return std::visit([&](const auto& p) { return p.contains(own); }, primitive);
+}
+
+template <int D>
+double Part<D>::depth(const Vector<D>& x) const
+{
+  const Vector<D> own = frame.toOwn(x);
+  return std::visit([&](const auto& p) { return p.depth(own); }, primitive);
+}
+
+template <int D>
+Coverage Part<D>::coverage(const BoxPoints<D>& box) const
+{
+  const double middle = depth(box.centre);
+  if (middle >= box.reach)
+    return Coverage::Whole;
+  if (middle <= -box.reach)
+    return Coverage::None;
+  if (middle < 0.0 || !std::visit([](const auto& p) { return p.convex; }, primitive))
+    return Coverage::Unknown;
+  // Corners on the surface are inside whatever the rounding.
+  const double slack = 1e-9 * box.reach;
+  const bool whole = std::all_of(box.corners.begin(), box.corners.end(),
+                                 [&](const Vector<D>& corner) { return depth(corner) >= -slack; });
+  return whole ? Coverage::Whole : Coverage::Unknown;
 }
 
 template <int D>
@@ -48,6 +73,34 @@ bool Shape<D>::contains(const Vector<D>& x) const
     if (part->contains(x))
       return part->operation == Geometry::Operation::Add;
   return false;
+}
+
+template <int D>
+double Shape<D>::depth(const Vector<D>& x) const
+{
+  double depth = parts_.front().depth(x);
+  for (auto part = parts_.begin() + 1; part != parts_.end(); ++part)
+    depth = part->operation == Geometry::Operation::Add ? std::max(depth, part->depth(x))
+                                                        : std::min(depth, -part->depth(x));
+  return depth;
+}
+
+template <int D>
+Geometry::Coverage Shape<D>::coverage(const Geometry::BoxPoints<D>& box) const
+{
+  using Geometry::Coverage;
+  Coverage all = parts_.front().coverage(box);
+  for (auto part = parts_.begin() + 1; part != parts_.end(); ++part)
+  {
+    const bool adds = part->operation == Geometry::Operation::Add;
+    const Coverage after = adds ? Coverage::Whole : Coverage::None;
+    if (all == after)
+      continue;
+    const Coverage one = part->coverage(box);
+    if (one != Coverage::None)
+      all = one == Coverage::Whole ? after : Coverage::Unknown;
+  }
+  return all;
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 #pragma once
 /// A body's shape: a first primitive, to which others are added or from which they are cut, in order.
 
+#include "geometry/PartOfBox.hpp"
 #include "geometry/Primitives.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -27,6 +28,9 @@ struct Part
   Operation operation = Operation::Add;
 
   bool contains(const Vector<D>& x) const;
+  /// Of the primitive [m].
+  double depth(const Vector<D>& x) const;
+  Coverage coverage(const BoxPoints<D>& box) const;
   /// Smallest bounds in 3D.
   Bounds<D> bounds() const;
   /// Smallest bounds in the part's own coordinates.
@@ -44,6 +48,11 @@ public:
 
   /// Whether the last operation that reaches x added it.
   bool contains(const Vector<D>& x) const;
+  /// Positive inside, negative outside, zero on the surface [m]; where added parts touch each other it may be
+  /// zero inside. It changes by no more than the distance between two points.
+  double depth(const Vector<D>& x) const;
+  /// How much of a box is inside, as far as that is certain.
+  Geometry::Coverage coverage(const Geometry::BoxPoints<D>& box) const;
   /// Bounds of all that is added; cuts do not shrink them.
   Geometry::Bounds<D> bounds() const;
   /// The first primitive, whose axes and corner the particles follow.

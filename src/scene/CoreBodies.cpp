@@ -93,7 +93,8 @@ Section bodies()
   body.integer("Particles Per Cell")
       .range(1, 8)
       .byDefault(2)
-      .meaning("Number of particles along each axis of a cell.");
+      .meaning("Number of particles along each axis of a cell. At the edges of the body, a particle is the "
+               "part of its box that is inside.");
   body.real("Temperature")
       .unit("K")
       .positive()

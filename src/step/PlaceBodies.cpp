@@ -6,6 +6,7 @@
 #include "base/PointText.hpp"
 #include "geometry/NearBoxes.hpp"
 #include "geometry/Overlap.hpp"
+#include "geometry/Slivers.hpp"
 #include "step/OutsideDomain.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
   }
   // Next to its fields a particle takes its seed, its numbers in the order of blocks, and a copy of one field
   // while they are sorted; a node its rows and three marks.
-  const double perParticle = fields + largest + 2.0 * sizeof(Vector<D>) + 8.0 * sizeof(int);
+  const double perParticle = fields + largest + 2.0 * sizeof(Geometry::LatticePart<D>) + 8.0 * sizeof(int);
   const double perNode =
       (Nodes<D>::sumWidth + Nodes<D>::motionWidth + Nodes<D>::projectionWidth) * sizeof(double) +
       2.0 * sizeof(int);

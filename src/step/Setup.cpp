@@ -162,6 +162,18 @@ struct StartColumns
   }
 };
 
+template <int D>
+Vector<D> centroid(const Seeds<D>& seeds)
+{
+  double all = 0.0;
+  for (const double volume : seeds.volume)
+    all += volume;
+  Vector<D> centre{};
+  for (std::size_t k = 0; k < seeds.position.size(); ++k)
+    centre = centre + (seeds.volume[k] / all) * seeds.position[k];
+  return centre;
+}
+
 /// Writes particles first .. of a body.
 template <int D>
 void writeParticles(const PlacedBody<D>& body, int number, int first, const State<D>& state,
@@ -170,23 +182,21 @@ void writeParticles(const PlacedBody<D>& body, int number, int first, const Stat
   const Seeds<D>& seeds = body.seeds;
   const int count = static_cast<int>(seeds.position.size());
   const int material = state.bodies.info[number].material;
-  Vector<D> centre{};
-  for (const Vector<D>& x : seeds.position)
-    centre = centre + (1.0 / count) * x;
+  const Vector<D> centre = centroid(seeds);
   const Vector<D> velocity = readVector<D>(*body.list, "Velocity");
   const auto spin = body.list->template get<Teuchos::Array<double>>("Angular Velocity").toVector();
   const double density = state.materials.properties[material].density;
-  const double volume = seeds.volume * state.method.thickness;
   for (int k = 0; k < count; ++k)
   {
     const int p = first + k;
+    const double volume = seeds.volume[k] * state.method.thickness;
     const Vector<D> v = startVelocity<D>(velocity, spin, seeds.position[k] - centre);
     for (int d = 0; d < D; ++d)
     {
       columns.position(p, d) = seeds.position[k][d];
       columns.velocity(p, d) = v[d];
       columns.deformation(p, d * D + d) = 1.0;
-      columns.edge(p, d) = seeds.edge[d];
+      columns.edge(p, d) = seeds.box[k][d];
     }
     if (D == 2)
       columns.deformation(p, 4) = 1.0;

@@ -6,6 +6,7 @@
     bending.py PROGRAM dU      the same by the change of the strain energy with the crack's length, without a contour
     bending.py PROGRAM turned  bars on three supports, 4 and 8 cells high, at random positions and angles to the cells: error of the
                                strain energy against the same bar along fine cells
+    bending.py PROGRAM outline the same bars as polygons, whose particles are in rows along the cells and are cut by the bar's edges
     bending.py PROGRAM period  first period of a cantilever that is let go, 4 cells high, against fine cells; energy
 """
 import argparse
@@ -125,7 +126,21 @@ def bar(cells, degrees, offset, place, shape="GIMP", particles=2, length=10.0):
     })
 
 
-def turned(program, pool, number):
+def as_polygon(scene):
+    """The bar of bar() as a polygon: the rows of its particles lie along the axes."""
+    box = {name: scene.find("Bodies > Bar > " + name).get("value") for name in ("Lower Corner", "Upper Corner", "Rotation")}
+    (x0, y0), (x1, y1) = ([float(v) for v in box[name].strip("{}").split(",")] for name in ("Lower Corner", "Upper Corner"))
+    turn = complex(math.cos(math.radians(float(box["Rotation"]))), math.sin(math.radians(float(box["Rotation"]))))
+    middle = complex(x0 + x1, y0 + y1) / 2
+    points = [middle + turn * (complex(*corner) - middle) for corner in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
+    scene.set("Bodies > Bar > Shape", "Polygon")
+    scene.set("Bodies > Bar > Points", [v for point in points for v in (point.real, point.imag)])
+    for name in box:
+        scene.remove("Bodies > Bar > " + name)
+    return scene
+
+
+def turned(program, pool, number, change=lambda scene: scene, places=PLACES):
     exact = run(program, bar(32, 0.0, [0.0, 0.0], "At Particles"))[0]["energy"]["strain"]
     coarser = run(program, bar(16, 0.0, [0.0, 0.0], "At Particles"))[0]["energy"]["strain"]
     print("strain energy of the bar with 16 and 32 cells: %.6e, %.6e" % (coarser, exact))
@@ -136,8 +151,8 @@ def turned(program, pool, number):
             cases = [(pick.uniform(low, high), [pick.random(), pick.random()]) for _ in range(number)]
             for shape in ("Linear", "GIMP"):
                 for particles in (2, 3):
-                    for place in PLACES:
-                        jobs = [pool.submit(run, program, bar(cells, degrees, offset, place, shape, particles))
+                    for place in places:
+                        jobs = [pool.submit(run, program, change(bar(cells, degrees, offset, place, shape, particles)))
                                 for degrees, offset in cases]
                         statistics("%d cells, %d to %d degrees, %s, %d x %d particles, %s: error of the strain energy, %%"
                                    % (cells, low, high, shape, particles, particles, place),
@@ -215,7 +230,7 @@ def period(program, pool):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("program")
-    options.add_argument("case", choices=["dcb", "dU", "turned", "period"])
+    options.add_argument("case", choices=["dcb", "dU", "turned", "outline", "period"])
     options.add_argument("--number", type=int, default=8, help="of random bars for each range of angles")
     chosen = options.parse_args()
     print("seed %d" % SEED)
@@ -224,6 +239,8 @@ def main():
             dcb(chosen.program, pool, chosen.case == "dU")
         elif chosen.case == "turned":
             turned(chosen.program, pool, chosen.number)
+        elif chosen.case == "outline":
+            turned(chosen.program, pool, chosen.number, as_polygon, PLACES[:1])
         else:
             period(chosen.program, pool)
 

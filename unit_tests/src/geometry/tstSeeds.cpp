@@ -1,9 +1,11 @@
 #include "ShapeLists.hpp"
 
 #include "geometry/Seeds.hpp"
+#include "geometry/Slivers.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -11,6 +13,7 @@
 using Rhegma::makeShape;
 using Rhegma::seedParticles;
 using Rhegma::Vector;
+namespace Geometry = Rhegma::Geometry;
 using namespace ShapeLists;
 using Teuchos::ParameterList;
 
@@ -20,7 +23,7 @@ TEST(Seeds, SitAtTheQuarterPointsOfCells)
   const auto seeds = seedParticles(makeShape<2>(box({2.0, 0.0}, {4.0, 1.0})), 1.0, 2, "Beam");
   ASSERT_EQ(seeds.position.size(), 8u);
   EXPECT_DOUBLE_EQ(seeds.edge[0], 0.5);
-  EXPECT_DOUBLE_EQ(seeds.volume, 0.25);
+  EXPECT_DOUBLE_EQ(seeds.volume[0], 0.25);
   for (int p = 0; p < 8; ++p)
   {
     EXPECT_DOUBLE_EQ(seeds.position[p][0], 2.25 + 0.5 * (p % 4));
@@ -35,7 +38,7 @@ TEST(Seeds, TileABoxOfAnySize)
   ASSERT_EQ(seeds.position.size(), 4u);
   EXPECT_DOUBLE_EQ(seeds.edge[0], 0.25);
   EXPECT_DOUBLE_EQ(seeds.edge[1], 0.3);
-  EXPECT_DOUBLE_EQ(4.0 * seeds.volume, 0.3);
+  EXPECT_DOUBLE_EQ(4.0 * seeds.volume[0], 0.3);
   EXPECT_DOUBLE_EQ(seeds.position[0][1], 0.25);
 }
 
@@ -43,7 +46,7 @@ TEST(Seeds, TileABoxIn3D)
 {
   const auto seeds = seedParticles(makeShape<3>(box({0.0, 0.0, 0.0}, {1.0, 2.0, 3.0})), 1.0, 2, "Block");
   ASSERT_EQ(seeds.position.size(), 48u);
-  EXPECT_DOUBLE_EQ(48 * seeds.volume, 6.0);
+  EXPECT_DOUBLE_EQ(48 * seeds.volume[0], 6.0);
   EXPECT_DOUBLE_EQ(seeds.position.back()[2], 2.75);
 }
 
@@ -64,30 +67,42 @@ TEST(Seeds, TurnWithTheirBox)
   EXPECT_NEAR(seeds.axes[1][0], -sine, 1.0e-15);
 }
 
-/// Of a 4 x 4 lattice over a disk of radius 1 with edges 0.5, only the corner centres (0.75, 0.75), at 1.06,
-/// are out.
-TEST(Seeds, KeepWhatIsInsideADisk)
+/// Of a 4 x 4 lattice over a disk of radius 1 with edges 0.5, the corner cells hold 0.13 of a cell or less,
+/// so their material belongs to their neighbours.
+TEST(Seeds, OfADiskHaveNoSlivers)
 {
   const auto seeds = seedParticles(makeShape<2>(ball({5.0, 5.0}, 1.0)), 1.0, 2, "Disk");
   EXPECT_EQ(seeds.position.size(), 12u);
+  for (const double volume : seeds.volume)
+    EXPECT_GT(volume, 0.25 * Geometry::joinedBelow);
 }
 
-/// The area of a disk converges: at 64 particles across, 2 r / edge = 64, the staircase is within 1 %. Every
-/// particle has its mirror image.
-TEST(Seeds, OfADiskAreSymmetricAndFillIt)
+/// Every particle of a disk has its mirror images, with their volumes and boxes.
+TEST(Seeds, OfADiskAreSymmetric)
 {
   const auto seeds = seedParticles(makeShape<2>(ball({0.3, 0.7}, 0.1)), 0.00625, 2, "Disk");
-  const double area = std::acos(-1.0) * 0.01;
-  EXPECT_NEAR(seeds.position.size() * seeds.volume / area, 1.0, 0.01);
-  std::set<std::pair<long, long>> indices;
-  for (const auto& x : seeds.position)
-    indices.insert(
-        {std::lround(2.0 * (x[0] - 0.3) / seeds.edge[0]), std::lround(2.0 * (x[1] - 0.7) / seeds.edge[1])});
-  EXPECT_EQ(indices.size(), seeds.position.size());
-  for (const auto& i : indices)
+  using Row = std::array<long, 5>;
+  std::set<Row> rows;
+  const auto row = [](double x, double y, double a, double b, double v)
   {
-    EXPECT_EQ(indices.count({-i.first, i.second}), 1u);
-    EXPECT_EQ(indices.count({i.second, i.first}), 1u);
+    return Row{std::lround(1e9 * x), std::lround(1e9 * y), std::lround(1e9 * a), std::lround(1e9 * b),
+               std::lround(1e12 * v)};
+  };
+  const auto rowOf = [&](std::size_t p, double sx, double sy, bool swaps)
+  {
+    const double x = sx * (seeds.position[p][0] - 0.3), y = sy * (seeds.position[p][1] - 0.7);
+    const double a = seeds.box[p][0], b = seeds.box[p][1];
+    return swaps ? row(y, x, b, a, seeds.volume[p]) : row(x, y, a, b, seeds.volume[p]);
+  };
+  for (std::size_t p = 0; p < seeds.position.size(); ++p)
+    rows.insert(rowOf(p, 1.0, 1.0, false));
+  ASSERT_EQ(rows.size(), seeds.position.size());
+  for (std::size_t p = 0; p < seeds.position.size(); ++p)
+  {
+    EXPECT_EQ(rows.count(rowOf(p, -1.0, 1.0, false)), 1u)
+        << seeds.position[p][0] << ' ' << seeds.position[p][1];
+    EXPECT_EQ(rows.count(rowOf(p, 1.0, 1.0, true)), 1u)
+        << seeds.position[p][0] << ' ' << seeds.position[p][1];
   }
 }
 
@@ -97,7 +112,7 @@ TEST(Seeds, TileAPolygonWithSidesAlongTheAxes)
   const ParameterList list = polygon({0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2});
   const auto seeds = seedParticles(makeShape<2>(list), 1.0, 2, "Angle");
   EXPECT_EQ(seeds.position.size(), 12u);
-  EXPECT_DOUBLE_EQ(12 * seeds.volume, 3.0);
+  EXPECT_DOUBLE_EQ(12 * seeds.volume[0], 3.0);
 }
 
 /// A 1 x 1 box added at the left of a 1 x 1 box continues its lattice, to negative indices; a quarter is cut.

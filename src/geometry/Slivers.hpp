@@ -1,0 +1,39 @@
+#pragma once
+/// Particles that are too small to stand alone.
+
+#include "geometry/PartOfBox.hpp"
+
+#include <vector>
+
+namespace Rhegma::Geometry
+{
+
+/// A particle that fills a lattice cell or a part of it; all lengths in the lattice's axes.
+template <int D>
+struct LatticePart
+{
+  std::array<long long, D> cell; ///< of the lattice
+  double fraction;               ///< of a cell's volume
+  Vector<D> centroid;            ///< [m]
+  Vector<D> variance;            ///< mean square distance from the centroid along each axis [m^2]
+};
+
+/// Parts that fill less of a lattice cell are joined with a neighbour. The box of a part that fills the
+/// fraction f has edges of at least f cells, so this bounds how much lighter a node can become than under
+/// whole particles ([theory](../../docs/theory.md), particles at edges).
+constexpr double joinedBelow = 0.5;
+
+/// Whether the line between two positions (in the lattice's axes) does not leave the body.
+template <int D>
+using IsSeen = std::function<bool(const Vector<D>&, const Vector<D>&)>;
+
+/// Joins the parts below joinedBelow with others: the smallest first, each with the part, not smaller than
+/// itself, of a neighbouring cell (over corners too) whose centroid is nearest and can be seen; in equal
+/// pieces with those that are equally near. Volume, first and second moments stay. A part without such a
+/// neighbour stays as it is.
+///
+/// \param parts   in the order of their cells: along the first axis first
+template <int D>
+void joinSlivers(std::vector<LatticePart<D>>& parts, const IsSeen<D>& isSeen);
+
+} // namespace Rhegma::Geometry
