@@ -124,7 +124,7 @@ double cellOfParts(const CellNeeds& needs, const AccuracyRule& rule, bool moves)
   if (needs.running)
     return needs.across / 16.0;
   const bool graded = (needs.rests || !moves) && !needs.heat && needs.thickness < CellNeeds::none;
-  return (graded ? needs.thickness : needs.across) / rule.perLigament;
+  return graded ? needs.thickness / rule.perThickness : needs.across / rule.perLigament;
 }
 
 /// Size of the cells, and levels below it at fronts.
@@ -164,10 +164,10 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
 
 const std::vector<AccuracyRule>& accuracyRules()
 {
-  static const std::vector<AccuracyRule> rules = {{"10 %", 0.1, 3.0, 4.0, 4.0, 1.0, 2.0, true},
-                                                  {"3 %", 0.03, 5.0, 5.0, 4.0, 2.0, 3.0, true},
-                                                  {"1 %", 0.01, 8.0, 12.0, 6.0, 3.0, 5.0, false},
-                                                  {"0.3 %", 0.003, 16.0, 40.0, 12.0, 6.0, 10.0, false}};
+  static const std::vector<AccuracyRule> rules = {{"10 %", 0.1, 3.0, 4.0, 4.0, 4.0, 1.0, 2.0, true},
+                                                  {"3 %", 0.03, 5.0, 6.0, 5.0, 4.0, 2.0, 3.0, true},
+                                                  {"1 %", 0.01, 8.0, 11.0, 12.0, 6.0, 3.0, 5.0, false},
+                                                  {"0.3 %", 0.003, 16.0, 22.0, 40.0, 12.0, 6.0, 10.0, false}};
   return rules;
 }
 
