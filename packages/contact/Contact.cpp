@@ -342,7 +342,11 @@ EffectEntry contactEntry()
 {
   EffectEntry entry{section(), check, make<2>, make<3>, true};
   entry.declare = [](const Teuchos::ParameterList&, RunOptions& options) { options.contact = true; };
-  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.facesLoaded = true; };
+  entry.cells.addNeeds = [](const Teuchos::ParameterList& scene, CellNeeds& needs, auto&)
+  {
+    needs.facesLoaded = true;
+    needs.equal = needs.equal || scene.sublist("Contact").get<std::string>("Law") == "Visibility";
+  };
   return entry;
 }
 

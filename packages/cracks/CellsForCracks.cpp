@@ -218,14 +218,13 @@ Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
   return found;
 }
 
-Lengths measure(const ParameterList& crack, const ParameterList& scene)
+Lengths measure(const ParameterList& crack, const SceneBodies<2>& bodies)
 {
-  if (crack.isParameter("Surface File"))
-    throw std::domain_error("can't be used with a crack from a file; write Domain > Cell Size");
-  if (dimensionOf(scene) == 2)
-    return measureLine(crack, SceneBodies<2>(scene));
-  return measureRim(crack.isType<double>("Radius") ? rimOfDisk(crack) : rimOfPolygon(crack),
-                    SceneBodies<3>(scene));
+  return measureLine(crack, bodies);
+}
+Lengths measure(const ParameterList& crack, const SceneBodies<3>& bodies)
+{
+  return measureRim(crack.isType<double>("Radius") ? rimOfDisk(crack) : rimOfPolygon(crack), bodies);
 }
 
 /// Whether the crack has what its shape is made of; else the section's check says what is missing.
@@ -235,10 +234,10 @@ bool isWhole(const ParameterList& crack)
          (crack.isType<double>("Radius") && crack.isParameter("Centre") && crack.isParameter("Normal"));
 }
 
-} // namespace
-
-void reportCells(const ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
+template <int D>
+void reportCellsOf(const ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
 {
+  const SceneBodies<D> bodies(scene);
   const ParameterList& cracks = scene.sublist("Cracks");
   if (cracks.get<std::string>("Formulation") == "Corrected Broken Cell")
     needs.equal = true;
@@ -251,7 +250,9 @@ void reportCells(const ParameterList& scene, CellNeeds& needs, std::vector<Scene
     const std::string points = where + (crack.isParameter("Points") ? " > Points" : "");
     try
     {
-      const Lengths found = measure(crack, scene);
+      if (crack.isParameter("Surface File"))
+        throw std::domain_error("can't be used with a crack from a file; write Domain > Cell Size");
+      const Lengths found = measure(crack, bodies);
       if (!found.inside)
         errors.push_back({points, outsideOfBodies});
       if (!(found.ligament < CellNeeds::none))
@@ -269,6 +270,16 @@ void reportCells(const ParameterList& scene, CellNeeds& needs, std::vector<Scene
       errors.push_back({points, wrong.what()});
     }
   }
+}
+
+} // namespace
+
+void reportCells(const ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
+{
+  if (dimensionOf(scene) == 2)
+    reportCellsOf<2>(scene, needs, errors);
+  else
+    reportCellsOf<3>(scene, needs, errors);
 }
 
 } // namespace Rhegma::cracks

@@ -156,11 +156,11 @@ private:
   }
 
   /// The direction in which the surface-breaking edge continues at the end of a front; the direction across
-  /// the front if the two are apart by more than 45 degrees. Then that edge does not follow the surface: an
-  /// end that was taken back to it (CrackGrowth) has one along the front.
+  /// the front if the two are apart by more than 60 degrees: then that edge does not follow the surface. A
+  /// front may meet a flat surface at a small angle, so a smaller limit would turn its end into the body.
   Vector<3> alongSurface(const FrontNode<3>& frontNode) const
   {
-    constexpr double grazing = 0.7;
+    constexpr double grazing = 0.5;
     for (int k = starBegin_(frontNode.vertex); k < starBegin_(frontNode.vertex + 1); ++k)
     {
       const int s = star_(k);

@@ -319,7 +319,8 @@ EffectEntry dampingEntry()
       options.endAtRest = {list.get<double>("Settled Energy Ratio"), list.get<double>("Settled Drift"),
                            list.get<double>("Mass Rate")};
   };
-  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.rests = true; };
+  entry.cells.addNeeds = [](const Teuchos::ParameterList& scene, CellNeeds& needs, auto&)
+  { needs.rests = scene.sublist("Damping").get<bool>("Stop When Settled"); };
   return entry;
 }
 

@@ -17,6 +17,7 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
   const auto x = onHost(state.particles.template real<D>(fields::position));
   const auto edge = onHost(state.particles.template real<D>(fields::edge));
   Seeds<D> seeds{};
+  std::vector<double> edges[D];
   for (int p = 0; p < state.particles.size(); ++p)
     if (bodies(p) == body)
     {
@@ -24,11 +25,18 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
       for (int d = 0; d < D; ++d)
       {
         at[d] = x(p, d);
-        seeds.edge[d] = std::max(seeds.edge[d], edge(p, d)); // those at the body's edges differ
+        edges[d].push_back(edge(p, d));
       }
       seeds.position.push_back(at);
       ids.push_back(id(p));
     }
+  for (int d = 0; d < D && !ids.empty(); ++d)
+  {
+    // Those at the body's edges differ; most are those of the lattice.
+    const auto middle = edges[d].begin() + static_cast<std::ptrdiff_t>(edges[d].size() / 2);
+    std::nth_element(edges[d].begin(), middle, edges[d].end());
+    seeds.edge[d] = *middle;
+  }
   for (int d = 0; d < D; ++d)
     for (int e = 0; e < D; ++e)
       seeds.axes[d][e] = state.bodies.info[body].axes[d][e];

@@ -17,27 +17,28 @@ template <int D, class Use>
 void forEachStencil(const State<D>& state, const Use& use)
 {
   constexpr int remembered = 8;
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     std::vector<int> nodes, last[remembered];
-                     int next = 0;
-                     for (int p = 0; p < state.particles.size(); ++p)
-                     {
-                       nodes.clear();
-                       connect.visit(p,
-                                     [&](int node, double weight, const double* slopes)
-                                     {
-                                       if (counts(weight, slopes, D, state.mesh.grid.spacing))
-                                         nodes.push_back(node);
-                                     });
-                       std::sort(nodes.begin(), nodes.end());
-                       if (std::find(last, last + remembered, nodes) != last + remembered)
-                         continue;
-                       last[next++ % remembered] = nodes;
-                       use(nodes);
-                     }
-                   });
+  withStraining(state,
+                [&](const auto& connect)
+                {
+                  std::vector<int> nodes, last[remembered];
+                  int next = 0;
+                  for (int p = 0; p < state.particles.size(); ++p)
+                  {
+                    nodes.clear();
+                    connect.visitStraining(
+                        p,
+                        [&](int node, double weight, const auto& slopes)
+                        {
+                          if (counts(weight, slopes.of, slopes.size, state.mesh.grid.spacing))
+                            nodes.push_back(node);
+                        });
+                    std::sort(nodes.begin(), nodes.end());
+                    if (std::find(last, last + remembered, nodes) != last + remembered)
+                      continue;
+                    last[next++ % remembered] = nodes;
+                    use(nodes);
+                  }
+                });
 }
 
 void addCouplings(const std::vector<int>& rows, std::vector<std::vector<int>>& coupled)

@@ -3,6 +3,7 @@
 #include "geometry/Slivers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -86,12 +87,12 @@ Vector<D> positionOf(const Lattice<D>& lattice, const double (&index)[3])
   return own;
 }
 
-/// The particle of a lattice cell about `own`; of the fraction 0 where there is none.
+/// The part of a box about `own` that is inside; of the fraction 0 where there is none.
 template <int D>
-Part<D> partOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const Vector<D>& own,
+Part<D> partOf(const Vector<D>& edge, const Geometry::Frame<D>& frame, const Vector<D>& own,
                const Geometry::Region<D>& region)
 {
-  const Geometry::OrientedBox<D> box{frame.toSpace(own), lattice.edge, frame.axes};
+  const Geometry::OrientedBox<D> box{frame.toSpace(own), edge, frame.axes};
   const Geometry::BoxPart<D> found = Geometry::partOfBox(box, region);
   Part<D> part{{}, 1.0, own, {}};
   const bool whole = found.fraction >= 1.0 - tiny;
@@ -99,10 +100,39 @@ Part<D> partOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const
     part.fraction = found.fraction > tiny ? found.fraction : 0.0;
   for (int d = 0; d < D; ++d)
   {
-    part.centroid[d] += whole ? 0.0 : lattice.edge[d] * found.centroid[d];
-    part.variance[d] = lattice.edge[d] * lattice.edge[d] * (whole ? 1.0 / 12.0 : found.variance[d]);
+    part.centroid[d] += whole ? 0.0 : edge[d] * found.centroid[d];
+    part.variance[d] = edge[d] * edge[d] * (whole ? 1.0 / 12.0 : found.variance[d]);
   }
   return part;
+}
+
+/// Adds the part of a lattice cell about `own`. One whose centroid is outside lies on both sides of a slot or
+/// round a corner: the parts of the cell's halves along each axis are then added instead.
+template <int D>
+void addPart(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const Vector<D>& own,
+             const Geometry::Region<D>& region, const decltype(Part<D>::cell)& cell,
+             std::vector<Part<D>>& parts)
+{
+  const auto add = [&](Part<D> part)
+  {
+    part.cell = cell;
+    parts.push_back(part);
+  };
+  const Part<D> whole = partOf(lattice.edge, frame, own, region);
+  if (whole.fraction == 0.0)
+    return;
+  if (whole.fraction == 1.0 || region.depth(frame.toSpace(whole.centroid)) >= 0.0)
+    return add(whole);
+  for (int k = 0; k < 1 << D; ++k)
+  {
+    Vector<D> at = own;
+    for (int d = 0; d < D; ++d)
+      at[d] += (k >> d & 1 ? 0.25 : -0.25) * lattice.edge[d];
+    Part<D> part = partOf(0.5 * lattice.edge, frame, at, region);
+    part.fraction /= 1 << D;
+    if (part.fraction > tiny)
+      add(part);
+  }
 }
 
 template <int D>
@@ -117,12 +147,11 @@ std::vector<Part<D>> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>
     for (long long j = 0; j < counts[1]; ++j)
       for (long long i = 0; i < counts[0]; ++i)
       {
-        const long long cell[3] = {i, j, k};
+        const long long index[3] = {i, j, k};
         const double middle[3] = {double(i) + 0.5, double(j) + 0.5, double(k) + 0.5};
-        Part<D> part = partOf(lattice, frame, positionOf(lattice, middle), region);
-        std::copy(cell, cell + D, part.cell.begin());
-        if (part.fraction > 0.0)
-          parts.push_back(part);
+        std::array<long long, D> cell;
+        std::copy(index, index + D, cell.begin());
+        addPart(lattice, frame, positionOf(lattice, middle), region, cell, parts);
       }
   return parts;
 }

@@ -101,11 +101,13 @@ void joinSlivers(std::vector<LatticePart<D>>& parts, const IsSeen<D>& isSeen)
     if (parts[k].fraction >= joinedBelow) // by what has joined it
       continue;
     const std::vector<int> hosts = hostsOf(before, gone, k, isSeen);
+    if (hosts.empty())
+      continue;
     LatticePart<D> piece = parts[k];
     piece.fraction /= static_cast<double>(hosts.size());
     for (const int host : hosts)
       join(piece, parts[host]);
-    gone[k] = hosts.empty() ? 0 : 1;
+    gone[k] = 1;
   }
   std::size_t kept = 0;
   for (std::size_t k = 0; k < parts.size(); ++k)
