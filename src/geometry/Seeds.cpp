@@ -231,6 +231,14 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
                            });
   if (parts.empty())
     throw std::invalid_argument(section + ": the body contains no particle; it is fully cut away; cut less.");
+  if (std::all_of(parts.begin(), parts.end(),
+                  [](const Part<D>& part) { return part.fraction < Geometry::joinedBelow; }))
+  {
+    std::ostringstream message;
+    message << section << ": the body contains no particle; it fills less than half of one ("
+            << cell / particlesPerCell << " m) anywhere; make the body larger or the cells smaller.";
+    throw std::invalid_argument(message.str());
+  }
   return seedsOf(lattice, frame, parts);
 }
 

@@ -101,7 +101,7 @@ TEST(Accuracy, ChoosesCoarseCellsFarFromACrackAtRest)
   EXPECT_EQ(levelsOf(scene), 6);
   EXPECT_GE(cellOf(scene), 64.0 * 0.002 / 24.0 * 2.0 / 3.0 - 1e-12);
   EXPECT_LE(cellOf(scene) / (1 << levelsOf(scene)), 0.002 / 24.0 + 1e-12);
-  EXPECT_EQ(scene.list->sublist("Adaptivity").get<double>("Front Cells"), 6.0);
+  EXPECT_EQ(scene.list->sublist("Adaptivity").get<double>("Front Cells"), 5.0);
   // Pressure on the faces asks for cells of half the size.
   const std::string pressed = R"xml(<ParameterList name="Face Pressure"><ParameterList name="Slit">
     <Parameter name="Pressure" type="double" value="1e5"/></ParameterList></ParameterList>)xml";
