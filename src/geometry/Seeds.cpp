@@ -137,9 +137,12 @@ void addPart(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const V
 
 template <int D>
 std::vector<Part<D>> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame,
-                             const Geometry::Region<D>& region)
+                             const Geometry::Region<D>& region, bool isBox)
 {
   std::vector<Part<D>> parts;
+  Vector<D> variance;
+  for (int d = 0; d < D; ++d)
+    variance[d] = lattice.edge[d] * lattice.edge[d] / 12.0;
   long long counts[3] = {1, 1, 1};
   for (int d = 0; d < D; ++d)
     counts[d] = static_cast<long long>(lattice.count[d]);
@@ -151,7 +154,11 @@ std::vector<Part<D>> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>
         const double middle[3] = {double(i) + 0.5, double(j) + 0.5, double(k) + 0.5};
         std::array<long long, D> cell;
         std::copy(index, index + D, cell.begin());
-        addPart(lattice, frame, positionOf(lattice, middle), region, cell, parts);
+        const Vector<D> own = positionOf(lattice, middle);
+        if (isBox) // whose lattice it is
+          parts.push_back({cell, 1.0, own, variance});
+        else
+          addPart(lattice, frame, own, region, cell, parts);
       }
   return parts;
 }
@@ -219,7 +226,9 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
   const Geometry::Frame<D>& frame = shape.base().frame;
   const Geometry::Region<D> region{[&](const Vector<D>& x) { return shape.depth(x); },
                                    [&](const Geometry::BoxPoints<D>& box) { return shape.coverage(box); }};
-  std::vector<Part<D>> parts = partsOf(lattice, frame, region);
+  const bool isBox =
+      shape.parts().size() == 1 && std::holds_alternative<Geometry::Box<D>>(shape.base().primitive);
+  std::vector<Part<D>> parts = partsOf(lattice, frame, region, isBox);
   const double slack = -tiny * norm(lattice.edge);
   Geometry::joinSlivers<D>(parts,
                            [&](const Vector<D>& a, const Vector<D>& b)
