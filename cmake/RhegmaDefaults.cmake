@@ -32,8 +32,9 @@ function(rhegma_compile_options target)
   endif()
 endfunction()
 
-# Compiles the sources of a target in groups of at most so many files of one folder. A group is named by its folder below
-# the source folder, so that a second clone finds it in ccache. Two warnings are off there: a local name may be that of
+# Compiles the sources of a target in groups of at most so many files of one folder, as equal as they can be. A group is named
+# by its folder below the source folder, so that a second clone finds it in ccache. Files of folders in the list
+# RHEGMA_LIGHT_FOLDERS (names such as src_output) are optimised less. Two warnings are off there: a local name may be that of
 # another file's constant, and lambdas of a group's files may use types of their anonymous namespaces.
 function(rhegma_unity_groups target most)
   foreach(source ${ARGN})
@@ -45,11 +46,17 @@ function(rhegma_unity_groups target most)
   endforeach()
   list(REMOVE_DUPLICATES folders)
   foreach(folder ${folders})
+    list(LENGTH sources_${folder} count)
+    math(EXPR groups "(${count} + ${most} - 1) / ${most}")
     set(at 0)
     foreach(source ${sources_${folder}})
-      math(EXPR group "${at} / ${most}")
+      math(EXPR group "${at} * ${groups} / ${count}")
       math(EXPR at "${at} + 1")
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${group})
+      if(folder IN_LIST RHEGMA_LIGHT_FOLDERS)
+        set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${folder}_${group}_cxx.cxx
+          PROPERTIES COMPILE_OPTIONS -O1)
+      endif()
     endforeach()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

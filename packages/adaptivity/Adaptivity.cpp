@@ -361,7 +361,16 @@ EffectEntry adaptivityEntry()
   };
   entry.cells.refine = [](Teuchos::ParameterList& scene, const FrontRefinement& refinement)
   {
-    scene.sublist("Adaptivity").set("Maximum Level", refinement.levels).set("Front Cells", refinement.around);
+    Teuchos::ParameterList& list = scene.sublist("Adaptivity");
+    list.set("Maximum Level", refinement.levels).set("Front Cells", refinement.around);
+    const double cell = scene.sublist("Domain").get<double>("Cell Size");
+    int number = 0;
+    for (const NarrowPlace& place : refinement.narrow)
+      if (const int level = static_cast<int>(std::ceil(std::log2(cell / place.cell) - 1e-6)); level > 0)
+        list.sublist("Narrow Place " + std::to_string(++number))
+            .set("Lower Corner", Teuchos::Array<double>(place.lower))
+            .set("Upper Corner", Teuchos::Array<double>(place.upper))
+            .set("Level", level);
   };
   return entry;
 }

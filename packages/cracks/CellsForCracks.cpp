@@ -3,6 +3,7 @@
 #include "base/ReadList.hpp"
 #include "cracks/ReadCrack.hpp"
 #include "geometry/Cross.hpp"
+#include "geometry/NearBoxes.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/Validation.hpp"
 
@@ -21,9 +22,19 @@ using Teuchos::ParameterList;
 /// Fraction of a crack's length: an end that is nearer to a surface is surface-breaking.
 constexpr double breakingDepth = 0.01;
 
+/// Part of a polyline crack that lies in bodies, and which of its ends are fronts.
+struct Line
+{
+  std::string name;
+  std::vector<Vector<2>> points;
+  bool front[2] = {false, false}; ///< of the first and the last position
+  double length = 0.0;
+};
+
 /// What is known of one crack.
 struct Lengths
 {
+  Line line{};                        ///< in 2D
   double ligament = CellNeeds::none;  ///< from its fronts to the nearest surface
   double crack = CellNeeds::none;     ///< its (half) length, or radius
   double ahead = CellNeeds::none;     ///< from its fronts along their directions to a surface
@@ -120,7 +131,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
   found.inside = points.size() > 1;
   if (!found.inside)
     return found;
-  double length = 0.0;
+  double& length = found.line.length;
   for (std::size_t k = 1; k < points.size(); ++k)
     length += norm(points[k] - points[k - 1]);
   const std::string wanted = crack.get<std::string>("Fronts");
@@ -131,6 +142,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
     if (depth <= breakingDepth * length || wanted == "None" || wanted == (first ? "Last" : "First"))
       continue;
     ++fronts;
+    found.line.front[first ? 0 : 1] = true;
     found.front(depth);
     const Vector<2> last = first ? points[0] - points[1] : points.back() - points[points.size() - 2];
     measureAhead(first ? points.front() : points.back(), (1.0 / norm(last)) * last, bodies, found);
@@ -140,6 +152,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
     found.crack = length / fronts;
     measureArms(points, length, bodies, found);
   }
+  found.line.points = std::move(points);
   return found;
 }
 
@@ -234,6 +247,89 @@ bool isWhole(const ParameterList& crack)
          (crack.isType<double>("Radius") && crack.isParameter("Centre") && crack.isParameter("Normal"));
 }
 
+double distanceTo(const Line& line, const Vector<2>& x)
+{
+  double least = CellNeeds::none;
+  for (std::size_t k = 1; k < line.points.size(); ++k)
+  {
+    const Vector<2> along = line.points[k] - line.points[k - 1], away = x - line.points[k - 1];
+    const double at = std::clamp(dot(away, along) / dot(along, along), 0.0, 1.0);
+    least = std::min(least, norm(away - at * along));
+  }
+  return least;
+}
+
+/// Distance from a front to the nearest surface in 32 directions, no farther than a length.
+double clearOf(const Vector<2>& front, double most, const SceneBodies<2>& bodies)
+{
+  constexpr int directions = 32;
+  double least = most;
+  for (int k = 0; k < directions; ++k)
+  {
+    const double angle = 2.0 * M_PI * k / directions;
+    least = std::min(least, bodies.reach(front, {std::cos(angle), std::sin(angle)}, least));
+  }
+  return least;
+}
+
+/// Cells between two cracks: fewer than three do not separate them.
+constexpr double cellsBetween = 3.3;
+
+/// Boxes along a crack where another is nearer than half the length of both.
+void addNarrow(const Line& line, const Line& other, std::vector<NarrowPlace>& narrow)
+{
+  const double most = 0.5 * std::min(line.length, other.length), step = 0.02 * line.length;
+  double next = 0.0, passed = 0.0; // along the line
+  for (std::size_t k = 1; k < line.points.size(); ++k)
+  {
+    const Vector<2> along = line.points[k] - line.points[k - 1];
+    const double length = norm(along);
+    for (; next <= passed + length * (1.0 + 1e-9);)
+    {
+      const Vector<2> x = line.points[k - 1] + ((next - passed) / length) * along;
+      const double gap = distanceTo(other, x);
+      if (gap < most && gap > 0.0)
+        narrow.push_back({{x[0] - gap, x[1] - gap}, {x[0] + gap, x[1] + gap}, gap / cellsBetween});
+      next += std::max(step, gap < most ? gap : gap - 0.9 * most);
+    }
+    passed += length;
+  }
+}
+
+/// Distances of fronts to all that is near, and places where cracks are near each other.
+void measureNeighbours(const std::vector<Line>& lines, const SceneBodies<2>& bodies, CellNeeds& needs)
+{
+  std::vector<Geometry::Bounds<2>> bounds;
+  for (const Line& line : lines)
+  {
+    bounds.push_back(Geometry::emptyBounds<2>());
+    for (const Vector<2>& x : line.points)
+      bounds.back().include(x);
+  }
+  const Geometry::NearBoxes<2> boxes(bounds);
+  for (std::size_t a = 0; a < lines.size(); ++a)
+  {
+    const Line& line = lines[a];
+    const std::vector<int> near = boxes.near(bounds[a], 0.5 * line.length);
+    for (const int b : near)
+      if (b != static_cast<int>(a))
+        addNarrow(line, lines[b], needs.narrow);
+    for (const int end : {0, 1})
+    {
+      if (!line.front[end])
+        continue;
+      const Vector<2>& front = end == 0 ? line.points.front() : line.points.back();
+      double clear = clearOf(front, 0.5 * line.length, bodies);
+      for (const int b : near)
+        if (b != static_cast<int>(a))
+          clear = std::min(clear, distanceTo(lines[b], front));
+      if (clear < std::min({needs.clear, needs.across, needs.atFronts}))
+        needs.shortestAcross = line.name;
+      needs.clear = std::min(needs.clear, clear);
+    }
+  }
+}
+
 template <int D>
 void reportCellsOf(const ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
 {
@@ -241,6 +337,7 @@ void reportCellsOf(const ParameterList& scene, CellNeeds& needs, std::vector<Sce
   const ParameterList& cracks = scene.sublist("Cracks");
   if (cracks.get<std::string>("Formulation") == "Corrected Broken Cell")
     needs.equal = true;
+  std::vector<Line> lines;
   for (const std::string& name : sublistNames(cracks))
   {
     const ParameterList& crack = cracks.sublist(name);
@@ -252,9 +349,14 @@ void reportCellsOf(const ParameterList& scene, CellNeeds& needs, std::vector<Sce
     {
       if (crack.isParameter("Surface File"))
         throw std::domain_error("can't be used with a crack from a file; write Domain > Cell Size");
-      const Lengths found = measure(crack, bodies);
+      Lengths found = measure(crack, bodies);
       if (!found.inside)
         errors.push_back({points, outsideOfBodies});
+      else if (D == 2)
+      {
+        found.line.name = where;
+        lines.push_back(std::move(found.line));
+      }
       if (!(found.ligament < CellNeeds::none))
         continue;
       if (std::min(found.ligament, found.crack) < needs.across)
@@ -270,6 +372,8 @@ void reportCellsOf(const ParameterList& scene, CellNeeds& needs, std::vector<Sce
       errors.push_back({points, wrong.what()});
     }
   }
+  if constexpr (D == 2)
+    measureNeighbours(lines, bodies, needs);
 }
 
 } // namespace

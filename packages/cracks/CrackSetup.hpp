@@ -11,8 +11,7 @@ namespace Rhegma::cracks
 ///
 /// \param edge of the triangles of surfaces [m]
 ///
-/// Throws std::invalid_argument, with the section's path, for a crack that is wrong in itself or comes closer
-/// than three cells to another.
+/// Throws std::invalid_argument, with the section's path, for a crack that is wrong in itself.
 template <int D>
 void readCracks(const Teuchos::ParameterList& section, State<D>& state, double edge);
 

@@ -4,6 +4,7 @@
 #include "base/ReadList.hpp"
 #include "cracks/AdvectedFronts.hpp"
 #include "cracks/CellsForCracks.hpp"
+#include "cracks/CloseCracks.hpp"
 #include "cracks/CrackGrowth.hpp"
 #include "cracks/CrackMemory.hpp"
 #include "cracks/CrackMotion.hpp"
@@ -344,6 +345,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.name = "Cracks";
   addFields(*parts, effect);
   effect.atStart = [=](State<D>& state) { start(parts, state); };
+  effect.judge = [](State<D>& state) { refuseCloseCracks(state); };
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     archive("steps", parts->surroundings.stamp);

@@ -56,7 +56,7 @@ void addSymmetry(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, co
   parts.supports.push_back([=](State<D>& state) { return readSymmetry<D>(list, state, name); });
 }
 
-BoundaryRegion regionOf(const Teuchos::ParameterList& list)
+BoundaryRegion mirrorPlaneOf(const Teuchos::ParameterList& list)
 {
   BoundaryRegion plane{"", BoundaryRegion::Kind::Mirror, {}, {}, list.get<std::string>("Axis")};
   const int axis = plane.axes[0] - 'x';
@@ -80,7 +80,7 @@ BoundaryType symmetryBoundary()
   s.choice("Side", {"Lower", "Upper"})
       .optional("the side of the nearer end of the domain")
       .meaning("Side of the plane that is the mirror image and holds no material.");
-  return {s, checkSymmetry, addSymmetry<2>, addSymmetry<3>, "", regionOf};
+  return {s, checkSymmetry, addSymmetry<2>, addSymmetry<3>, "", mirrorPlaneOf};
 }
 
 } // namespace Rhegma

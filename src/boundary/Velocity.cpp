@@ -67,7 +67,7 @@ void addVelocity(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, co
   parts.supports.push_back([=](State<D>& state) { return readVelocity<D>(list, state, name); });
 }
 
-BoundaryRegion regionOf(const ParameterList& list)
+BoundaryRegion heldBoxOf(const ParameterList& list)
 {
   using Kind = BoundaryRegion::Kind;
   return {"", list.get<std::string>("Nodes") == "Outside" ? Kind::HeldOutside : Kind::Held,
@@ -130,7 +130,7 @@ BoundaryType velocityBoundary()
       "\"2*x, -y\". Common terms are defined first, as in \"r = sqrt(x*x + y*y); x / r, y / r\".");
   s.exactlyOneOf({"Value", "Field"});
   describeHistory(s);
-  return {s, checkVelocity, addVelocity<2>, addVelocity<3>, "", regionOf};
+  return {s, checkVelocity, addVelocity<2>, addVelocity<3>, "", heldBoxOf};
 }
 
 } // namespace Rhegma

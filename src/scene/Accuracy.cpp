@@ -77,13 +77,17 @@ void refuseTiny(double cell, const ParameterList& scene, const CellNeeds& needs,
   if (count <= mostCells)
     return;
   const double radius = std::min(needs.source, needs.atRest);
-  const bool crack = std::min(needs.across, needs.atFronts) <= radius;
-  throw std::invalid_argument(std::string("is ") + rule.name + ", for which " +
-                              (crack ? needs.shortestAcross + ", with a length of " +
-                                           formatReal(std::min(needs.across, needs.atFronts))
-                                     : needs.smallestSource + ", with a radius of " + formatReal(radius)) +
-                              " m, needs cells of " + formatReal(cell) +
-                              " m, too many for this domain; check that length, or write Domain > Cell Size");
+  const double length = std::min({needs.across, needs.atFronts, needs.clear});
+  const bool crack = length <= radius;
+  throw std::invalid_argument(
+      std::string("is ") + rule.name + ", for which " +
+      (crack ? needs.shortestAcross +
+                   (length == needs.clear ? ", with what is next to it at a distance of "
+                                          : ", with a length of ") +
+                   formatReal(length)
+             : needs.smallestSource + ", with a radius of " + formatReal(radius)) +
+      " m, needs cells of " + formatReal(cell) +
+      " m, too many for this domain; check that length, or write Domain > Cell Size");
 }
 
 double fitted(const ParameterList& scene, double cell)
@@ -116,8 +120,8 @@ bool hasTimeSteps(const ParameterList& scene)
 double cellAtFronts(const CellNeeds& needs, const AccuracyRule& rule)
 {
   if (needs.ahead < CellNeeds::none)
-    return std::min(needs.ahead / (rule.perFront * (needs.facesLoaded ? loadedFaces : 1.0)),
-                    needs.contour / perContour);
+    return std::min({needs.ahead / (rule.perFront * (needs.facesLoaded ? loadedFaces : 1.0)),
+                     needs.clear / rule.perClear, needs.contour / perContour});
   // Four fifths of the error are for the position of the front.
   return 1.6 * rule.error * needs.atFronts;
 }
@@ -154,8 +158,10 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
       atRest && !needs.equal && (moves || needs.ahead < CellNeeds::none) &&
       std::any_of(schema.effects().begin(), schema.effects().end(),
                   [](const auto& entry) { return static_cast<bool>(entry.second.cells.refine); });
-  if (atRest)
-    cell = std::min(cell, mayRefine ? atFront * (1 << mostLevels) : atFront);
+  double least = atRest ? atFront : cell; // of the smallest cells
+  for (const NarrowPlace& place : needs.narrow)
+    least = std::min(least, place.cell);
+  cell = std::min(cell, mayRefine ? least * (1 << mostLevels) : least);
   ParameterList& domain = scene.sublist("Domain");
   if (domain.isType<double>("Cell Size"))
     cell = domain.get<double>("Cell Size");
@@ -164,19 +170,21 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
     refuseTiny(cell, read, needs, rule);
     domain.set("Cell Size", cell = fitted(read, cell));
   }
-  const int levels = mayRefine ? static_cast<int>(std::ceil(std::log2(cell / atFront) - 1e-6)) : 0;
+  const int levels = mayRefine ? static_cast<int>(std::ceil(std::log2(cell / least) - 1e-6)) : 0;
   if (levels > 0)
-    refine(scene, schema, {levels, needs.ahead < CellNeeds::none ? rule.aroundFront : 3.0, moves}, rule);
+    refine(scene, schema,
+           {levels, needs.ahead < CellNeeds::none ? rule.aroundFront : 3.0, moves, needs.narrow}, rule);
 }
 
 } // namespace
 
 const std::vector<AccuracyRule>& accuracyRules()
 {
-  static const std::vector<AccuracyRule> rules = {{"10 %", 0.1, 3.0, 4.0, 6.0, 4.0, 1.0, 2.0, true},
-                                                  {"3 %", 0.03, 5.0, 6.0, 12.0, 4.0, 2.0, 3.0, true},
-                                                  {"1 %", 0.01, 8.0, 14.0, 24.0, 5.0, 3.0, 5.0, false},
-                                                  {"0.3 %", 0.003, 16.0, 26.0, 80.0, 12.0, 6.0, 10.0, false}};
+  static const std::vector<AccuracyRule> rules = {
+      {"10 %", 0.1, 3.0, 4.0, 6.0, 4.0, 3.0, 1.0, 2.0, true},
+      {"3 %", 0.03, 5.0, 6.0, 12.0, 4.0, 4.0, 2.0, 3.0, true},
+      {"1 %", 0.01, 8.0, 14.0, 24.0, 5.0, 6.0, 3.0, 5.0, false},
+      {"0.3 %", 0.003, 16.0, 26.0, 80.0, 12.0, 12.0, 6.0, 10.0, false}};
   return rules;
 }
 

@@ -23,6 +23,7 @@ struct AccuracyRule
                        ///< bend with 54 / n^2 percent too little energy, half of the error
   double perFront;     ///< in 2D cells at a front in CellNeeds::ahead
   double aroundFront;  ///< in 2D cells of each size next to a front
+  double perClear;     ///< in 2D cells at a front in CellNeeds::clear, which the contour of J needs
   double perSource;    ///< cells in the radius of a moving source of heat
   double perResting;   ///< cells in the radius of a source at rest
   bool running;        ///< whether running cracks reach this error

@@ -13,6 +13,13 @@
 namespace Rhegma
 {
 
+/// A box in which cells are small.
+struct NarrowPlace
+{
+  std::vector<double> lower, upper; ///< corners [m]
+  double cell;                      ///< largest edge of cells [m]
+};
+
 /// Needs of a scene for its cells. Lengths are infinite where nothing requires one.
 struct CellNeeds
 {
@@ -24,14 +31,16 @@ struct CellNeeds
   /// In 2D the least thickness that cells far from fronts resolve: of an arm next to a crack, or half the
   /// extent of the body through a front [m].
   double thickness = none;
-  double source = none;     ///< radius of the smallest round source of heat that moves [m]
-  double atRest = none;     ///< radius of the smallest one at rest [m]
-  double contour = none;    ///< the inner radius that the scene gives to contours round fronts [m]
-  bool running = false;     ///< whether fronts run
-  bool rests = false;       ///< whether waves are damped, so that none needs small cells
-  bool heat = false;        ///< whether layers of heat need small cells far from fronts, too
-  bool facesLoaded = false; ///< whether faces of cracks may have pressure, contact, gas or heat
-  bool equal = false;       ///< whether all effects of the scene need cells of equal size
+  double clear = none;   ///< in 2D from a front to the nearest surface or other crack, in any direction [m]
+  double source = none;  ///< radius of the smallest round source of heat that moves [m]
+  double atRest = none;  ///< radius of the smallest one at rest [m]
+  double contour = none; ///< the inner radius that the scene gives to contours round fronts [m]
+  bool running = false;  ///< whether fronts run
+  bool rests = false;    ///< whether waves are damped, so that none needs small cells
+  bool heat = false;     ///< whether layers of heat need small cells far from fronts, too
+  bool facesLoaded = false;          ///< whether faces of cracks may have pressure, contact, gas or heat
+  bool equal = false;                ///< whether all effects of the scene need cells of equal size
+  std::vector<NarrowPlace> narrow{}; ///< where cracks are near each other
   std::string shortestAcross, smallestSource; ///< sections that give these lengths
 
   bool fronts() const { return across < none; }
@@ -40,9 +49,10 @@ struct CellNeeds
 /// Smaller cells at fronts.
 struct FrontRefinement
 {
-  int levels;    ///< below Domain > Cell Size
-  double around; ///< cells of each size next to a front
-  bool moves;    ///< whether the scene has time steps
+  int levels;                        ///< below Domain > Cell Size
+  double around;                     ///< cells of each size next to a front
+  bool moves;                        ///< whether the scene has time steps
+  std::vector<NarrowPlace> narrow{}; ///< where cells are smaller, too
 };
 
 /// Functions of an effect. All may be empty.

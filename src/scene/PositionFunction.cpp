@@ -14,7 +14,8 @@ namespace Rhegma
 namespace
 {
 
-const std::string advice = " Write one expression of x, y, z for each axis, such as \"1e-3*x, -3e-4*y\".";
+const std::string adviceOnPosition =
+    " Write one expression of x, y, z for each axis, such as \"1e-3*x, -3e-4*y\".";
 
 } // namespace
 
@@ -70,7 +71,7 @@ struct PositionFunction::Form
       if (results != values)
         throw std::invalid_argument("\"" + text + "\" gives " + std::to_string(results) +
                                     (results == 1 ? " value" : " values") + " instead of " +
-                                    std::to_string(values) + "." + (name.empty() ? advice : ""));
+                                    std::to_string(values) + "." + (name.empty() ? adviceOnPosition : ""));
       if (!name.empty())
         mu::Parser().DefineVar(name, &pieces.back().value); // refuses invalid names
     }
@@ -78,7 +79,7 @@ struct PositionFunction::Form
     {
       throw std::invalid_argument("\"" + (name.empty() ? text : name + " = " + text) +
                                   "\" is not a function of position: " + withoutStop(error.GetMsg()) + "." +
-                                  advice);
+                                  adviceOnPosition);
     }
     pieces.back().name = name;
   }
@@ -97,7 +98,7 @@ PositionFunction PositionFunction::parse(const std::string& text, int axes)
   }
   const std::string last = trimmed(text.substr(begin));
   if (last.empty())
-    throw std::invalid_argument("the function of position is empty." + advice);
+    throw std::invalid_argument("the function of position is empty." + adviceOnPosition);
   form->add("", last, axes);
   return PositionFunction(form);
 }

@@ -22,7 +22,7 @@ struct TimeFunction::Form
 namespace
 {
 
-std::string advice()
+std::string adviceOnTime()
 {
   return " Write an expression of t such as \"sin(2*pi*50*t)\" or a table such as \"0:0, 1e-3:5\".";
 }
@@ -35,7 +35,7 @@ TimeFunction TimeFunction::parse(const std::string& text)
 {
   const auto form = std::make_shared<Form>();
   if (trimmed(text).empty())
-    throw std::invalid_argument("the function of time is empty." + advice());
+    throw std::invalid_argument("the function of time is empty." + adviceOnTime());
   if (PairTable::isMeant(text))
   {
     form->table =
@@ -53,12 +53,12 @@ TimeFunction TimeFunction::parse(const std::string& text)
     form->parser.Eval(results);
     if (results != 1)
       throw std::invalid_argument("\"" + text + "\" gives " + std::to_string(results) +
-                                  " values instead of one." + advice());
+                                  " values instead of one." + adviceOnTime());
   }
   catch (const mu::Parser::exception_type& error)
   {
     throw std::invalid_argument("\"" + text + "\" is not a function of time: " + withoutStop(error.GetMsg()) +
-                                "." + advice());
+                                "." + adviceOnTime());
   }
   return TimeFunction(form);
 }

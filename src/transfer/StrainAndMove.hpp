@@ -31,15 +31,13 @@ struct ParticleHeat
       firstFraction; ///< fraction of the step in which the force at its start acts; empty: all of it
 };
 
-/// Strain and move of the particles of one bundle, both by one nodal velocity.
-template <int D, class Connect, int Width, class Heat>
-struct StrainAndMove
+/// What happens to the particles of one bundle once the nodes have given them a velocity and its gradient:
+/// the same for all shape functions and stencils, so that it is compiled once for each of them.
+template <int D, class Heat>
+struct BundleMotion
 {
-  static constexpr int width = D == 2 ? 2 : 4;
   using Lanes = StrainLanes<D>;
 
-  Connect connect;
-  View<double* [Width]> nodal;
   View<Properties*> materials;
   View<double* [D][D]> axes;
   BorrowedView<int*> material, body;
@@ -55,11 +53,9 @@ struct StrainAndMove
   double dt, strainTime, largestBox;
   bool strain, move, boxes;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int bundle, double& fastest) const
+  /// \param at with the particles' velocity and its gradient
+  KOKKOS_FUNCTION void run(int bundle, int begin, int end, Lanes& at, double& fastest) const
   {
-    const int begin = blocks.bundleFirst(bundle), end = blocks.bundleFirst(bundle + 1);
-    Lanes at;
-    fromNodes(begin, end, at);
     if (move)
       moveLanes(begin, end, blocks.bundleBlock(bundle), at);
     loadDeformation(begin, end, at);
@@ -68,24 +64,6 @@ struct StrainAndMove
     // If the step continues after the strain (USF), mass, force and velocity must use the same box.
     if (boxes && move)
       updateBoxes(begin, end, at);
-  }
-
-  KOKKOS_INLINE_FUNCTION void fromNodes(int begin, int end, Lanes& at) const
-  {
-    const double* const rows = nodal.data();
-    connect.forEachParticle(begin, end,
-                            [&](int p, const auto& stencil)
-                            {
-                              const int l = p - begin;
-                              Pack<width> slope[D];
-                              const Pack<width> shift = stencil.template valueAndGradient<Width>(rows, slope);
-                              for (int i = 0; i < D; ++i)
-                              {
-                                at.shift[i][l] = shift[i];
-                                for (int j = 0; j < D; ++j)
-                                  at.gradient[i * D + j][l] = slope[j][i];
-                              }
-                            });
   }
 
   KOKKOS_INLINE_FUNCTION void moveLanes(int begin, int end, int block, const Lanes& at) const
@@ -241,11 +219,48 @@ struct StrainAndMove
   }
 };
 
-template <class Heat, int D, int Width, class Connect>
-double strainAndMoveWith(State<D>& state, const Connect& connect, const View<double* [Width]>& nodal,
-                         bool strain, bool move)
+/// Strain and move of the particles of one bundle, both by one nodal velocity.
+template <int D, class Connect, int Width, class Heat>
+struct StrainAndMove
 {
-  StrainAndMove<D, Connect, Width, Heat> kernel;
+  static constexpr int width = D == 2 ? 2 : 4;
+  using Lanes = StrainLanes<D>;
+
+  Connect connect;
+  View<double* [Width]> nodal;
+  BundleMotion<D, Heat> particles;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int bundle, double& fastest) const
+  {
+    const int begin = particles.blocks.bundleFirst(bundle), end = particles.blocks.bundleFirst(bundle + 1);
+    Lanes at;
+    fromNodes(begin, end, at);
+    particles.run(bundle, begin, end, at, fastest);
+  }
+
+  KOKKOS_INLINE_FUNCTION void fromNodes(int begin, int end, Lanes& at) const
+  {
+    const double* const rows = nodal.data();
+    connect.forEachParticle(begin, end,
+                            [&](int p, const auto& stencil)
+                            {
+                              const int l = p - begin;
+                              Pack<width> slope[D];
+                              const Pack<width> shift = stencil.template valueAndGradient<Width>(rows, slope);
+                              for (int i = 0; i < D; ++i)
+                              {
+                                at.shift[i][l] = shift[i];
+                                for (int j = 0; j < D; ++j)
+                                  at.gradient[i * D + j][l] = slope[j][i];
+                              }
+                            });
+  }
+};
+
+template <class Heat, int D>
+BundleMotion<D, Heat> bundleMotion(State<D>& state, bool strain, bool move)
+{
+  BundleMotion<D, Heat> kernel;
   if constexpr (Heat::on)
   {
     kernel.heat.tables = state.materials.thermo;
@@ -254,8 +269,6 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
     if (state.particles.has(fields::firstFraction))
       kernel.heat.firstFraction = state.particles.scalar(fields::firstFraction);
   }
-  kernel.connect = connect;
-  kernel.nodal = nodal;
   kernel.materials = state.materials.device;
   kernel.axes = state.bodies.axes;
   kernel.material = state.particles.integer(fields::material);
@@ -281,6 +294,15 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
   kernel.largestBox = 0.5 * state.mesh.grid.spacing;
   kernel.strain = strain;
   kernel.move = move;
+  return kernel;
+}
+
+template <class Heat, int D, int Width, class Connect>
+double strainAndMoveWith(State<D>& state, const Connect& connect, const View<double* [Width]>& nodal,
+                         bool strain, bool move)
+{
+  const StrainAndMove<D, Connect, Width, Heat> kernel{connect, nodal,
+                                                      bundleMotion<Heat>(state, strain, move)};
   double fastest = 0.0;
   Kokkos::parallel_reduce(strain ? "rhegma::strainAndMove" : "rhegma::move",
                           Kokkos::RangePolicy<ExecSpace>(0, state.mesh.blocks.numBundles), kernel,

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
 #include <string>
 
 using namespace Rhegma;
@@ -222,4 +225,73 @@ TEST(Accuracy, SaysWhyItCanNotChoose)
   ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
   EXPECT_NEAR(cellOf(scene), 0.000625, 1e-12);
   EXPECT_EQ(levelsOf(scene), 0);
+}
+
+/// Cells at a front are a fraction of its distance to whatever is nearest: a hole or another crack anywhere
+/// round the front.
+TEST(Accuracy, KnowsWhatIsNextToAFront)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(0.0, 1.0);
+  const double front[2] = {0.01, 0.04};
+  for (int k = 0; k < 12; ++k)
+  {
+    const double gap = 1e-3 * (0.2 + 1.8 * anywhere(random)), angle = M_PI * (anywhere(random) - 0.5);
+    const auto away = [&](double distance)
+    {
+      return std::to_string(front[0] + distance * std::cos(angle)) + ", " +
+             std::to_string(front[1] + distance * std::sin(angle));
+    };
+    const std::string hole = R"xml(<ParameterList name="Operations"><ParameterList name="Bore">
+      <Parameter name="Operation" type="string" value="Cut"/><Parameter name="Shape" type="string" value="Ball"/>
+      <Parameter name="Radius" type="double" value="0.002"/>)xml" +
+                             array("Centre", "{" + away(gap + 0.002) + "}") +
+                             "</ParameterList></ParameterList>";
+    const std::string other = R"xml(<ParameterList name="Cracks"><ParameterList name="Notch">)xml" +
+                              array("Points", "{0, 0.04, 0.01, 0.04}") +
+                              R"xml(</ParameterList><ParameterList name="Other">)xml" +
+                              array("Points", "{" + away(gap) + ", " + away(gap + 0.008) + "}") +
+                              "</ParameterList></ParameterList>";
+    for (const SceneResult& scene : {sceneOf(plane + within("10 %"), strip + hole, notch + atRest),
+                                     sceneOf(plane + within("10 %"), strip, other + atRest)})
+    {
+      ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
+      const double finest = cellOf(scene) / (1 << levelsOf(scene));
+      EXPECT_LE(finest, 1.01 * gap / 3.0) << "gap " << gap << ", angle " << angle;
+      EXPECT_GE(finest, gap / 3.0 / 3.0);
+    }
+  }
+}
+
+/// Two long cracks 1 mm apart, with fronts far from there: three cells and more between them, in boxes that
+/// cover them where they are near, and larger cells elsewhere.
+TEST(Accuracy, SeparatesCracksThatAreNearEachOther)
+{
+  const std::string pair = R"xml(<ParameterList name="Cracks"><ParameterList name="Lower">)xml" +
+                           array("Points", "{0.004, 0.036, 0.02, 0.04, 0.036, 0.036}") +
+                           R"xml(</ParameterList><ParameterList name="Upper">)xml" +
+                           array("Points", "{0.004, 0.046, 0.02, 0.041, 0.036, 0.046}") +
+                           "</ParameterList></ParameterList>";
+  const SceneResult scene = sceneOf(plane + within("10 %"), strip, pair + atRest);
+  ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
+  ASSERT_TRUE(scene.list->isSublist("Adaptivity"));
+  const Teuchos::ParameterList& adaptivity = scene.list->sublist("Adaptivity");
+  const double cell = cellOf(scene);
+  EXPECT_GT(cell, 1e-3);
+  for (double y = 0.0398; y < 0.0412; y += 1e-4) // across the gap
+  {
+    int level = 0;
+    for (const auto& entry : adaptivity)
+    {
+      if (!entry.second.isList())
+        continue;
+      const Teuchos::ParameterList& box = adaptivity.sublist(entry.first);
+      const auto lower = box.get<Teuchos::Array<double>>("Lower Corner"),
+                 upper = box.get<Teuchos::Array<double>>("Upper Corner");
+      if (lower[0] <= 0.02 && upper[0] >= 0.02 && lower[1] <= y && upper[1] >= y)
+        level = std::max(level, box.get<int>("Level"));
+      EXPECT_LE(box.get<int>("Level"), levelsOf(scene));
+    }
+    EXPECT_LE(cell / (1 << level), 1e-3 / 3.0) << "at y = " << y;
+  }
 }

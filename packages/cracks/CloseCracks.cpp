@@ -1,0 +1,141 @@
+#include "cracks/CloseCracks.hpp"
+
+#include "base/Numbers.hpp"
+#include "geometry/NearBoxes.hpp"
+#include "grid/Branches.hpp"
+#include "state/Subdomain.hpp"
+#include "surface/NearestOnSimplex.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+constexpr double cellsApart = 3.0; ///< least distance of two cracks [cells]
+
+/// Edge of the cell at a position [m].
+template <int D>
+double edgeAt(const Branches<D>& refined, const Vector<D>& x)
+{
+  const Grid<D>& grid = refined.grid();
+  double edge = grid.spacing;
+  for (int level = 0;; ++level, edge *= 0.5)
+  {
+    typename Branches<D>::Cell cell;
+    for (int d = 0; d < D; ++d)
+      cell[d] = static_cast<int>(std::floor((x[d] - grid.origin[d]) / edge));
+    if (level >= refined.depth() || !refined.isInside(level, cell) || !refined.isRefined(level, cell))
+      return edge;
+  }
+}
+
+template <int D>
+using Corners = std::vector<std::array<Vector<D>, D>>;
+
+/// The corners of the simplices of all cracks.
+template <int D>
+Corners<D> cornersOf(const CrackSet<D>& cracks)
+{
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
+  Corners<D> all(simplex.extent(0));
+  for (std::size_t s = 0; s < all.size(); ++s)
+    for (int i = 0; i < D; ++i)
+      for (int d = 0; d < D; ++d)
+        all[s][i][d] = vertex(simplex(s, i), d);
+  return all;
+}
+
+/// Positions on a simplex no further apart than half the cells there.
+template <int D, class Visit>
+void visitPositions(const std::array<Vector<D>, D>& corner, const Branches<D>& refined, const Visit& visit)
+{
+  if constexpr (D == 3) // triangles are as small as cells
+    for (const Vector<D>& x : corner)
+      visit(x, edgeAt(refined, x));
+  else
+  {
+    const Vector<D> along = corner[1] - corner[0];
+    const double length = norm(along);
+    for (double at = 0.0; at < length;)
+    {
+      const Vector<D> x = corner[0] + (at / length) * along;
+      const double edge = edgeAt(refined, x);
+      visit(x, edge);
+      at += 0.5 * edge;
+    }
+    visit(corner[1], edgeAt(refined, corner[1]));
+  }
+}
+
+/// A place where two cracks are too near.
+struct TooNear
+{
+  double distance = 0.0, edge = 0.0; ///< [m]
+  bool found = false;
+};
+
+template <int D>
+TooNear worstApproach(const Crack<D>& a, const Crack<D>& b, const Corners<D>& corners,
+                      const Branches<D>& refined)
+{
+  TooNear worst;
+  for (int s = a.firstSimplex; s < a.firstSimplex + a.numSimplices; ++s)
+    visitPositions<D>(corners[s], refined,
+                      [&](const Vector<D>& x, double edge)
+                      {
+                        for (int t = b.firstSimplex; t < b.firstSimplex + b.numSimplices; ++t)
+                        {
+                          Vector<D> other[D];
+                          std::copy(corners[t].begin(), corners[t].end(), other);
+                          const double distance = surface::distanceToSimplex(other, x);
+                          if (distance < cellsApart * edge &&
+                              (!worst.found || distance * worst.edge < worst.distance * edge))
+                            worst = {distance, edge, true};
+                        }
+                      });
+  return worst;
+}
+
+} // namespace
+
+template <int D>
+void refuseCloseCracks(const State<D>& state)
+{
+  const CrackSet<D>& set = state.cracks;
+  if (set.cracks.size() < 2)
+    return;
+  const Branches<D> refined = refinedCells(state);
+  const Corners<D> corners = cornersOf(set);
+  std::vector<Geometry::Bounds<D>> bounds;
+  for (const Crack<D>& crack : set.cracks)
+  {
+    bounds.push_back(Geometry::emptyBounds<D>());
+    for (int s = crack.firstSimplex; s < crack.firstSimplex + crack.numSimplices; ++s)
+      for (const Vector<D>& x : corners[s])
+        bounds.back().include(x);
+  }
+  const Geometry::NearBoxes<D> boxes(bounds);
+  for (std::size_t a = 0; a < set.cracks.size(); ++a)
+    for (const int b : boxes.near(bounds[a], cellsApart * state.mesh.grid.spacing))
+      if (static_cast<int>(a) != b)
+        if (const TooNear near = worstApproach<D>(set.cracks[a], set.cracks[b], corners, refined); near.found)
+          throw std::invalid_argument("Cracks > " + set.cracks[a].name + ": it comes as near as " +
+                                      readableLength(near.distance) + " to Cracks > " + set.cracks[b].name +
+                                      ", closer than three cells (of " + readableLength(near.edge) +
+                                      " there), which cells can't separate; use smaller cells there (Domain "
+                                      "> Cell Size, or a box in Adaptivity)");
+}
+
+template void refuseCloseCracks(const State<2>&);
+template void refuseCloseCracks(const State<3>&);
+
+} // namespace Rhegma::cracks
