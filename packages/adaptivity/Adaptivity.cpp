@@ -1,13 +1,13 @@
 #include "adaptivity/Adaptivity.hpp"
 
 #include "adaptivity/Criteria.hpp"
-#include "adaptivity/Lineage.hpp"
 #include "adaptivity/Merging.hpp"
 #include "adaptivity/Splitting.hpp"
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "grid/LeafList.hpp"
+#include "state/Ancestry.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
@@ -296,8 +296,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.name = "Adaptivity";
   effect.balance = {"merged"};
   effect.adds.push_back({fields::level, 1, "", "number of times it was split", true});
-  effect.adds.push_back({ancestor, 1, "", "id of the initial particle that it is part of", true});
-  effect.adds.push_back({lineage, 1, "", "which part of that particle", true});
+  effect.adds.push_back({fields::ancestor, 1, "", "id of the initial particle that it is part of", true});
+  effect.adds.push_back({fields::lineage, 1, "", "which part of that particle", true});
   if (options.criteria.velocityChange > 0.0)
     effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
   effect.atStart = [=](State<D>& state)
@@ -305,7 +305,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     checkRegions<D>(list, state.mesh.grid);
     checkNumbers<D>(domain, list.get<int>("Maximum Level"));
     *progress = std::make_shared<Progress<D>>(Progress<D>{Branches<D>(state.mesh.grid)});
-    Kokkos::deep_copy(state.particles.integer(ancestor), state.particles.integer(fields::id));
     if (options.startTime == 0.0)
       adapt(state, options, **progress);
   };

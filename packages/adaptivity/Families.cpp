@@ -1,6 +1,6 @@
 #include "adaptivity/Families.hpp"
 
-#include "adaptivity/Lineage.hpp"
+#include "state/Ancestry.hpp"
 
 #include <algorithm>
 
@@ -40,7 +40,8 @@ template <int D>
 std::vector<Family<D>> wholeFamilies(const State<D>& state, const View<int*>& list)
 {
   const int count = static_cast<int>(list.extent(0));
-  const auto fromAncestor = state.particles.integer(ancestor), fromLineage = state.particles.integer(lineage);
+  const auto fromAncestor = state.particles.integer(fields::ancestor),
+             fromLineage = state.particles.integer(fields::lineage);
   const auto fromLevel = state.particles.integer(fields::level);
   const View<int* [4]> rows("rhegma::familyRows", count);
   Kokkos::parallel_for(

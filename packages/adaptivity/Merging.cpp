@@ -1,10 +1,10 @@
 #include "adaptivity/Merging.hpp"
 
 #include "adaptivity/Families.hpp"
-#include "adaptivity/Lineage.hpp"
 #include "adaptivity/TogetherAgain.hpp"
 #include "material/Materials.hpp"
 #include "material/Tensors.hpp"
+#include "state/Ancestry.hpp"
 #include "state/ParticleEnergy.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Box.hpp"
@@ -241,7 +241,7 @@ void averageOthers(State<D>& state, const MergeFamilies<D>& merge)
 template <int D>
 void findUnlike(const State<D>& state, const View<int * [parts<D>]>& family, const View<int*>& unlike)
 {
-  static const std::vector<std::string> own = {fields::id, fields::level, ancestor, lineage};
+  static const std::vector<std::string> own = {fields::id, fields::level, fields::ancestor, fields::lineage};
   for (const Field& field : state.particles.fields())
   {
     if (!field.integer || std::find(own.begin(), own.end(), field.name) != own.end())
@@ -274,7 +274,7 @@ MergeFamilies<D> mergerOf(State<D>& state, double tolerance, double mean)
   merge.deformation = table.real<gradientSize<D>>(fields::deformation);
   merge.body = table.integer(fields::body);
   merge.level = table.integer(fields::level);
-  merge.lineage = table.integer(lineage);
+  merge.lineage = table.integer(fields::lineage);
   merge.boxes = state.method.shape == ShapeKind::Gimp;
   if (merge.boxes)
     merge.box = table.real<D>(fields::box);

@@ -1,7 +1,7 @@
 #include "adaptivity/Splitting.hpp"
 
 #include "adaptivity/Ids.hpp"
-#include "adaptivity/Lineage.hpp"
+#include "state/Ancestry.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Box.hpp"
 
@@ -147,7 +147,7 @@ void makeParts(State<D>& state, const View<int*>& list, int first)
   make.deformation = table.real<gradientSize<D>>(fields::deformation);
   make.body = table.integer(fields::body);
   make.level = table.integer(fields::level);
-  make.lineage = table.integer(lineage);
+  make.lineage = table.integer(fields::lineage);
   make.id = table.integer(fields::id);
   make.largestBox = 0.5 * state.mesh.grid.spacing;
   make.boxes = state.method.shape == ShapeKind::Gimp;

@@ -1,6 +1,6 @@
 #include "adaptivity/TogetherAgain.hpp"
 
-#include "adaptivity/Lineage.hpp"
+#include "state/Ancestry.hpp"
 #include "state/Migration.hpp"
 #include "state/Subdomain.hpp"
 
@@ -83,8 +83,8 @@ void bringTogether(State<D>& state, const View<int*>& small)
     return;
   const auto host = [](const auto& view) { return onHost(view); };
   const auto list = host(small);
-  const auto fromAncestor = host(state.particles.integer(ancestor)),
-             fromLineage = host(state.particles.integer(lineage)),
+  const auto fromAncestor = host(state.particles.integer(fields::ancestor)),
+             fromLineage = host(state.particles.integer(fields::lineage)),
              fromLevel = host(state.particles.integer(fields::level));
   const auto position = host(state.particles.template real<D>(fields::position));
   const Division<D>& division = state.mesh.subdomain->division;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -135,11 +136,79 @@ void addPart(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const V
   }
 }
 
+/// Parts of lattices that are finer by a level each.
 template <int D>
-std::vector<Part<D>> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame,
-                             const Geometry::Region<D>& region, bool isBox)
+using PartsOfLevels = std::vector<std::vector<Part<D>>>;
+
+/// Divides the cells of a lattice as `levelOf` asks for, and adds their parts.
+template <int D>
+class Division
 {
-  std::vector<Part<D>> parts;
+public:
+  Division(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const Geometry::Region<D>& region,
+           const LevelOf<D>& levelOf)
+      : frame_(frame), region_(region), levelOf_(levelOf), lattices_{lattice}
+  {
+  }
+
+  void add(const Vector<D>& own, const decltype(Part<D>::cell)& cell) { add(own, cell, 0, 0, -1); }
+
+  PartsOfLevels<D> parts{{}};
+
+private:
+  void add(const Vector<D>& own, const decltype(Part<D>::cell)& cell, int level, int lineage, int family)
+  {
+    const Vector<D> edge = lattices_[level].edge;
+    const bool divided =
+        levelOf_ && levelOf_(Geometry::OrientedBox<D>{frame_.toSpace(own), edge, frame_.axes}, level) > level;
+    if (divided && family < 0) // that of an empty cell has no parts
+      family = partOf(edge, frame_, own, region_).fraction == 1.0 ? families_++ : -1;
+    if (divided)
+      return divide(own, cell, level, lineage, family);
+    std::vector<Part<D>>& these = parts[level];
+    const std::size_t before = these.size();
+    addPart(lattices_[level], frame_, own, region_, cell, these);
+    for (std::size_t k = before; k < these.size(); ++k)
+    {
+      these[k].lineage = lineage;
+      these[k].family = these[k].fraction == 1.0 ? family : -1;
+    }
+  }
+
+  void divide(const Vector<D>& own, const decltype(Part<D>::cell)& cell, int level, int lineage, int family)
+  {
+    const Vector<D> edge = lattices_[level].edge;
+    if (static_cast<int>(parts.size()) == level + 1)
+    {
+      parts.emplace_back();
+      lattices_.push_back(lattices_[level]);
+      lattices_.back().edge = 0.5 * edge;
+    }
+    for (int k = 0; k < 1 << D; ++k)
+    {
+      Vector<D> at = own;
+      auto child = cell;
+      for (int d = 0; d < D; ++d)
+      {
+        at[d] += ((k >> d & 1) != 0 ? 0.25 : -0.25) * edge[d];
+        child[d] = 2 * cell[d] + (k >> d & 1);
+      }
+      add(at, child, level + 1, lineage << D | k, family);
+    }
+  }
+
+  const Geometry::Frame<D>& frame_;
+  const Geometry::Region<D>& region_;
+  const LevelOf<D>& levelOf_;
+  std::vector<Lattice<D>> lattices_; ///< of each level
+  int families_ = 0;
+};
+
+template <int D>
+PartsOfLevels<D> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame,
+                         const Geometry::Region<D>& region, bool isBox, const LevelOf<D>& levelOf)
+{
+  Division<D> division(lattice, frame, region, levelOf);
   Vector<D> variance;
   for (int d = 0; d < D; ++d)
     variance[d] = lattice.edge[d] * lattice.edge[d] / 12.0;
@@ -156,35 +225,45 @@ std::vector<Part<D>> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>
         std::copy(index, index + D, cell.begin());
         const Vector<D> own = positionOf(lattice, middle);
         if (isBox) // whose lattice it is
-          parts.push_back({cell, 1.0, own, variance});
+          division.parts[0].push_back({cell, 1.0, own, variance});
         else
-          addPart(lattice, frame, own, region, cell, parts);
+          division.add(own, cell);
       }
-  return parts;
+  for (std::size_t level = 1; level < division.parts.size(); ++level)
+    Geometry::sortByCell<D>(division.parts[level]);
+  return std::move(division.parts);
 }
 
 template <int D>
-Seeds<D> seedsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame,
-                 const std::vector<Part<D>>& parts)
+Seeds<D> seedsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const PartsOfLevels<D>& parts)
 {
   Seeds<D> seeds;
   seeds.edge = lattice.edge;
   seeds.axes = frame.axes;
-  double whole = 1.0;
-  for (int d = 0; d < D; ++d)
-    whole *= lattice.edge[d];
-  for (const Part<D>& part : parts)
+  std::map<int, int> firstOf; // of each family
+  Vector<D> edge = lattice.edge;
+  for (std::size_t level = 0; level < parts.size(); ++level, edge = 0.5 * edge)
   {
-    Vector<D> box;
+    double whole = 1.0;
     for (int d = 0; d < D; ++d)
+      whole *= edge[d];
+    for (const Part<D>& part : parts[level])
     {
-      box[d] = std::sqrt(12.0 * part.variance[d]);
-      if (std::abs(box[d] - lattice.edge[d]) < tiny * lattice.edge[d])
-        box[d] = lattice.edge[d];
+      Vector<D> box;
+      for (int d = 0; d < D; ++d)
+      {
+        box[d] = std::sqrt(12.0 * part.variance[d]);
+        if (std::abs(box[d] - edge[d]) < tiny * edge[d])
+          box[d] = edge[d];
+      }
+      const int number = static_cast<int>(seeds.position.size());
+      seeds.position.push_back(frame.toSpace(part.centroid));
+      seeds.box.push_back(box);
+      seeds.volume.push_back(part.fraction * whole);
+      seeds.level.push_back(static_cast<int>(level));
+      seeds.family.push_back(part.family < 0 ? number : firstOf.emplace(part.family, number).first->second);
+      seeds.lineage.push_back(part.family < 0 ? 0 : part.lineage);
     }
-    seeds.position.push_back(frame.toSpace(part.centroid));
-    seeds.box.push_back(box);
-    seeds.volume.push_back(part.fraction * whole);
   }
   return seeds;
 }
@@ -216,7 +295,8 @@ double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell)
 }
 
 template <int D>
-Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section)
+Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section,
+                       const LevelOf<D>& levelOf)
 {
   if (!(cell > 0.0) || particlesPerCell < 1)
     throw std::invalid_argument(section +
@@ -228,20 +308,27 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
                                    [&](const Geometry::BoxPoints<D>& box) { return shape.coverage(box); }};
   const bool isBox =
       shape.parts().size() == 1 && std::holds_alternative<Geometry::Box<D>>(shape.base().primitive);
-  std::vector<Part<D>> parts = partsOf(lattice, frame, region, isBox);
+  PartsOfLevels<D> parts = partsOf(lattice, frame, region, isBox, levelOf);
   const double slack = -tiny * norm(lattice.edge);
-  Geometry::joinSlivers<D>(parts,
-                           [&](const Vector<D>& a, const Vector<D>& b)
-                           {
-                             bool seen = true;
-                             for (const double s : {0.25, 0.5, 0.75})
-                               seen = seen && shape.depth(frame.toSpace(a + s * (b - a))) >= slack;
-                             return seen;
-                           });
-  if (parts.empty())
+  bool any = false, stands = false;
+  for (std::vector<Part<D>>& these : parts)
+  {
+    Geometry::joinSlivers<D>(these,
+                             [&](const Vector<D>& a, const Vector<D>& b)
+                             {
+                               bool seen = true;
+                               for (const double s : {0.25, 0.5, 0.75})
+                                 seen = seen && shape.depth(frame.toSpace(a + s * (b - a))) >= slack;
+                               return seen;
+                             });
+    any = any || !these.empty();
+    stands =
+        stands || std::any_of(these.begin(), these.end(),
+                              [](const Part<D>& part) { return part.fraction >= Geometry::joinedBelow; });
+  }
+  if (!any)
     throw std::invalid_argument(section + ": the body contains no particle; it is fully cut away; cut less.");
-  if (std::all_of(parts.begin(), parts.end(),
-                  [](const Part<D>& part) { return part.fraction < Geometry::joinedBelow; }))
+  if (!stands)
   {
     std::ostringstream message;
     message << section << ": the body contains no particle; it fills less than half of one ("
@@ -253,7 +340,7 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
 
 template double estimateSeeds<2>(const Shape<2>&, double, int);
 template double estimateSeeds<3>(const Shape<3>&, double, int);
-template Seeds<2> seedParticles<2>(const Shape<2>&, double, int, const std::string&);
-template Seeds<3> seedParticles<3>(const Shape<3>&, double, int, const std::string&);
+template Seeds<2> seedParticles<2>(const Shape<2>&, double, int, const std::string&, const LevelOf<2>&);
+template Seeds<3> seedParticles<3>(const Shape<3>&, double, int, const std::string&, const LevelOf<3>&);
 
 } // namespace Rhegma

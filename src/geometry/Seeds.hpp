@@ -1,8 +1,10 @@
 #pragma once
 /// The initial particles of a body.
 
+#include "geometry/PartOfBox.hpp"
 #include "geometry/Shape.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +18,19 @@ struct Seeds
   std::vector<Vector<D>> position; ///< centroids [m]
   std::vector<Vector<D>> box;      ///< edge lengths along `axes` of the box with each particle's moments [m]
   std::vector<double> volume;      ///< an area in 2D [m^D]
-  Vector<D> edge;                  ///< edge lengths of a cell of the lattice [m]
-  Geometry::Axes<D> axes;          ///< unit directions of the lattice
+  std::vector<int> level;          ///< how often the cell of the lattice was halved
+  std::vector<int> family;         ///< the first of the particles that a whole cell was divided into
+  /// Which part of that cell: D bits for every division, the last one lowest. Bit d is set in the upper half
+  /// along the body's axis d.
+  std::vector<int> lineage;
+  Vector<D> edge;         ///< edge lengths of a cell of the lattice [m]
+  Geometry::Axes<D> axes; ///< unit directions of the lattice
 };
+
+/// How often particles must be halved to suit the grid cells that a box touches, which has been halved
+/// `level` times.
+template <int D>
+using LevelOf = std::function<int(const Geometry::OrientedBox<D>&, int level)>;
 
 /// Fills a shape with particles.
 ///
@@ -33,6 +45,10 @@ struct Seeds
 /// moments and the second moments along the axes of a shape are those of its particles, as exactly as
 /// partOfBox (geometry/PartOfBox.hpp) finds them.
 ///
+/// A cell of the lattice is divided into 2^D, and those again, until it is as small as `levelOf` asks for:
+/// parts of cells are exact at each size. The cells of a box, all whole, stay undivided: dividing their
+/// particles later is exact, too.
+///
 /// \param cell              edge of a grid cell [m]
 /// \param particlesPerCell  along one axis
 /// \param section           the body's section, for messages (`Bodies > Beam`)
@@ -40,7 +56,8 @@ struct Seeds
 /// Throws std::invalid_argument where the shape is empty, or where there would be more particles than an int
 /// can count.
 template <int D>
-Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section);
+Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section,
+                       const LevelOf<D>& levelOf = {});
 
 /// Estimated number of particles of seedParticles, from a sample of positions; fast and without memory.
 template <int D>

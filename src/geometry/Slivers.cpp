@@ -26,6 +26,7 @@ void join(const LatticePart<D>& one, LatticePart<D>& to)
     to.variance[d] = a * one.variance[d] + b * to.variance[d] + a * b * apart * apart;
   }
   to.fraction = all;
+  to.family = -1;
 }
 
 /// Calls visit(index) for the parts in the cells around one.
@@ -85,6 +86,13 @@ std::vector<int> hostsOf(const std::vector<LatticePart<D>>& parts, const std::ve
 } // namespace
 
 template <int D>
+void sortByCell(std::vector<LatticePart<D>>& parts)
+{
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& a, const auto& b) { return isBefore<D>(a.cell, b.cell); });
+}
+
+template <int D>
 void joinSlivers(std::vector<LatticePart<D>>& parts, const IsSeen<D>& isSeen)
 {
   std::vector<int> slivers;
@@ -116,6 +124,8 @@ void joinSlivers(std::vector<LatticePart<D>>& parts, const IsSeen<D>& isSeen)
   parts.resize(kept);
 }
 
+template void sortByCell(std::vector<LatticePart<2>>&);
+template void sortByCell(std::vector<LatticePart<3>>&);
 template void joinSlivers(std::vector<LatticePart<2>>&, const IsSeen<2>&);
 template void joinSlivers(std::vector<LatticePart<3>>&, const IsSeen<3>&);
 

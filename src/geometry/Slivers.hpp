@@ -16,12 +16,18 @@ struct LatticePart
   double fraction;               ///< of a cell's volume
   Vector<D> centroid;            ///< [m]
   Vector<D> variance;            ///< mean square distance from the centroid along each axis [m^2]
+  int lineage = 0;               ///< which part of a whole larger cell it is (Seeds::lineage)
+  int family = -1;               ///< number of that cell; -1: it is a part of none
 };
 
 /// Parts that fill less of a lattice cell are joined with a neighbour. The box of a part that fills the
 /// fraction f has edges of at least f cells, so this bounds how much lighter a node can become than under
 /// whole particles ([theory](../../docs/theory.md), particles at edges).
 constexpr double joinedBelow = 0.5;
+
+/// Sorts parts as joinSlivers needs them; those of one cell stay in their order.
+template <int D>
+void sortByCell(std::vector<LatticePart<D>>& parts);
 
 /// Whether the line between two positions (in the lattice's axes) does not leave the body.
 template <int D>

@@ -181,10 +181,10 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
 const std::vector<AccuracyRule>& accuracyRules()
 {
   static const std::vector<AccuracyRule> rules = {
-      {"10 %", 0.1, 3.0, 4.0, 6.0, 4.0, 3.0, 1.0, 2.0, true},
-      {"3 %", 0.03, 5.0, 6.0, 12.0, 4.0, 4.0, 2.0, 3.0, true},
-      {"1 %", 0.01, 8.0, 14.0, 24.0, 5.0, 6.0, 3.0, 5.0, false},
-      {"0.3 %", 0.003, 16.0, 26.0, 80.0, 12.0, 12.0, 6.0, 10.0, false}};
+      {"10 %", 0.1, 3.0, 4.0, 6.0, 4.0, 5.0, 1.0, 2.0, true},
+      {"3 %", 0.03, 5.0, 6.0, 12.0, 4.0, 6.0, 2.0, 3.0, true},
+      {"1 %", 0.01, 8.0, 14.0, 24.0, 5.0, 8.0, 3.0, 5.0, false},
+      {"0.3 %", 0.003, 16.0, 26.0, 80.0, 12.0, 16.0, 6.0, 10.0, false}};
   return rules;
 }
 

@@ -16,6 +16,7 @@
 #include "state/StateArchive.hpp"
 #include "state/Subdomain.hpp"
 #include "step/CoreStep.hpp"
+#include "step/LevelsOfCells.hpp"
 #include "step/Preload.hpp"
 #include "step/Setup.hpp"
 
@@ -112,7 +113,7 @@ template <int D>
 void Run<D>::initialize()
 {
   // A single rank may fail, for example for lack of memory: then all stop.
-  onEachRank(state_.ranks, [&] { makeAll(); });
+  onEachRank(state_.ranks, [&] { makeAll({}); });
   divideState(state_);
 }
 
@@ -131,13 +132,13 @@ std::vector<Effect<D>> Run<D>::makeEffects(const RunOptions& options, std::vecto
 }
 
 template <int D>
-void Run<D>::makeAll()
+void Run<D>::makeAll(const LevelOf<D>& levelOf)
 {
   const RunOptions options = declaredOptions(*scene_);
   state_.method.mechanics = options.mechanics;
   std::vector<Field> extra;
   std::vector<Effect<D>> effects = makeEffects(options, extra);
-  makeParticles(extra);
+  makeParticles(extra, levelOf);
   for (const Effect<D>& effect : effects)
     for (const NodalField& field : effect.addsNodal)
       state_.mesh.nodalFields.add(field);
@@ -153,8 +154,12 @@ void Run<D>::makeAll()
   Attempts attempts;
   bool on = true; // whether all effects have started, which the stages of a step need
   for (const Effect<D>& effect : plan_.effects)
+  {
     if (effect.atStart && on)
       on = attempts.attempt([&] { effect.atStart(state_); }) || effect.name == boundariesName;
+    if (!levelOf && attempts.succeeded() && state_.mesh.tree.refined() && haveCutParticles(*scene_))
+      return makeAllForRefinedCells();
+  }
   if (state_.method.mechanics)
   {
     state_.clock.fastestSpeed = fastestSpeed(state_);
@@ -186,11 +191,21 @@ void Run<D>::makeAll()
 }
 
 template <int D>
-void Run<D>::makeParticles(const std::vector<Field>& extra)
+void Run<D>::makeAllForRefinedCells()
+{
+  const LevelOf<D> levelOf = levelsOfCells(state_);
+  const Ranks ranks = state_.ranks;
+  state_ = State<D>();
+  state_.ranks = ranks;
+  makeAll(levelOf);
+}
+
+template <int D>
+void Run<D>::makeParticles(const std::vector<Field>& extra, const LevelOf<D>& levelOf)
 {
   Attempts attempts, hidden;
   state_.mesh.grid.spacing = 0.0; // until there are cells
-  if (attempts.attempt([&] { makeState(*scene_, extra, state_); }))
+  if (attempts.attempt([&] { makeState(*scene_, extra, state_, levelOf); }))
     return;
   if (state_.mesh.grid.spacing > 0.0)
     hidden.attempt([&] { judgeWithoutParticles(*scene_, state_); });

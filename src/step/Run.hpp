@@ -3,6 +3,7 @@
 
 #include "base/RunError.hpp"
 #include "equilibrium/EquilibriumCore.hpp"
+#include "geometry/Seeds.hpp"
 #include "plan/Plan.hpp"
 #include "step/EnergyWatch.hpp"
 #include "step/FollowPath.hpp"
@@ -72,9 +73,13 @@ public:
   std::vector<std::string> effectNames() const;
 
 private:
-  void makeAll();
+  /// \param levelOf for makeState
+  void makeAll(const LevelOf<D>& levelOf);
+
+  /// Makes all anew, with particles at the edges of bodies that suit the cells, which have been refined.
+  void makeAllForRefinedCells();
   /// Throws std::invalid_argument with the warnings that need no particles.
-  void makeParticles(const std::vector<Field>& extra);
+  void makeParticles(const std::vector<Field>& extra, const LevelOf<D>& levelOf);
   /// Adds warnings of wrong physics. \param step first stable step [s] \param driven whether effects may load
   /// or move bodies \param attempt gets each judgment and calls it
   template <class Attempt>

@@ -4,6 +4,7 @@
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
 #include "material/ThermoMaterials.hpp"
+#include "state/Ancestry.hpp"
 #include "step/PlaceBodies.hpp"
 #include "transfer/Box.hpp"
 
@@ -130,6 +131,7 @@ struct StartColumns
   decltype(onHost(std::declval<FieldTable&>().scalar(fields::mass))) mass, volume;
   decltype(onHost(std::declval<FieldTable&>().real<gradientSize<D>>(fields::deformation))) deformation;
   decltype(onHost(std::declval<FieldTable&>().integer(fields::material))) material, body, id;
+  decltype(material) level, ancestor, lineage; ///< empty where an effect has not added them
 
   explicit StartColumns(State<D>& state)
       : table(state.particles),
@@ -144,10 +146,22 @@ struct StartColumns
         body(onHost(table.integer(fields::body))),
         id(onHost(table.integer(fields::id)))
   {
+    for (const auto& [column, name] : parts())
+      if (table.has(name))
+        *column = onHost(table.integer(name));
   }
 
-  void store() const
+  /// Columns of particles that are parts of larger ones.
+  std::vector<std::pair<decltype(material)*, std::string>> parts()
   {
+    return {{&level, fields::level}, {&ancestor, fields::ancestor}, {&lineage, fields::lineage}};
+  }
+
+  void store()
+  {
+    for (const auto& [column, name] : parts())
+      if (table.has(name))
+        Kokkos::deep_copy(table.integer(name), *column);
     Kokkos::deep_copy(table.template real<D>(fields::position), position);
     Kokkos::deep_copy(table.template real<D>(fields::reference), position);
     if (moves)
@@ -205,6 +219,12 @@ void writeParticles(const PlacedBody<D>& body, int number, int first, const Stat
     columns.material(p) = material;
     columns.body(p) = number;
     columns.id(p) = p;
+    if (columns.level.extent(0) > 0)
+      columns.level(p) = seeds.level[k];
+    if (columns.ancestor.extent(0) > 0)
+      columns.ancestor(p) = first + seeds.family[k];
+    if (columns.lineage.extent(0) > 0)
+      columns.lineage(p) = seeds.lineage[k];
   }
 }
 
@@ -226,7 +246,7 @@ void addBodies(const std::vector<PlacedBody<D>>& bodies, State<D>& state)
     all += body.seeds.position.size();
   }
   state.particles.resize(static_cast<int>(all));
-  const StartColumns<D> columns(state);
+  StartColumns<D> columns(state);
   int first = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
@@ -256,31 +276,38 @@ void makeBoxes(State<D>& state)
   const auto edge = state.particles.template real<D>(fields::edge);
   const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
   const auto box = state.particles.template real<D>(fields::box);
+  BorrowedView<int*> level;
+  if (state.particles.has(fields::level))
+    level = state.particles.integer(fields::level);
   const double largest = 0.5 * state.mesh.grid.spacing;
   Kokkos::parallel_for(
       "rhegma::makeBoxes", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p) {
-        updateBox<D>(axes, body(p), &edge(p, 0), &F(p, 0), largest, &box(p, 0));
+        const double most = level.extent(0) > 0 ? largest / (1 << level(p)) : largest;
+        updateBox<D>(axes, body(p), &edge(p, 0), &F(p, 0), most, &box(p, 0));
       });
 }
 
 } // namespace
 
 template <int D>
-void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state)
+void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state,
+               const LevelOf<D>& levelOf)
 {
   readMethod(scene, state);
   readMaterials(scene, state);
   addFields(state, extra);
   const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
-  addBodies(placeBodies<D>(bodies, state), state);
+  addBodies(placeBodies<D>(bodies, state, levelOf), state);
   makeBodyAxes(state);
   if (state.method.shape == ShapeKind::Gimp)
     makeBoxes(state);
   state.mesh.nodes.reserve(state.mesh.grid.numNodes, 0);
 }
 
-template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<2>&);
-template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<3>&);
+template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<2>&,
+                        const LevelOf<2>&);
+template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<3>&,
+                        const LevelOf<3>&);
 
 } // namespace Rhegma

@@ -1,6 +1,7 @@
 #pragma once
 /// From a validated scene to the state before the first step.
 
+#include "geometry/Seeds.hpp"
 #include "plan/Effect.hpp"
 
 namespace Rhegma
@@ -9,9 +10,11 @@ namespace Rhegma
 /// Grid, materials and particles of a scene, with the fields of the method itself.
 ///
 /// \param extra fields that effects add
-/// Throws std::invalid_argument, with the path of the section, where a body has no particle or a particle
-/// would start outside of the domain.
+/// \param levelOf of the cells that are refined at the start, to which particles at edges of bodies are cut;
+/// empty: none Throws std::invalid_argument, with the path of the section, where a body has no particle or a
+/// particle would start outside of the domain.
 template <int D>
-void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state);
+void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state,
+               const LevelOf<D>& levelOf = {});
 
 } // namespace Rhegma

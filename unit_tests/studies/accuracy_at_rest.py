@@ -113,7 +113,7 @@ def beside(pick):
     pull = math.pi / 2 + turn + math.radians(pick.uniform(-50, 50))
     c, s = math.cos(pull), math.sin(pull)
     stress = 1e6 * c * c, 1e6 * s * s, 1e6 * c * s
-    half = 60 * 5e-3
+    half = 30 * 5e-3
     text = read("verification/inclined_crack_static.xml")
     strain = [(stress[k] - POISSON * stress[1 - k]) / MODULUS for k in range(2)] + [(1 + POISSON) * stress[2] / MODULUS]
     field = "(%r*x + (%r)*y)/2e-5, ((%r)*x + %r*y)/2e-5" % (strain[0], strain[2], strain[2], strain[1])

@@ -2,8 +2,8 @@
 
 #include "Refined.hpp"
 
-#include "adaptivity/Lineage.hpp"
 #include "cracks/Junctions.hpp"
+#include "state/Ancestry.hpp"
 #include "state/EnergySums.hpp"
 
 namespace Rhegma

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <random>
+#include <set>
 
 using namespace Rhegma;
 using namespace ShapeLists;
@@ -75,7 +76,8 @@ void expectMoments(const Seeds<D>& seeds, const Moments<D>& right, double accura
   for (int d = 0; d < D; ++d)
     cell *= seeds.edge[d];
   for (std::size_t p = 0; p < seeds.volume.size(); ++p)
-    EXPECT_GE(seeds.volume[p], Geometry::joinedBelow * cell * (1.0 - 1e-9)) << what << ", particle " << p;
+    EXPECT_GE(seeds.volume[p], Geometry::joinedBelow * std::ldexp(cell, -D * seeds.level[p]) * (1.0 - 1e-9))
+        << what << ", particle " << p;
 }
 
 /// Random numbers; the seed is printed.
@@ -153,6 +155,59 @@ TEST(MomentsOfBodies, BallsAreExact)
                   "ball of radius " + std::to_string(r));
   }
 }
+
+/// Disks and balls of which a part is in cells that are up to three levels finer, anywhere. All that is not
+/// at the edge has the density of the whole, and parts of a whole cell are those of one family.
+template <int D>
+void divideBalls(int trials)
+{
+  Random random;
+  for (int trial = 0; trial < trials; ++trial)
+  {
+    const double r = random(2.0, 2.6);
+    Vector<D> centre{}, fine{};
+    for (int d = 0; d < D; ++d)
+    {
+      centre[d] = random(-1.0, 1.0);
+      fine[d] = centre[d] + random(-r, r);
+    }
+    const double around = random(0.3, 1.5);
+    const int levels = D == 2 ? 3 : 2;
+    const LevelOf<D> levelOf = [&](const Geometry::OrientedBox<D>& box, int)
+    {
+      const double away = norm(box.centre - fine) - 0.5 * norm(box.edge);
+      return away < around ? levels : (away < 2.0 * around ? 1 : 0);
+    };
+    Moments<D> right{D == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r, centre, {}};
+    for (int d = 0; d < D; ++d)
+      right.second[d][d] = right.volume * r * r / (D + 2);
+    ParameterList list = ball({0.0, 0.0}, r);
+    list.set("Centre", Teuchos::Array<double>(centre.c, centre.c + D));
+    const Shape<D> shape = makeShape<D>(list);
+    const Seeds<D> seeds = seedParticles(shape, 1.0, 2, "Ball", levelOf);
+    expectMoments(seeds, right, 1e-3, "ball of radius " + std::to_string(r));
+    double cell = 1.0;
+    for (int d = 0; d < D; ++d)
+      cell *= seeds.edge[d];
+    std::set<std::array<int, 3>> names; // family, level, lineage
+    int divided = 0, inside = 0;
+    for (std::size_t p = 0; p < seeds.position.size(); ++p)
+    {
+      divided += seeds.level[p] == levels ? 1 : 0;
+      EXPECT_TRUE(names.insert({seeds.family[p], seeds.level[p], seeds.lineage[p]}).second) << p;
+      const Vector<D> halved = std::ldexp(2.0, -seeds.level[p]) * seeds.edge;
+      if (shape.depth(seeds.position[p]) < norm(halved))
+        continue;
+      ++inside;
+      EXPECT_NEAR(seeds.volume[p], std::ldexp(cell, -D * seeds.level[p]), 1e-9 * cell) << p;
+    }
+    EXPECT_GT(divided, 1 << D);
+    EXPECT_GT(inside, 0);
+  }
+}
+
+TEST(MomentsOfBodies, DividedDisksAreExact) { divideBalls<2>(20); }
+TEST(MomentsOfBodies, DividedBallsAreExact) { divideBalls<3>(3); }
 
 /// Round bars in any direction: the moments about their axis are V r^2 / 2, across it V (r^2 / 4 + l^2 / 12).
 TEST(MomentsOfBodies, TurnedRoundBarsAreExact)

@@ -1,11 +1,14 @@
 #pragma once
-/// The fields that say which particle a part was split from.
+/// Particles that are parts of larger ones: fields that say of which, and when a particle is too large.
 
 #include "base/Field.hpp"
 
 #include <string>
 
-namespace Rhegma::adaptivity
+namespace Rhegma
+{
+
+namespace fields
 {
 
 /// Id of the particle of the start that a particle is part of.
@@ -15,10 +18,12 @@ inline const std::string ancestor = "ancestor";
 /// axis d.
 inline const std::string lineage = "lineage";
 
+} // namespace fields
+
 /// By how much a box may reach into leaves of a deeper level before the particle is too large for them, in
 /// edges of the largest of these: boxes that end on the faces of leaves would otherwise split at the smallest
 /// motion. Shape functions are exact for such boxes too. What is merged must keep clear of half of it, so
 /// that it does not split again at once.
 constexpr double mayReach = 0.05;
 
-} // namespace Rhegma::adaptivity
+} // namespace Rhegma

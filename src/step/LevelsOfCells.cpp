@@ -1,0 +1,82 @@
+#include "step/LevelsOfCells.hpp"
+
+#include "base/ReadList.hpp"
+#include "state/Ancestry.hpp"
+#include "state/Subdomain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// Whether any cell of a level in a range is refined. \param low, high in cells of the lattice
+template <int D>
+bool anyRefined(const Branches<D>& refined, int level, const double (&low)[D], const double (&high)[D])
+{
+  int first[D], count[D], all = 1;
+  for (int d = 0; d < D; ++d)
+  {
+    first[d] = static_cast<int>(std::floor(std::ldexp(low[d], level)));
+    count[d] = static_cast<int>(std::floor(std::ldexp(high[d], level))) - first[d] + 1;
+    all *= count[d];
+  }
+  for (int k = 0; k < all; ++k)
+  {
+    typename Branches<D>::Cell cell;
+    for (int d = 0, rest = k; d < D; rest /= count[d], ++d)
+      cell[d] = first[d] + rest % count[d];
+    if (refined.isInside(level, cell) && refined.isRefined(level, cell))
+      return true;
+  }
+  return false;
+}
+
+} // namespace
+
+bool haveCutParticles(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
+  const std::vector<std::string> names = sublistNames(bodies);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name)
+                     {
+                       const Teuchos::ParameterList& body = bodies.sublist(name);
+                       return body.get<std::string>("Shape") != "Box" || body.isSublist("Operations");
+                     });
+}
+
+template <int D>
+LevelOf<D> levelsOfCells(const State<D>& state)
+{
+  const Branches<D> refined = refinedCells(state);
+  const bool boxes = state.method.shape == ShapeKind::Gimp;
+  return [refined, boxes](const Geometry::OrientedBox<D>& box, int level)
+  {
+    const Grid<D>& grid = refined.grid();
+    const double slack = std::ldexp(mayReach, -level - 1);
+    double low[D], high[D];
+    for (int d = 0; d < D; ++d)
+    {
+      double half = boxes ? -slack : 0.0;
+      for (int e = 0; e < D && boxes; ++e)
+        half += 0.5 * std::fabs(box.axes[e][d]) * box.edge[e] * grid.inverse;
+      const double at = grid.inCells(box.centre[d], d);
+      low[d] = at - half;
+      high[d] = at + half;
+    }
+    int deepest = 0;
+    while (deepest < refined.depth() && anyRefined(refined, deepest, low, high))
+      ++deepest;
+    return deepest;
+  };
+}
+
+template LevelOf<2> levelsOfCells(const State<2>&);
+template LevelOf<3> levelsOfCells(const State<3>&);
+
+} // namespace Rhegma
