@@ -259,7 +259,8 @@ double distanceTo(const Line& line, const Vector<2>& x)
   return least;
 }
 
-/// Distance from a front to the nearest surface in 32 directions, no farther than a length.
+/// Distance from a front to the nearest surface in 32 directions; infinite where none is nearer than a
+/// length.
 double clearOf(const Vector<2>& front, double most, const SceneBodies<2>& bodies)
 {
   constexpr int directions = 32;
@@ -269,7 +270,7 @@ double clearOf(const Vector<2>& front, double most, const SceneBodies<2>& bodies
     const double angle = 2.0 * M_PI * k / directions;
     least = std::min(least, bodies.reach(front, {std::cos(angle), std::sin(angle)}, least));
   }
-  return least;
+  return least < most ? least : CellNeeds::none;
 }
 
 /// Cells between two cracks: fewer than three do not separate them.

@@ -217,7 +217,7 @@ TEST(SplitMerge, keepsPartsApartThatDifferInAWholeNumber)
   const auto host = [&](const std::string& name) { return onHost(state.particles.integer(name)); };
   setCells(state, 1);
   updateCells(state);
-  const auto level = host(fields::level), from = host(adaptivity::ancestor), part = host(adaptivity::lineage);
+  const auto level = host(fields::level), from = host(fields::ancestor), part = host(fields::lineage);
   const auto side = host(cracks::otherSide);
   int apart = 0, together = 0;
   for (int p = 0; p < state.particles.size(); ++p)
@@ -234,7 +234,7 @@ TEST(SplitMerge, keepsPartsApartThatDifferInAWholeNumber)
   setCells(state, 0);
   const adaptivity::Merged merged = updateCells(state);
   EXPECT_EQ(merged.families, together / 4);
-  const auto levelNow = host(fields::level), fromNow = host(adaptivity::ancestor);
+  const auto levelNow = host(fields::level), fromNow = host(fields::ancestor);
   int left = 0;
   for (int p = 0; p < state.particles.size(); ++p)
     if (levelNow(p) == 1)

@@ -257,8 +257,8 @@ TEST(Accuracy, KnowsWhatIsNextToAFront)
     {
       ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
       const double finest = cellOf(scene) / (1 << levelsOf(scene));
-      EXPECT_LE(finest, 1.01 * gap / 3.0) << "gap " << gap << ", angle " << angle;
-      EXPECT_GE(finest, gap / 3.0 / 3.0);
+      EXPECT_LE(finest, 1.01 * gap / 5.0) << "gap " << gap << ", angle " << angle;
+      EXPECT_GE(finest, gap / 5.0 / 3.0);
     }
   }
 }

@@ -16,7 +16,9 @@ namespace
 /// nx * ny (* nz) unit particles, the first with its lower corner at the origin.
 Seeds<2> sheet(int nx, int ny)
 {
-  Seeds<2> seeds{{}, {}, {}, {{1.0, 1.0}}, Geometry::spaceAxes<2>()};
+  Seeds<2> seeds{};
+  seeds.edge = {{1.0, 1.0}};
+  seeds.axes = Geometry::spaceAxes<2>();
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i)
       seeds.position.push_back({{i + 0.5, j + 0.5}});
@@ -25,7 +27,9 @@ Seeds<2> sheet(int nx, int ny)
 
 Seeds<3> block(int nx, int ny, int nz)
 {
-  Seeds<3> seeds{{}, {}, {}, {{1.0, 1.0, 1.0}}, Geometry::spaceAxes<3>()};
+  Seeds<3> seeds{};
+  seeds.edge = {{1.0, 1.0, 1.0}};
+  seeds.axes = Geometry::spaceAxes<3>();
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i)
