@@ -97,7 +97,7 @@ double SceneBodies<D>::fit(double most, const Teuchos::Array<double>& corner) co
         lengths.push_back(std::fabs(face - corner[d]));
   const double longest = *std::max_element(lengths.begin(), lengths.end());
   const int first = static_cast<int>(std::ceil(longest / most * (1.0 - 1e-9)));
-  for (int count = first; count <= first * 3 / 2 + 1; ++count)
+  for (int count = first; count <= (D == 2 ? 2 * first : first * 3 / 2 + 1); ++count)
   {
     const double cell = longest / count;
     if (std::all_of(lengths.begin(), lengths.end(),

@@ -120,7 +120,7 @@ def beside(pick):
     text = re.sub(r'(name="Field" type="string" value=")[^"]*"', lambda found: found[1] + field + '"', text)
     rim = text.index('name="Rim"')
     text = text[:rim].replace("0.015", repr(half)) + text[rim:].replace("0.015", repr(half * (1 - 1e-7)))
-    text = replaced(text, ("0.01625", repr(1.2 * half)))
+    text = replaced(text, ("0.01625", repr(2 * half)))
     cuts = "".join('<ParameterList name="Hole %d"><Parameter name="Operation" type="string" value="Cut"/>'
                    '<Parameter name="Shape" type="string" value="Ball"/><Parameter name="Centre" type="Array(double)" value="{%r, %r}"/>'
                    '<Parameter name="Radius" type="double" value="%r"/></ParameterList>' % (k, z.real, z.imag, r) for k, (z, r) in enumerate(holes))
@@ -202,11 +202,13 @@ def measure(program, scene, accuracy):
         messages = child.stderr.read()
         _, status, usage = os.wait4(child.pid, 0)
         if os.waitstatus_to_exitcode(status) != 0:
-            raise RuntimeError(" ".join(command) + "\n" + messages)
+            print(" ".join(command) + "\n" + messages, file=sys.stderr, flush=True)
+            return [1.0] * len(exact), 0, 0.0
         with open(os.path.join(folder, "out", "summary.json"), encoding="utf-8") as file:
             found = json.load(file)
     values = [front["G_J"] for crack in found["cracks"] for front in crack["fronts"]]
-    assert len(values) == len(exact), (command, values, exact)
+    if len(values) != len(exact):
+        return [1.0] * len(exact), found["particles"], usage.ru_utime + usage.ru_stime  # a front counts as broken through
     errors = [(value - right) / max(right, 0.2 * max(exact)) for value, right in zip(values, exact)]
     return errors, found["particles"], usage.ru_utime + usage.ru_stime
 

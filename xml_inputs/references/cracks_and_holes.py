@@ -15,7 +15,7 @@ import numpy as np
 
 
 class Crack:
-    def __init__(self, start, end, count=60):
+    def __init__(self, start, end, count=80):
         self.centre, self.half = (start + end) / 2, (end - start) / 2
         self.count = count
         self.nodes = np.cos((2 * np.arange(1, count + 1) - 1) * np.pi / (2 * count))
@@ -42,7 +42,7 @@ class Crack:
 
 
 class Hole:
-    def __init__(self, centre, radius, count=40):
+    def __init__(self, centre, radius, count=120):
         self.centre, self.radius, self.count = centre, radius, count
         round_ = np.exp(2j * np.pi * (np.arange(4 * count) + 0.5) / (4 * count))
         self.points = centre + radius * round_
