@@ -90,7 +90,8 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
     return;
   if (!report.freeMotion.empty())
   {
-    state.failure = report.freeMotion + ": closed faces and supports do not hold it; support it";
+    state.failure =
+        report.freeMotion + ": neither supports nor closed crack faces prevent this; add a support";
     return;
   }
   account.largestForces = report.forces;
@@ -112,8 +113,8 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   if (report.removedFraction > noticeableResultant && !account.warned)
   {
     account.warned = true;
-    state.warnings.push_back("Time > Rigid Modes: the loads on a free body do not balance; a uniform "
-                             "acceleration takes " +
+    state.warnings.push_back("Time > Rigid Modes: the loads on a free body do not balance; inertia forces of "
+                             "a uniform acceleration balance " +
                              formatReal(std::round(1e3 * report.removedFraction) / 10.0) +
                              " % of them; check directions and sizes of the loads, or support the body");
   }

@@ -97,12 +97,12 @@ def ends(summary):
 
 
 def draw_ends(axes, found, factor):
-    """A line across the panel where a front met its end, red where the cells stopped it; of many fronts that ended the lines
+    """A line across the panel where a front met its end, red where it stopped numerically; of many fronts that ended the lines
     have one name."""
     for k, (crack, front, time, how) in enumerate(found):
         stopped = how.endswith("stopped")
         between = ":\n" if " nodes " in how else " "
-        name = f"{crack}, front {front}{between}{how}" + (" by the cells" if stopped else "")
+        name = f"{crack}, front {front}{between}{how}" + (" numerically" if stopped else "")
         if len(found) > FEW and not stopped:
             name = None if k else f"{len(found)} fronts ended"
         colour, width_, dashes = (style.ALARM, 1.6, "-") if stopped else (style.INK, 1.0, (0, (1, 3)))

@@ -151,7 +151,7 @@ class History(ToolTest):
         figure, axes = plt.subplots()
         draw_growth(axes, history, growth(history), 1e3 * history.time, summary, 1e3)
         marks = [(line.get_label(), line.get_xdata()[0]) for line in axes.lines[1:]]
-        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 stopped by the cells"])
+        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 stopped numerically"])
         self.assertEqual([line.get_color() == style.ALARM for line in axes.lines[1:]], [False, True])
         for (_, position), time in zip(marks, (0.4, 0.6)):
             self.assertAlmostEqual(position, time)
