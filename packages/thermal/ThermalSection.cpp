@@ -280,7 +280,7 @@ void checkSurfaces(const Teuchos::ParameterList& scene, std::vector<SceneError>&
                   errors.push_back({where + " > History",
                                     "times " + name + " it is " + formatReal(T) + " K at " +
                                         formatReal(end * k / 200) +
-                                        " s; temperatures are absolute, write what stays above zero"});
+                                        " s; temperatures are absolute, write values that stay above zero"});
                   return;
                 }
             }

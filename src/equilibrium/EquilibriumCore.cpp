@@ -103,11 +103,10 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   {
     account.warnedOfPieces = true;
     char text[256];
-    std::snprintf(
-        text, sizeof text,
-        "Time > Analysis: loads of %.3g N act on %d nodes of pieces of at most one cell that nothing "
-        "supports; these are held where they are, and the load does not reach the rest of the body",
-        report.unsupportedLoad, step.unsupportedFields());
+    std::snprintf(text, sizeof text,
+                  "Time > Analysis: loads of %.3g N act on %d nodes of unsupported pieces of at most one "
+                  "cell, which are held fixed; these loads do not act on the rest of the body",
+                  report.unsupportedLoad, step.unsupportedFields());
     state.warnings.push_back(text);
   }
   if (report.removedFraction > noticeableResultant && !account.warned)

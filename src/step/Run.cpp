@@ -306,8 +306,8 @@ void Run<D>::inspectEquilibrium()
       for (const double v : scene_->sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
         if (v != 0.0)
           throw std::invalid_argument("Bodies > " + name + " > " + motion +
-                                      ": in equilibrium nothing moves; write Time > Analysis = Dynamic or "
-                                      "leave it out");
+                                      ": an equilibrium analysis has no initial velocity; write Time > "
+                                      "Analysis = Dynamic or leave it out");
   state_.clock.dt = loadSteps_.next;
   plan_.run(Stage::BetweenSteps, state_);
   moveNodalFields(state_);
