@@ -29,7 +29,9 @@ const std::string never = "so the run ends before it has settled";
 TEST(Settling, ThatIsNeverReachedIsSaid)
 {
   const Warnings said = warningsOf(dampedPlate(4.0, true));
-  EXPECT_TRUE(say(said, "Damping > Mass Rate is 4 1/s: when damping ends, 81.87 % of an oscillation is left (after 100 ms)"));
+  EXPECT_TRUE(say(
+      said,
+      "Damping > Mass Rate is 4 1/s: when damping ends, 81.87 % of an oscillation is left (after 100 ms)"));
   EXPECT_TRUE(say(said, never));
   EXPECT_TRUE(say(said, "write at least 184.2 1/s"));
 }

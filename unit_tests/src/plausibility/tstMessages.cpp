@@ -64,7 +64,8 @@ TEST(Mass, ThatIsNoNumberIsRefused)
   scene->sublist("Domain").set("Thickness", 1e308);
   pull(*scene, 1.0);
   const std::string said = refusal(scene);
-  EXPECT_EQ(said.find("Domain > Thickness is 1e+308: the mass of the bodies is zero or not finite"), 0u) << said;
+  EXPECT_EQ(said.find("Domain > Thickness is 1e+308: the mass of the bodies is zero or not finite"), 0u)
+      << said;
   EXPECT_NE(said.find("\nwarning: Domain > Thickness is 1e+308, an implausible number"), std::string::npos)
       << said;
 }
