@@ -367,7 +367,7 @@ EffectEntry adaptivityEntry()
     int number = 0;
     for (const NarrowPlace& place : refinement.narrow)
       if (const int level = static_cast<int>(std::ceil(std::log2(cell / place.cell) - 1e-6)); level > 0)
-        list.sublist("Narrow Place " + std::to_string(++number))
+        list.sublist("Narrow Gap " + std::to_string(++number))
             .set("Lower Corner", Teuchos::Array<double>(place.lower))
             .set("Upper Corner", Teuchos::Array<double>(place.upper))
             .set("Level", level);
