@@ -267,11 +267,11 @@ def draw_growth(axes, history, moved, time, summary=None, per_second=1.0):
     larger = areas(history, moved)
     if larger:
         factor, unit = style.scale(np.sqrt(finite_maximum([samples for _, samples in larger])), "m")
-        factor, what = factor**2, f"crack is larger by [{unit}²]"
+        factor, what = factor**2, f"new crack area [{unit}²]"
         grown = larger
     else:
         factor, unit = style.scale(finite_maximum([samples for _, samples in moved]), "m")
-        what = f"crack is longer by [{unit}]"
+        what = f"crack extension [{unit}]"
         grown = [(f"{front[0]}, front {front[1]}", samples) for front, samples in moved]
     for i, (name, samples) in enumerate(grown[: len(style.COLOURS)]):
         axes.plot(time, samples * factor, color=style.COLOURS[i], label=name, lw=width(i, len(grown)))

@@ -131,7 +131,7 @@ PROPAGATION = [
     ("toughness_that_falls_to_zero", running("0:100, 500:0"), one(RUNNING, "is 0 J/m2 at v = 50", "positive")),
     ("toughness_of_an_unknown_name", running("100*(1 + speed)"), one(RUNNING, '"speed"', "expression of the speed v")),
     ("toughness_of_temperature", running("100*(1 - T/900)"), one(RUNNING, "temperature T", "without T")),
-    ("toughness_that_is_no_expression", running("100*("), one(RUNNING, "no toughness", "a number")),
+    ("toughness_that_is_no_expression", running("100*("), one(RUNNING, "not a valid toughness", "a number")),
     ("toughness_that_is_missing", running().remove(RUNNING), one(RUNNING, "missing")),
     ("table_of_toughness_that_goes_back", running("0:100, 300:120, 200:130"), one(RUNNING, "must increase")),
     ("cracks_that_run_nowhere", running().remove("Cracks").remove("Energy Release"),

@@ -139,7 +139,7 @@ TEST(Thickness, OfPlaneStressIsLessThanTheBody)
     return warningsOf(scene);
   };
   EXPECT_TRUE(say(warnings("Stress", 30.0),
-                  "Domain > Thickness is 30 m, 30 times the largest body's 1 m, and plane stress"));
+                  "Domain > Thickness is 30 m, 30 times the largest body's 1 m; plane stress"));
   EXPECT_FALSE(say(warnings("Stress", 0.03), "Domain > Thickness"));
   EXPECT_FALSE(say(warnings("Strain", 30.0), "Domain > Thickness"));
 }
