@@ -213,9 +213,10 @@ public:
     }
     catch (const std::invalid_argument& error)
     {
-      throw CheckpointMisfit("was written by another state of this program, version " + versionOf(record) +
-                             ", whose data differ from those of this one, version " RHEGMA_VERSION ": " +
-                             error.what() + "; restart with the program that wrote it");
+      throw CheckpointMisfit("was written by another build of this program, version " + versionOf(record) +
+                             ", whose data layout differs from that of this build, version " RHEGMA_VERSION
+                             ": " +
+                             error.what() + "; restart with the build that wrote it");
     }
     run_ = std::move(run);
     next_ = next;

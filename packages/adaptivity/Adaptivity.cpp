@@ -128,7 +128,7 @@ Section section()
   Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
                           "and particles are split and merged with them.");
   s.refuse({when::given("Adaptivity", "Velocity Change"), when::equilibrium()},
-           "in equilibrium nothing has a velocity; use Front Cells or a box");
+           "in equilibrium all velocities are zero; use Front Cells or a box");
   s.refuse(
       {when::satisfies("Adaptivity", "with Start Time or Level Time", refinesLater), when::equilibrium()},
       "in equilibrium cells are refined before the first load step; remove Start Time and Level Time");
@@ -220,8 +220,8 @@ void checkRegions(const Teuchos::ParameterList& list, const Grid<D>& grid)
     {
       if (!(lower[d] < upper[d]))
         throw std::invalid_argument("Adaptivity > " + name +
-                                    " > Upper Corner: it is not above Lower Corner along " + "xyz"[d] +
-                                    "; write a box with a size");
+                                    " > Upper Corner: it must exceed Lower Corner along " + "xyz"[d] +
+                                    "; write larger coordinates");
       if (upper[d] <= grid.lower[d] || lower[d] >= grid.upper[d])
         throw std::invalid_argument("Adaptivity > " + name +
                                     ": the box lies outside of the domain; write one inside");
@@ -366,7 +366,7 @@ EffectEntry adaptivityEntry()
     int number = 0;
     for (const NarrowPlace& place : refinement.narrow)
       if (const int level = static_cast<int>(std::ceil(std::log2(cell / place.cell) - 1e-6)); level > 0)
-        list.sublist("Narrow Place " + std::to_string(++number))
+        list.sublist("Narrow Gap " + std::to_string(++number))
             .set("Lower Corner", Teuchos::Array<double>(place.lower))
             .set("Upper Corner", Teuchos::Array<double>(place.upper))
             .set("Level", level);

@@ -29,7 +29,7 @@ BurnRate BurnRate::table(const std::string& text)
     if (!(numbers >> pressure >> colon >> rate) || colon != ':' || (numbers >> rest))
       throw std::invalid_argument("\"" + pair + "\" is not pressure:rate, such as \"1e5:1e-3, 1e6:5e-3\"");
     if (!(pressure >= 0.0) || !(rate >= 0.0) || !std::isfinite(pressure) || !std::isfinite(rate))
-      throw std::invalid_argument("\"" + pair + "\": pressures and rates are not below zero");
+      throw std::invalid_argument("\"" + pair + "\": pressures and rates must not be negative");
     if (!law.points_.empty() && !(pressure > law.points_.back().first))
       throw std::invalid_argument("pressures must rise from point to point");
     law.points_.emplace_back(pressure, rate);

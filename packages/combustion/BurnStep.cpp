@@ -115,7 +115,7 @@ void warnOfLastFuel(State<D>& state, int crack, double widest)
   state.warnings.push_back(
       "Combustion > " + state.cracks.cracks[crack].name +
       (apart > farApart ? ": the faces are " + formatReal(std::round(10.0 * apart) / 10.0) +
-                              " finest cells apart, too far for the solid next to them to be found"
+                              " finest cells apart, too far to find the solid next to them"
                         : ": the solid next to the faces has burnt away") +
       " at t = " + readableTime(state.clock.time + state.clock.dt) + "; nothing burns from then on");
 }

@@ -145,8 +145,8 @@ void moveFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const
   findFailure(state, b);
   if (loss.left > 0.0 && state.failure.empty())
     state.failure = "Combustion > " + state.cracks.cracks[b.crack].name +
-                    ": the flowing gas is so fast that " + std::to_string(loss.substeps) +
-                    " of its substeps do not make one step; raise Initial Gap or lower Time > CFL";
+                    ": the gas flows so fast that a time step would need more than " +
+                    std::to_string(loss.substeps) + " substeps; raise Initial Gap or lower Time > CFL";
 }
 
 template void pushByFlow(State<2>&, const FacePoints<2>&, Burning<2>&, const View<double*>&);

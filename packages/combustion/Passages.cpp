@@ -27,7 +27,7 @@ std::string whyApart(const Burning<D>* one, const Burning<D>* two)
   if (one->flows || two->flows)
     return "gas passes from one crack to another only with Gas Model = Uniform";
   if (!mixes(one->gas.law(), two->gas.law()))
-    return "they differ (Gas Constant, Heat Capacity Ratio or Covolume)";
+    return "their gases differ (Gas Constant, Heat Capacity Ratio or Covolume)";
   return "";
 }
 
@@ -41,7 +41,7 @@ void report(State<D>& state, BurnState<D>& burn, Meeting& meeting)
   meeting.reported = true;
   state.warnings.push_back("Combustion: the crack " + state.cracks.cracks[meeting.crack].name + " has met " +
                            state.cracks.cracks[meeting.other].name +
-                           "; their gases stay separate and none flows out where they meet: " + why);
+                           ", but no gas flows from one to the other or out of their junction: " + why);
 }
 
 } // namespace

@@ -20,10 +20,11 @@ namespace
 Section section()
 {
   Section s("Contact", "Contact of crack faces. Without this section, closed faces overlap freely.");
-  s.refuse({when::present("Contact"), when::is("Time", "Initial State", {"Equilibrium"})},
-           "contact in equilibrium is not implemented; write Unloaded or Equilibrium Without Cracks");
+  s.refuse(
+      {when::present("Contact"), when::is("Time", "Initial State", {"Equilibrium"})},
+      "the equilibrium at the start does not include contact; write Unloaded or Equilibrium Without Cracks");
   s.refuse({when::is("Contact", "Law", {"Visibility"}), when::equilibrium()},
-           "Visibility compares velocities, and in equilibrium nothing moves; choose another law");
+           "Visibility compares velocities, which are zero in equilibrium; choose another law");
   s.choice("Law", {"Stick", "Frictionless", "Coulomb", "Visibility"})
       .byDefault("Frictionless")
       .meaning("Tangential behaviour of closed faces: full stick, frictionless slip, or Coulomb friction. "

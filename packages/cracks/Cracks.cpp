@@ -325,8 +325,8 @@ void takeOver(const Parts<D>& parts, State<D>& state, const State<D>& from)
   const auto theirs = onHost(from.mesh.nodalFields.template real<NodalSpring<D>::size>(name));
   const auto ours = state.mesh.nodalFields.template real<NodalSpring<D>::size>(name);
   if (theirs.extent(0) != ours.extent(0))
-    throw std::invalid_argument("Time > Initial State: the equilibrium has other cells than the run at its "
-                                "start");
+    throw std::invalid_argument(
+        "Time > Initial State: the cells of the equilibrium differ from those at the start of the run");
   double last = 0.0;
   for (std::size_t n = 0; n < theirs.extent(0); ++n)
     last = std::max(last, theirs(n, 0));

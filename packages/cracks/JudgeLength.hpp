@@ -40,7 +40,7 @@ void judgeLengths(double cell, State<D>& state)
       state.warnings.push_back("Cracks > " + crack.name + ": it extends over " + readableLength(length) +
                                " inside the bodies, " + formatShort(length / cell) + " cells of " +
                                readableLength(cell) +
-                               "; below three cells its opening, G and K mean nothing: use smaller cells "
+                               "; below three cells its opening, G and K are meaningless: use smaller cells "
                                "(Domain > Cell Size), or check its size (metres)");
   }
 }

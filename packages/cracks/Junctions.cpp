@@ -111,8 +111,8 @@ void warnOfThirdCrack(State<2>& state, int particles, int one, int two)
     state.warnings.push_back("where the cracks " + state.cracks.cracks[one].name + " and " +
                              state.cracks.cracks[two].name + " meet at time " + formatReal(state.clock.time) +
                              " s, " + std::to_string(particles) +
-                             " particles are next to a third crack too, and hold together across one of "
-                             "them; use smaller cells (Domain > Cell Size) to separate junctions");
+                             " particles are next to a third crack too, and stay connected across one of the "
+                             "cracks; use smaller cells (Domain > Cell Size) to separate junctions");
 }
 
 } // namespace

@@ -56,10 +56,10 @@ std::string warningOfOverlap(const State<D>& state, int crack)
     return {};
   return "crack " + state.cracks.cracks[crack].name +
          ": its faces overlap at t = " + readableTime(state.clock.time) + " by up to " +
-         readableLength(overlap) +
-         ", as nothing keeps them apart, and G is that of a crack which closes further; " +
-         (state.method.equilibrium() ? "a dynamic run with a section Contact keeps them apart"
-                                     : "add a section Contact");
+         readableLength(overlap) + ", because the scene has no contact; G and K are wrong from then on; " +
+         (state.method.equilibrium()
+              ? "add a section Contact, or run it with Time > Analysis = Dynamic and Contact"
+              : "add a section Contact");
 }
 
 template std::string warningOfOverlap(const State<2>&, int);

@@ -149,7 +149,7 @@ Section section()
 {
   Section s("Damping", "Damping, so that a suddenly loaded body settles to static equilibrium.");
   s.refuse({when::present("Damping"), when::equilibrium()},
-           "in equilibrium nothing moves; remove this section");
+           "an equilibrium analysis has no motion to damp; remove this section");
   s.real("Mass Rate")
       .unit("1/s")
       .notNegative()
@@ -259,10 +259,10 @@ void reportSettled(double time, double change, nlohmann::json& summary)
 {
   summary["may_still_change"] = change;
   if (std::isfinite(change))
-    summary["answers"].push_back("settled at t = " + readableTime(time) +
-                                 ": by the decay of their oscillation, energy release rates (strain energy "
-                                 "where there is no crack) may still change by " +
-                                 formatShort(100.0 * change) + " %");
+    summary["answers"].push_back(
+        "settled at t = " + readableTime(time) +
+        ": energy release rates (without a crack, the strain energy) may still change by at most " +
+        formatShort(100.0 * change) + " %");
 }
 
 template <int D>

@@ -34,11 +34,10 @@ void judgeSettling(const JudgedDamping& damping, const BodyMeasure<D>& quick, St
   if (damping.settled >= most || left <= most)
     return;
   state.warnings.push_back(
-      "Damping > Mass Rate is " + formatReal(damping.rate) + " 1/s: of an oscillation " +
-      formatShort(100.0 * left) + " % are left after the " + readableTime(damping.end) +
-      " in which it is damped, and Stop When Settled waits for " + formatShort(100.0 * damping.settled) +
-      " %, so the run ends before it has settled, and what it gives is not static; write "
-      "at least " +
+      "Damping > Mass Rate is " + formatReal(damping.rate) + " 1/s: when damping ends, " +
+      formatShort(100.0 * left) + " % of an oscillation is left (after " + readableTime(damping.end) +
+      "), but Stop When Settled needs " + formatShort(100.0 * damping.settled) +
+      " %, so the run ends before it has settled, and its results are not static; write at least " +
       formatShort(-2.0 * std::log(damping.settled) / damping.end) + " 1/s (the longest wave of " +
       quick.name + " is critically damped at " + formatShort(2.0 * frequency) +
       ") or a longer Time > Final Time");
@@ -61,25 +60,26 @@ void judgeDamping(const JudgedDamping& damping, State<D>& state)
   const double frequency = pi * quick->speed / quick->longest, creep = rate / (frequency * frequency);
   if (creep > end)
     state.warnings.push_back("Damping > Mass Rate is " + formatReal(rate) + " 1/s: body " + quick->name +
-                             ", " + readableLength(quick->longest) + " long, moves to its rest in about " +
-                             readableTime(creep) + ", and is damped for " + readableTime(end) +
-                             ": it hardly moves at all; its longest wave is critically damped at " +
+                             ", " + readableLength(quick->longest) +
+                             " long, creeps to equilibrium in about " + readableTime(creep) +
+                             ", but is damped for " + readableTime(end) +
+                             ", so it hardly moves; its longest wave is critically damped at " +
                              formatShort(2.0 * frequency) + " 1/s");
   const double ofStep = rate * state.method.cfl * state.mesh.smallestSpacing() / quick->speed;
   if (ofStep > 1.0)
-    state.warnings.push_back(
-        "Damping > Mass Rate is " + formatReal(rate) + " 1/s, " + formatShort(ofStep) +
-        " times 1 over the stable step: a body loses its velocity in each step, and what "
-        "moves is an artefact of the step; write less than " +
-        formatShort(0.1 * rate / ofStep) + " 1/s");
+    state.warnings.push_back("Damping > Mass Rate is " + formatReal(rate) + " 1/s, " + formatShort(ofStep) +
+                             " times 1 / (stable time step): a body loses its velocity in each step, and its "
+                             "motion depends on the step; write less than " +
+                             formatShort(0.1 * rate / ofStep) + " 1/s");
   judgeSettling(damping, *quick, state);
   const double retardation = (2.0 * damping.shear + damping.bulk) / quick->moduli.constrainedModulus;
   if (retardation > end / 3.0)
     state.warnings.push_back(
         "Damping > " +
         std::string(2.0 * damping.shear > damping.bulk ? "Shear Viscosity" : "Bulk Viscosity") +
-        ": viscosity over stiffness is " + readableTime(retardation) + ", and the body is damped for " +
-        readableTime(end) + ": it hardly strains at all; viscosities are in Pa s");
+        ": the retardation time, viscosity over stiffness, is " + readableTime(retardation) +
+        ", but damping lasts only " + readableTime(end) +
+        ", so the body hardly strains; viscosities are in Pa s");
 }
 
 } // namespace Rhegma::damping

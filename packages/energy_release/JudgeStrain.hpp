@@ -55,7 +55,7 @@ struct StrainWatch
 private:
   static std::string advice()
   {
-    return ", and K is that of small strains, off by as much; use G_J, and a law of finite strain";
+    return "; K assumes small strain and is wrong by as much: use G_J, and a law for finite strain";
   }
 };
 

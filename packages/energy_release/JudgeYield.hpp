@@ -33,8 +33,8 @@ void judgeYield(const Teuchos::ParameterList& scene, State<D>& state)
     return;
   const std::string where =
       "Materials > " + soft->material + " > Yield Stress is " + formatReal(soft->yield) + " Pa, and ";
-  const std::string advice = "; K and G (Energy Release) are those of a body that is elastic around a small "
-                             "zone: check units (1 MPa is 1e6 Pa), or use a larger body and crack";
+  const std::string advice = "; K and G (Energy Release) assume small-scale yielding: check units (1 MPa is "
+                             "1e6 Pa), or use a larger body and crack";
   const double crack = longestCrack(state), part = std::min(crack, soft->shortest);
   const double zone = plasticZone(load->stress * std::sqrt(pi * crack), *soft, state.method.plane);
   if (load->stress > soft->yield)

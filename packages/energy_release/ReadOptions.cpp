@@ -49,8 +49,8 @@ Section energyReleaseSection()
   s.boolean("Lumped Closure")
       .onlyIn(2)
       .byDefault(false)
-      .meaning("Also reports crack closure with openings from a lumped projection, for comparison. It is 7 "
-               "to 25 % low at any cell size.");
+      .meaning("Also reports crack closure with openings from a lumped projection, for comparison. Its error "
+               "is up to 25 % and need not decrease with the cell size.");
   s.integer("Closure Cells")
       .onlyIn(2)
       .range(1, 2)

@@ -70,14 +70,14 @@ void addSolverParameters(Section& s)
       .formerly("Smallest Node")
       .range(0.0, 1.0)
       .byDefault(0.1)
-      .meaning("A particle is lumped if one of its nodes has less than this fraction of the nodal mass "
-               "inside a body.");
+      .meaning("The mass of a particle is lumped if one of its nodes has less than this fraction of the mass "
+               "of a node inside the body.");
   s.real("Solver Tolerance")
       .above(0.0)
       .below(1.0)
       .byDefault(1e-7)
       .meaning("Conjugate gradients stop when the residual is below this fraction of the right-hand side "
-               "(uniform motion removed). The energy error of a run is at most about this value times the "
+               "without its uniform motion. The energy error of a run is at most about this value times the "
                "number of steps.");
   s.integer("Maximum Iterations")
       .atLeast(1)
@@ -89,7 +89,7 @@ Section section()
 {
   Section s("Mass Matrix", "Mass matrix of the grid. Without this section it is lumped.");
   s.refuse({when::present("Mass Matrix"), when::equilibrium()},
-           "in equilibrium no mass is accelerated; remove this section");
+           "an equilibrium analysis does not use mass; remove this section");
   s.chosenBy("Type").meaning("Kind of mass matrix, or a series for its inverse (FMPM).");
   s.choice("Velocity Update", {"FLIP", "PIC", "XPIC", "FMPM"})
       .byDefault("FLIP")

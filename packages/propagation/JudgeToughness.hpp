@@ -23,8 +23,8 @@ void judgeSpeedLimit(const Teuchos::ParameterList& scene, const Options& options
   if (options.speedLimit > 0.0 && time > 0.0 && length < cell)
     state.warnings.push_back("Propagation > Speed Limit is " + formatReal(options.speedLimit) +
                              " m/s: a front advances by " + readableLength(length) +
-                             " at most up to Time > Final Time, and a cell has " + readableLength(cell) +
-                             "; no crack grows: write a larger limit (m/s), or leave it out");
+                             " at most up to Time > Final Time, less than a cell of " + readableLength(cell) +
+                             ", so no crack grows: write a larger limit (m/s), or leave it out");
 }
 
 /// A toughness, and the bodies that it is compared with.
@@ -81,8 +81,8 @@ void judgeBonds(const JudgedToughness<D>& judged, std::vector<std::string>& mess
   const bool stiffSolid = (judged.soft->linear || judged.soft->yield > 0.0) && soft.young > 1e9;
   if (judged.most < 0.05 || judged.atRest > 2e6 || (stiffSolid && judged.atRest > 5e-5 * soft.young))
     messages.push_back(judged.where +
-                       (judged.most < 0.05 ? "less than the surfaces of any solid take"
-                                           : "more than any solid of that stiffness takes") +
+                       (judged.most < 0.05 ? "less than the surface energy of any solid"
+                                           : "more than that of any solid of this stiffness") +
                        judged.advice());
   // Ice has the smallest K_Ic of solids of that stiffness, 1e5 Pa m^0.5. Where the stress next to a front
   // exceeds E / 10, bonds break: in E' Gc / (2 pi (E / 10)^2), of which single crystals that cleave have an
@@ -116,7 +116,7 @@ void judgeZones(const JudgedToughness<D>& judged, std::vector<std::string>& mess
   const double strain = judged.griffith(soft, judged.atRest) / soft.moduli.effectiveModulus;
   if (soft.linear && strain > mostStrain)
     messages.push_back(judged.where + crack + " needs a strain of " + formatShort(100.0 * strain) + " % in " +
-                       soft.material + ", where no linear law holds" + judged.advice());
+                       soft.material + ", too much for a linear law" + judged.advice());
   for (const BodyMeasure<D>& body : judged.bodies)
   {
     if (!(body.yield > 0.0))
@@ -130,7 +130,7 @@ void judgeZones(const JudgedToughness<D>& judged, std::vector<std::string>& mess
         " ahead of it yield at Materials > " + body.material + " > Yield Stress = " + formatReal(body.yield) +
         " Pa (Irwin), more than a tenth of " +
         (judged.crack < body.shortest ? "its length" : "the body's " + readableLength(body.shortest)) +
-        "; K and the criterion of growth are those of a small zone" + judged.advice());
+        "; K and the growth criterion assume small-scale yielding" + judged.advice());
     return;
   }
 }
@@ -150,7 +150,7 @@ void judgeLoads(const JudgedToughness<D>& judged, const std::vector<LoadEstimate
   if (!others && highest > 0.0 && highest * margin < needed)
     messages.push_back(judged.where + "a crack of " + readableLength(judged.crack) +
                        " runs at a stress of about " + formatShort(needed) + " Pa (sqrt(E' Gc / (pi a))), " +
-                       formatShort(needed / highest) + " times the most that the loads make" +
+                       formatShort(needed / highest) + " times the highest stress of the loads" +
                        judged.advice());
   if (load != nullptr && load->stress > margin * judged.griffith(*judged.stiff, judged.most))
   {

@@ -24,29 +24,28 @@ void addRulesOfEquilibrium(Section& s)
 {
   const Condition self = when::present("Propagation");
   s.refuse({self, when::isNot("Time", "Analysis", {"Dynamic", "Quasi-Static"})},
-           "cracks grow in a quasi-static analysis; write Time > Analysis = Quasi-Static");
+           "cracks grow in dynamic and quasi-static analyses only; write Time > Analysis = Quasi-Static");
   s.refuse(
       {when::below("Propagation", "Increment", leastWhileRunning), when::is("Time", "Analysis", {"Dynamic"})},
-      "below half a cell fronts advance in equilibrium only; write at least 0.5");
+      "increments below half a cell are for equilibrium only; write at least 0.5");
   s.refuse({when::is("Propagation", "Load Control", {"Functions of Time"}),
             when::is("Time", "Analysis", {"Dynamic"})},
-           "it is of a quasi-static analysis; write Time > Analysis = Quasi-Static or leave it out");
+           "it is for quasi-static analyses only; write Time > Analysis = Quasi-Static or leave it out");
   s.refuse({when::given("Propagation", "Speed Limit"), when::equilibrium()},
            "in equilibrium fronts have no speed; leave it out");
   s.refuse({when::given("Propagation", "Arrest Toughness"), when::equilibrium()},
-           "in equilibrium fronts have no speed with which they could arrest; leave it out");
+           "in equilibrium fronts do not run, so they are not arrested; leave it out");
   const Condition factor = when::is("Propagation", "Load Control", {"Load Factor"});
   s.refuse({factor, when::present("Thermal"), when::equilibrium()},
-           "temperatures are not proportional to a factor of the loads; write Functions of Time");
+           "temperatures do not scale with the load factor; write Functions of Time");
   s.refuse({factor, when::is("Materials > *", "Model", {"J2 Plastic"}), when::equilibrium()},
-           "factors are tried, and a plastic body does not forget one that was too large; write Functions of "
-           "Time");
-  s.refuse(
-      {self, when::above("Adaptivity", "Front Cells", 0.0), when::equilibrium()},
-      "in equilibrium cells stay as they are refined at the start, and fronts would grow out of them; refine "
-      "the path with a box, and write Adaptivity > Front Cells = 0");
+           "the load factor is found by trial, and a trial that is too large would leave plastic strain; "
+           "write Functions of Time");
+  s.refuse({self, when::above("Adaptivity", "Front Cells", 0.0), when::equilibrium()},
+           "in equilibrium cells are refined at the start only, and a front would leave the fine cells; "
+           "refine its path with a box, and write Adaptivity > Front Cells = 0");
   s.refuse({when::above("Propagation", "Start Time", 0.0), factor, when::equilibrium()},
-           "with Load Control = Load Factor no time passes; leave it out");
+           "with Load Control = Load Factor there is no physical time; leave it out");
 }
 
 /// What growing cracks need, and what excludes them.
@@ -77,21 +76,19 @@ void addRules(Section& s)
     return list.isType<std::string>("Toughness") &&
            Toughness::namesTemperature(list.get<std::string>("Toughness"));
   };
-  s.refuse(
-      {temperature, when::unprovided(capability::heat)},
-      "it names the temperature T, and there is no heat in this scene; add a section Thermal or write it "
-      "without T");
+  s.refuse({temperature, when::unprovided(capability::heat)},
+           "it depends on the temperature T, but the scene has no section Thermal; add the section or write "
+           "the toughness without T");
 }
 
 void addLoadControl(Section& s)
 {
   s.choice("Load Control", {"Load Factor", "Functions of Time"})
       .byDefault("Load Factor")
-      .meaning(
-          "In equilibrium only. Load Factor: each load step is an increment of the crack, under the loads "
-          "and prescribed displacements of Final Time times the factor, one for all, with which G is the "
-          "toughness. The factor may fall. Functions of Time: the loads are those of the time, and cracks "
-          "grow at each time until G is below the toughness.");
+      .meaning("For Quasi-Static analyses. Load Factor: in each load step the crack grows by one increment, "
+               "and all loads and prescribed displacements of Final Time are multiplied by the factor at "
+               "which G equals the toughness. The factor may fall. Functions of Time: the loads follow their "
+               "functions of time, and in each load step cracks grow until G is below the toughness.");
 }
 
 } // namespace
@@ -135,11 +132,10 @@ Section propagationSection()
   s.choice("On Stop", {"Stop", "Continue"})
       .byDefault("Stop")
       .mayChange()
-      .meaning(
-          "What happens where a front, or any node of a 3D front, stops though G is not below its "
-          "toughness, because faces are closer than cells can resolve, or because its J integral can't be "
-          "computed. Stop: the run ends with exit status 2. Continue: the rest of the run goes on, and "
-          "the front has the status \"stopped\".");
+      .meaning("What happens after a numerical stop: a front, or a node of a 3D front, with G at its "
+               "toughness can't advance, because other crack faces are too close for the cells or because "
+               "its J integral can't be computed. Stop: the run ends with exit status 2. Continue: the run "
+               "goes on; this front or node stays where it is, and the front gets the status \"stopped\".");
   s.realArray("Release Contour")
       .onlyIn(2)
       .length(2)

@@ -90,7 +90,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
               {quantity::stressIntensities, quantity::advancingFronts}, {quantity::frontAdvances}, {},
               [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); });
   if (run->options.endsAtStops)
-    effect.call(Stage::Observe, "fronts that the cells stop", {quantity::crackGeometry}, {}, {},
+    effect.call(Stage::Observe, "numerical stops of fronts", {quantity::crackGeometry}, {}, {},
                 [](State<D>& s) { endAtStops(s); });
   effect.memory = [run](State<D>& state, Archive& archive)
   {

@@ -164,7 +164,7 @@ std::string stopAsText(const CrackFront<D>& front)
     text = std::to_string(front.numStopped()) + " of " + std::to_string(front.nodes.size()) + " front nodes ";
   return text + "stopped " + front.stop.what + (D == 3 ? ", the first at t = " : " at t = ") +
          readableTime(front.stop.time) +
-         ", by the cells, not arrested: G = " + formatShort(front.stop.release) +
+         " (a numerical stop, not arrest): G = " + formatShort(front.stop.release) +
          " J/m2 for Gc = " + formatShort(front.stop.toughness) + " J/m2";
 }
 
@@ -179,7 +179,7 @@ std::string fateAsText(const CrackFront<D>& front, const FrontState<D>& own, con
     return stopAsText(front) + (own.running(front) ? "; the others are " + runs : "");
   case Fate::Ended:
     return front.arrival.happened() ? front.arrival.what + " at t = " + readableTime(front.arrival.time)
-                                    : "all of it at a surface since t = " + readableTime(own.lastTime);
+                                    : "whole front at a surface since t = " + readableTime(own.lastTime);
   case Fate::Running:
     return runs;
   case Fate::Arrested:

@@ -31,9 +31,10 @@ void refuseOtherNames(mu::Parser& parser, const std::string& text, bool heated)
     if (used.first == "T" && heated)
       continue;
     else if (used.first == "T")
-      throw std::invalid_argument("\"" + text +
-                                  "\" names the temperature T, and there is no heat in this scene; add a "
-                                  "section Thermal or write it without T");
+      throw std::invalid_argument(
+          "\"" + text +
+          "\" depends on the temperature T, but the scene has no section Thermal; add the "
+          "section or write the toughness without T");
     else if (used.first != "v")
       throw std::invalid_argument("\"" + text + "\" names \"" + used.first + "\", which is not defined" +
                                   advice);
@@ -70,8 +71,8 @@ Toughness Toughness::parse(const std::string& text, bool heated)
   }
   catch (const mu::Parser::exception_type& error)
   {
-    throw std::invalid_argument("\"" + form->text + "\" is no toughness: " + withoutStop(error.GetMsg()) +
-                                advice);
+    throw std::invalid_argument("\"" + form->text +
+                                "\" is not a valid toughness: " + withoutStop(error.GetMsg()) + advice);
   }
   if (form->speed != 0.0 || form->temperature != 0.0)
     throw std::invalid_argument("\"" + form->text + "\" assigns with \"=\"; write \"==\" to compare");

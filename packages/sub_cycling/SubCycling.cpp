@@ -16,7 +16,7 @@ Section section()
 {
   Section s("Sub-Cycling", "Subcycling: fine cells take smaller time steps (substeps) than coarse cells.");
   s.refuse({when::present("Sub-Cycling"), when::equilibrium()},
-           "steps of equilibrium are not limited by wave speeds; remove this section");
+           "an equilibrium analysis has no time step to divide; remove this section");
   s.integer("Levels").range(1, 6).byDefault(6).meaning(
       "Number of refinement levels with their own time step, counted from the finest; at most all levels. "
       "The full step is 2^Levels substeps of the finest cells.");

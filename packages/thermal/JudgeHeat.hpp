@@ -69,7 +69,7 @@ void judgeHeat(const Teuchos::ParameterList& scene, const Conduction<D>& conduct
     for (const Vector<D>& x : nodes)
       nearest = std::min(nearest, distanceToBox(x, lower, upper));
     if (nearest > 1e-6 * cell)
-      state.warnings.push_back(where + ": it holds no node of any body, the nearest is " +
+      state.warnings.push_back(where + ": it contains no node of any body; the nearest is " +
                                readableLength(nearest) + " away; move it to the body");
   }
   for (const Source<D>& source : conduction.sources)

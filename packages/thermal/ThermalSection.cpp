@@ -156,7 +156,7 @@ void addRules(Section& s)
             when::absent("Propagation"),
             when::satisfies("Materials > *", "with thermal strain or moduli that change with temperature",
                             strainsByHeat)},
-           "it does not yet include temperature-dependent stress; set it to false and use J", 1);
+           "crack closure does not include temperature-dependent stress; set it to false and use J", 1);
   s.refuse({when::present("Thermal > Crack Faces"), when::absent("Cracks")},
            "there are no cracks; add the section Cracks or leave this section out");
   s.refuse({when::isNot("Thermal > Crack Faces > *", "Conduction", {"Insulating"}),
@@ -172,12 +172,13 @@ void addRules(Section& s)
 Section thermalSection()
 {
   Section s("Thermal", "Heat conduction, heat sources, thermal strain and thermomechanical heating.");
-  s.refuse({when::present("Thermal"), when::is("Time", "Analysis", {"Static"})},
-           "heat takes time to spread, and a static analysis has none; write Analysis = Quasi-Static");
+  s.refuse(
+      {when::present("Thermal"), when::is("Time", "Analysis", {"Static"})},
+      "heat conduction needs time, which a static analysis does not have; write Analysis = Quasi-Static");
   s.refuse({when::present("Thermal"), when::isNot("Time", "Initial State", {"Unloaded"})},
-           "the equilibrium at the start knows no heat; write Initial State = Unloaded");
+           "the equilibrium at the start does not include thermal stress; write Initial State = Unloaded");
   s.refuse({when::is("Thermal", "Mechanics", {"false"}), when::equilibrium()},
-           "without mechanics there is no equilibrium to find; write Analysis = Dynamic");
+           "without mechanics there is no equilibrium to solve for; write Analysis = Dynamic");
   s.real("Initial Temperature")
       .unit("K")
       .positive()
@@ -279,7 +280,7 @@ void checkSurfaces(const Teuchos::ParameterList& scene, std::vector<SceneError>&
                   errors.push_back({where + " > History",
                                     "times " + name + " it is " + formatReal(T) + " K at " +
                                         formatReal(end * k / 200) +
-                                        " s; temperatures are absolute, write what stays above zero"});
+                                        " s; temperatures are absolute, write values that stay above zero"});
                   return;
                 }
             }

@@ -77,12 +77,12 @@ void warnOfIdleSupports(const Teuchos::ParameterList& scene,
   for (std::size_t c = 0; c < constraints.size(); ++c)
     if (distances[c] > reach && ++idle <= 10)
       state.warnings.push_back(
-          "Boundaries > " + constraints[c].name + ": it holds no node of any body; the nearest is " +
+          "Boundaries > " + constraints[c].name + ": it contains no node of any body; the nearest is " +
           readableLength(distances[c]) + " away, and bodies move by " + readableLength(reach) +
           " at most; move it to the body, and check its unit (metres)");
   if (idle > 10)
     state.warnings.push_back("Boundaries: " + std::to_string(idle - 10) +
-                             " more that hold no node of any body");
+                             " more that contain no node of any body");
 }
 
 template void warnOfIdleSupports(const Teuchos::ParameterList&, const std::vector<TimedConstraint<2>>&,

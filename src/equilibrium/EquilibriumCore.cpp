@@ -90,7 +90,8 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
     return;
   if (!report.freeMotion.empty())
   {
-    state.failure = report.freeMotion + ": closed faces and supports do not hold it; support it";
+    state.failure =
+        report.freeMotion + ": neither supports nor closed crack faces prevent this; add a support";
     return;
   }
   account.largestForces = report.forces;
@@ -102,18 +103,17 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   {
     account.warnedOfPieces = true;
     char text[256];
-    std::snprintf(
-        text, sizeof text,
-        "Time > Analysis: loads of %.3g N act on %d nodes of pieces of at most one cell that nothing "
-        "supports; these are held where they are, and the load does not reach the rest of the body",
-        report.unsupportedLoad, step.unsupportedFields());
+    std::snprintf(text, sizeof text,
+                  "Time > Analysis: loads of %.3g N act on %d nodes of unsupported pieces of at most one "
+                  "cell, which are held fixed; these loads do not act on the rest of the body",
+                  report.unsupportedLoad, step.unsupportedFields());
     state.warnings.push_back(text);
   }
   if (report.removedFraction > noticeableResultant && !account.warned)
   {
     account.warned = true;
-    state.warnings.push_back("Time > Rigid Modes: the loads on a free body do not balance; a uniform "
-                             "acceleration takes " +
+    state.warnings.push_back("Time > Rigid Modes: the loads on a free body do not balance; inertia forces of "
+                             "a uniform acceleration balance " +
                              formatReal(std::round(1e3 * report.removedFraction) / 10.0) +
                              " % of them; check directions and sizes of the loads, or support the body");
   }

@@ -223,7 +223,7 @@ private:
       return;
     messages.push_back(
         cluster.hardest->where + ": no load balances it, and nothing supports Bodies > " +
-        judged_.bodies[cluster.hardest->body].name + " along " + axes + ", so it flies " +
+        judged_.bodies[cluster.hardest->body].name + " along " + axes + ", so it moves by " +
         readableLength(far) + " up to the end (without damping), " + formatShort(far / size) +
         " times its length of " + readableLength(size) +
         "; add a support (Velocity, Symmetry) or the opposite load, and check its unit (N, Pa)");

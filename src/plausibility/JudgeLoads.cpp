@@ -26,7 +26,7 @@ void judgeStrain(const JudgedScene<D>& judged, Messages& messages)
     return;
   messages.push_back(load->where + ": it strains the body by about " + formatShort(100.0 * load->strain) +
                      " % (" + formatShort(load->stress) + " Pa), " +
-                     (linear ? "beyond what a linear law holds for; use a law of finite strain, or check "
+                     (linear ? "too much for a linear law; use a law for finite strain, or check "
                              : "more than a solid withstands; check ") +
                      "units (N, Pa, m, m/s)");
 }

@@ -56,7 +56,7 @@ void lookThrough(const ParameterList& list, std::vector<const std::string*>& abo
       for (const std::string* part : above)
         where += (where.empty() ? "" : " > ") + *part;
       messages.push_back(where + " is " + formatReal(*value) +
-                         ", a number beyond sense: no quantity in SI units is that " +
+                         ", an implausible number: no quantity in SI units is that " +
                          (std::fabs(*value) > largestNumber ? "large" : "small") + "; check the exponent");
     }
     above.pop_back();
@@ -96,7 +96,7 @@ void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
   messages.push_back(
       "Domain > Thickness is " + readableLength(thickness) + ", " + formatShort(ratio) +
       " times the largest body's " + readableLength(longest) +
-      (stress && ratio > thick ? ", and plane stress is that of a body thinner than it is wide; " : "; ") +
+      (stress && ratio > thick ? "; plane stress assumes a body thinner than it is wide; " : "; ") +
       "it is in metres, and 1 mm is 0.001 m");
 }
 

@@ -138,16 +138,16 @@ void judgePart(const State<D>& state, const MirroredSides& mirrored, const Shape
   const double cell = spacingAt(state, part.bounds().centre());
   const auto width = thinWidth(part, (fewest - 1e-6) * cell, mirrored, 1e-3 * state.mesh.grid.spacing);
   if (hole && !meetsMaterial(shape, k))
-    messages.push_back(where() + ": it cuts nothing, for there is no material of the body there; move it "
-                                 "or leave it out");
+    messages.push_back(where() +
+                       ": it cuts nothing, because the body has no material there; move it or leave it out");
   else if (width)
     messages.push_back(where() + ": the " +
                        (hole     ? "hole"
                         : k == 0 ? "body"
                                  : "added part") +
                        " is " + readableLength(*width) + " thin, " + formatShort(*width / cell) +
-                       " cells of " + readableLength(cell) + "; two cells are the least that the grid " +
-                       (hole ? "keeps open" : "bends and strains") +
+                       " cells of " + readableLength(cell) + "; the grid needs at least two cells to " +
+                       (hole ? "keep it open" : "resolve bending and strain") +
                        ": use smaller cells (Domain > Cell Size), or check its size (metres)");
 }
 

@@ -62,8 +62,8 @@ Messages withoutNonNumbers(const Messages& messages)
     if (printsNonNumber(message) &&
         std::none_of(kept.begin(), kept.end(),
                      [&](const std::string& other) { return placeOf(other) == place; }))
-      kept.push_back(place + ": its numbers are beyond sense, for what follows from them is not finite; "
-                             "check exponents and units (SI)");
+      kept.push_back(place + ": its numbers are implausible, because results computed from them are not "
+                             "finite; check exponents and units (SI)");
   }
   return kept;
 }

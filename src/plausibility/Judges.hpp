@@ -60,7 +60,7 @@ void judgeWithoutParticles(const Teuchos::ParameterList& scene, State<D>& state)
 Messages firstTen(Messages messages);
 
 /// The messages without those that would print what is not a finite number: of each the place is said, once,
-/// and that its numbers are beyond sense, unless another message of that place does.
+/// and that its numbers are implausible, unless another message of that place does.
 Messages withoutNonNumbers(const Messages& messages);
 
 } // namespace Rhegma

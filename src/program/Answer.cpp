@@ -48,8 +48,8 @@ std::string stoppedFronts(const nlohmann::json& summary)
                  crack.value("name", std::string()) + ", front " + std::to_string(k);
   if (count == 0)
     return {};
-  return "the cells stopped " + names + (count > 3 ? " and " + std::to_string(count - 3) + " more" : "") +
-         ", which is no arrest: from then on the result is not that of the physics";
+  return "numerical stop of " + names + (count > 3 ? " and " + std::to_string(count - 3) + " more" : "") +
+         " (not arrest): later results of this run are not valid";
 }
 
 /// What the energy balance does not account for, of what was given.
@@ -63,7 +63,7 @@ std::string energyBalance(const nlohmann::json& summary)
     given = std::max(given, std::fabs(numberOrZero(energy, name)));
   const double residual = numberOrZero(energy, "residual");
   if (!std::isfinite(given) || !std::isfinite(residual))
-    return "energy balance: beyond sense, for the energies are no finite numbers";
+    return "energy balance: not available, because energies are not finite";
   if (!(given > 0.0))
     return {};
   return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +

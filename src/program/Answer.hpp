@@ -10,7 +10,7 @@ namespace Rhegma::program
 {
 
 /// Completes `answers` of a summary, in which effects have theirs: before these how the run ended and the
-/// fronts that the cells stopped, after these the energy balance, and how many warnings there are and of
+/// fronts that stopped numerically, after these the energy balance, and how many warnings there are and of
 /// what. \param summary with status, time, steps and warnings
 void addAnswers(nlohmann::json& summary);
 

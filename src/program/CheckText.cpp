@@ -66,7 +66,7 @@ std::string unknownsAsText(const nlohmann::json& summary)
     return {};
   const nlohmann::json& of = summary["equilibrium"];
   char text[96];
-  std::snprintf(text, sizeof text, "; %d unknowns, a matrix of %.3g MB before it is factored",
+  std::snprintf(text, sizeof text, "; %d unknowns, a matrix of %.3g MB before factorisation",
                 of["unknowns"].get<int>(), 1e-6 * of["matrix_bytes"].get<double>());
   return text;
 }
@@ -106,7 +106,7 @@ std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecas
   if (errors.empty() || std::any_of(errors.begin(), errors.end(), another))
     return {};
   return "  Time > Analysis = Static, without " + errors.front().where +
-         ", solves for the state of rest directly\n";
+         ", solves for the static equilibrium directly\n";
 }
 
 } // namespace Rhegma::program

@@ -51,7 +51,8 @@ public:
       return;
     json answer = {{"name", name}, {"unit", unit}, {"as_is", asIs}, {"half", half}};
     if (std::isnan(asIs) || std::isnan(half))
-      return add(answer, false, std::isnan(asIs) ? "none in the scene as it is" : "none with half the cells");
+      return add(answer, false,
+                 std::isnan(asIs) ? "none in the scene as it is" : "none with half the cell size");
     const double scale = std::max(std::fabs(half), std::numeric_limits<double>::min());
     const double change = asIs == half ? 0.0 : (half - asIs) / scale;
     answer["change"] = change;
@@ -86,9 +87,10 @@ public:
     const auto text = [](bool stopped) { return stopped ? "stopped" : "finished"; };
     add({{"name", "end of the run"}, {"unit", ""}, {"as_is", text(asIs)}, {"half", text(half)}}, false,
         asIs == half ? "both stopped" : "differs");
-    advice_ = asIs == half ? "see why the runs stopped"
-              : asIs       ? "the run finishes with half the cells: use them, and compare again from there"
-                           : "see why the run stops with half the cells";
+    advice_ =
+        asIs == half ? "see why the runs stopped"
+        : asIs ? "the run finishes with half the cell size: use that size, and compare again with half of it"
+               : "see why the run stops with half the cell size";
   }
 
   json result() const

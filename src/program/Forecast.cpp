@@ -93,9 +93,9 @@ std::string sourceAsText(const Forecast& forecast)
 {
   const StepRates& rates = forecast.rates;
   if (rates.unknowns > 0 && rates.steps == 0)
-    return "; by one linear system, and as many to a load step as most scenes need";
+    return "; from the time of one linear system and the usual number of them in a load step";
   const char* const noun = rates.unknowns > 0 ? "load step" : "step";
-  return "; by its first " + (rates.steps == 1 ? std::string(noun) : counted(rates.steps, noun)) +
+  return "; from its first " + (rates.steps == 1 ? std::string(noun) : counted(rates.steps, noun)) +
          (isNoticeable(rates.growth) ? " and a run with cells of twice the size" : "");
 }
 
@@ -156,7 +156,7 @@ std::string asText(const Forecast& forecast)
 {
   const StepRates& rates = forecast.rates;
   if (!rates.failure.empty())
-    return "Forecast: none, for in the first steps " + rates.failure;
+    return "Forecast: not available, because in the first steps " + rates.failure;
   std::string text = "Forecast: " + cost(forecast) + " (" + workAsText(forecast) + ", " +
                      Kokkos::DefaultExecutionSpace::name() + ", " +
                      counted(Kokkos::DefaultExecutionSpace().concurrency(), "thread") + "), " +

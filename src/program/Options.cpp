@@ -102,20 +102,17 @@ std::string usage()
 {
   return "rhegma SCENE.xml [--output DIR] [--set 'Section:Sub:Parameter=value']... [--restart FILE] "
          "[--quiet] [--strict]\n                        run a scene; results go to DIR (default: SCENE.out "
-         "next to the "
-         "scene);\n                        --restart: continue from a checkpoint.h5 of the same "
+         "next to the scene);\n                        --restart: continue from a checkpoint.h5 of the same "
          "scene; --strict: warnings are errors\nrhegma SCENE.xml --twice        run it as it is and with "
-         "cells of half the size, and print "
-         "how far the answers moved\nrhegma SCENE.xml --check        check the scene, list every error, "
-         "forecast the cost, and stop\nrhegma "
-         "SCENE.xml --print-plan   list the effects, fields and stages of the scene\nrhegma --describe "
-         "[Section]     every parameter: type, unit, default, allowed values, meaning;\n                     "
-         "   of a part: --describe 'Thermal > Sources', --describe Domain:Accuracy\nrhegma "
-         "--describe-markdown      the same as a page of Markdown (docs/reference.md)\nrhegma "
-         "--version\n\nThreads: OMP_NUM_THREADS or --kokkos-num-threads=N (OpenMP back end).\nExit: 0 "
-         "finished, 1 the scene is wrong, 2 the run failed, 3 a defect of the program,\n      4 finished, "
-         "but a value of the scene's Reference section is outside its tolerance,\n        or --strict and a "
-         "warning during the run.\n";
+         "cells of half the size, and print how much the results change\nrhegma SCENE.xml --check        "
+         "check the scene, list every error, forecast the cost, and stop\nrhegma SCENE.xml --print-plan   "
+         "list the effects, fields and stages of the scene\nrhegma --describe [Section]     every parameter: "
+         "type, unit, default, allowed values, meaning;\n                        of a part: --describe "
+         "'Thermal > Sources', --describe Domain:Accuracy\nrhegma --describe-markdown      the same as a "
+         "page of Markdown (docs/reference.md)\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
+         "--kokkos-num-threads=N (OpenMP back end).\nExit: 0 finished, 1 the scene is wrong, 2 the run "
+         "failed, 3 a defect of the program,\n      4 finished, but a value of the scene's Reference section "
+         "is outside its tolerance,\n        or --strict and a warning during the run.\n";
 }
 
 } // namespace Rhegma::program

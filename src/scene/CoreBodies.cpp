@@ -93,8 +93,8 @@ Section bodies()
   body.integer("Particles Per Cell")
       .range(1, 8)
       .byDefault(2)
-      .meaning("Number of particles along each axis of a cell. At the edges of the body, a particle is the "
-               "part of its box that is inside.");
+      .meaning("Number of particles along each axis of a cell. At the surface of the body, a particle "
+               "represents the part of its box that is inside.");
   body.real("Temperature")
       .unit("K")
       .positive()
@@ -119,9 +119,9 @@ Section bodies()
   body.text("Bonded To")
       .notEmpty()
       .optional()
-      .meaning(
-          "Names of bodies that touch this one and are meant to share its motion, with commas between them; "
-          "without it the program warns of bodies that touch.");
+      .meaning("Names, separated by commas, of bodies that touch this one and are meant to be bonded to it. "
+               "Bodies that touch have one motion at their common nodes in any case; the program warns of "
+               "those not listed here.");
   body.atMostOneOf({"Temperature", "Temperature Field"});
   body.subsection(operations());
 

@@ -51,12 +51,11 @@ Section domain()
                "averaged over the particle domain; smoother.");
   s.choice("Shear Strain", {"At Particles", "At Cell Centres"})
       .byDefault("At Particles")
-      .meaning(
-          "Where the velocity gradient is taken that gives the shear strain of a particle and the nodal "
-          "force of its shear stress. At Particles: as normal strains. At Cell Centres: constant in each "
-          "cell, which takes away the excess stiffness of few cells in bending; use it with 3 particles "
-          "along a cell's edge. For beams and plates along the cells: at more than 20 degrees to them they "
-          "become too soft (docs/verification.md).");
+      .meaning("Position at which the shear strain of a particle, and the nodal force of its shear stress, "
+               "are evaluated. At Particles: at the particle, like normal strain. At Cell Centres: constant "
+               "in each cell, which removes the excess bending stiffness of few cells; use it with Particles "
+               "Per Cell = 3. It is for beams and plates within 20 degrees of the grid axes; at larger "
+               "angles they become too soft (docs/verification.md).");
   return s;
 }
 
@@ -72,27 +71,22 @@ Section time()
                "that time.");
   s.choice("Initial State", {"Unloaded", "Equilibrium", "Equilibrium Without Cracks"})
       .byDefault("Unloaded")
-      .meaning("State in which a dynamic run starts. Equilibrium: that of the bodies under the tractions, "
-               "loads, gravity "
-               "and face pressures at time 0; supports hold their nodes where they are. Equilibrium Without "
-               "Cracks: the "
-               "same of bodies "
-               "without cracks, which are cut at time 0.");
+      .meaning("State in which a dynamic run starts. Equilibrium: static equilibrium under the tractions, "
+               "loads, gravity and face pressures at time 0, with supported nodes fixed. Equilibrium Without "
+               "Cracks: the same for bodies without their cracks, which are cut at time 0.");
   s.refuse({when::isNot("Time", "Initial State", {"Unloaded"}), when::equilibrium()},
-           "an equilibrium analysis finds its own state; leave Initial State out");
+           "only a dynamic run has an initial state; leave Initial State out");
   s.integer("Load Steps")
       .atLeast(1)
       .mayChange()
       .optional("1 for Static, 20 for Quasi-Static")
-      .meaning(
-          "Smallest number of steps of an equilibrium analysis. A step whose iteration does not converge "
-          "is halved; steps grow again after steps that do.");
+      .meaning("Minimum number of load steps of an equilibrium analysis. A load step that does not converge "
+               "is halved; the steps grow again after steps that converge.");
   s.choice("Rigid Modes", {"Refuse", "Remove"})
       .byDefault("Refuse")
-      .meaning(
-          "What an equilibrium analysis does with bodies that can move or turn freely. Refuse: the scene "
-          "is wrong. Remove: the body keeps its mean position and orientation, and the resultant of its "
-          "loads is balanced by uniform acceleration (inertia relief).");
+      .meaning("Treatment of rigid-body modes in an equilibrium analysis. Refuse: a body that can move or "
+               "rotate freely is an error. Remove: the body keeps its mean position and orientation, and the "
+               "resultant of its loads is balanced by uniform acceleration (inertia relief).");
   s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).mayChange().meaning(
       "Courant number: fraction of a cell that a wave crosses in one time step. Undamped bodies gain energy "
       "in proportion to it: with MUSL at 0.4 up to 1.5 % while a wave crosses 1000 cells.");

@@ -164,14 +164,13 @@ private:
     for (int d = 0; d < D; ++d)
       if (lower[d] < from[d] - slack || upper[d] > to[d] + slack)
       {
-        report(
-            where,
-            "lies from " + formatReal(lower[d]) + " to " + formatReal(upper[d]) + " m along " + "xyz"[d] +
-                ", outside of the domain's " + formatReal(from[d]) + " to " + formatReal(to[d]) +
-                " m; enlarge the domain (Domain > Lower Corner, Upper Corner), move the body, or cut off "
-                "what "
-                "sticks out (Operations, Operation = Cut); where material lies beyond a plane of symmetry, "
-                "Boundaries > * > Side (Type = Symmetry) says which side of it is empty.");
+        report(where, "lies from " + formatReal(lower[d]) + " to " + formatReal(upper[d]) + " m along " +
+                          "xyz"[d] + ", outside of the domain's " + formatReal(from[d]) + " to " +
+                          formatReal(to[d]) +
+                          " m; enlarge the domain (Domain > Lower Corner, Upper Corner), move the body, or "
+                          "cut off what sticks out (Operations, Operation = Cut); if material lies on the "
+                          "wrong side of a plane of symmetry, set Boundaries > * > Side (Type = Symmetry) to "
+                          "the side without material.");
         return;
       }
   }

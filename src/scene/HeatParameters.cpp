@@ -15,7 +15,8 @@ void addHeatRules(std::vector<Section>& core)
       s.refuse({when::satisfies("Materials > *", "with a table of temperature",
                                 [](const auto& list) { return !tableTemperatures(list).empty(); }),
                 noHeat},
-               "it is a table of temperature, but the scene has no section Thermal" + add);
+               "a table of temperature needs the section Thermal, which the scene does not have; add it or "
+               "write a number");
       s.refuse(
           {when::is("Materials > *", "Model", {"Rigid"}), noHeat},
           "Rigid is for scenes with heat only; choose a law with stress, or add Thermal with Mechanics = "

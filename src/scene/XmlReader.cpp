@@ -129,7 +129,7 @@ bool XmlReader::readText()
   start_ = from;
   if (const auto control = std::find_if(text_.begin() + from, text_.begin() + to, isControl);
       control != text_.begin() + to)
-    fail(control - text_.begin(), "a character that is not of a text");
+    fail(control - text_.begin(), "an invalid character");
   if (open_.empty())
     fail(from, ended_ ? "text after the end of the first element" : "text before the first tag");
   while (isBlank(text_[to - 1]))

@@ -67,8 +67,8 @@ std::string failureOfSearch(const State<D>& state, bool solved)
   const std::string at = "the loads of Time > Final Time times " + formatShort(state.clock.factor.end);
   if (!solved)
     return "no equilibrium is found near " + at +
-           "; the loads may be more than the bodies can bear, or a part of a body is cut off";
-  return "no factor of the loads is found with which a crack grows: with " + at + ", G is " +
+           "; the loads may exceed what the bodies can bear, or a crack may have cut off a part";
+  return "no load factor is found at which a crack grows: with " + at + ", G is " +
          formatShort(state.cracks.growth.drive) +
          " of the toughness; the loads must open a crack (Propagation > Load Control)";
 }
@@ -125,7 +125,7 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
     {
       state.failure = "no equilibrium is found after the crack has grown under the loads of t = " +
                       readableTime(state.clock.time) +
-                      ": they may be more than what is left of the body can bear";
+                      ": they may exceed what the remaining ligament can bear";
       return;
     }
     calls.accept();

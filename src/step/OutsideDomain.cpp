@@ -14,9 +14,8 @@ std::string positionAndHelp(const Vector<D>& x, const Grid<D>& grid, const std::
 {
   return formatPoint(x) + "; the domain reaches from " + formatPoint(grid.lower) + " to " +
          formatPoint(grid.upper) + ": enlarge it (Domain > Lower Corner, Upper Corner), " + own +
-         "; where material lies beyond a plane of symmetry, Boundaries > * > Side (Type = Symmetry) says "
-         "which "
-         "side of it is empty";
+         "; if material lies on the wrong side of a plane of symmetry, set Boundaries > * > Side (Type = "
+         "Symmetry) to the side without material";
 }
 
 } // namespace

@@ -100,7 +100,7 @@ void refuseOverlaps(const std::vector<PlacedBody<D>>& bodies, Attempts& attempts
           [&]
           {
             throw std::invalid_argument("Bodies: more than " + std::to_string(most) +
-                                        " pairs overlap; the others were not looked for");
+                                        " pairs overlap; the search ended there");
           });
       return;
     }

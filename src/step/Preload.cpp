@@ -134,7 +134,7 @@ void startInEquilibrium(const Teuchos::ParameterList& scene, const Plan<D>& plan
   if (equal.particles.size() != state.particles.size() ||
       std::find(rows.begin(), rows.end(), -1) != rows.end())
     throw std::invalid_argument(
-        "Time > Initial State: the equilibrium has other particles than the run at its start (" +
+        "Time > Initial State: the particles of the equilibrium differ from those at the start of the run (" +
         std::to_string(equal.particles.size()) + " and " + std::to_string(state.particles.size()) +
         "), because its cells are refined elsewhere; refine with boxes instead of Adaptivity > "
         "Front Cells");

@@ -68,8 +68,7 @@ void refuseSenselessMass(const State<D>& state)
   const double thickness = state.method.thickness;
   throw std::invalid_argument(
       (thickness == 1.0 ? std::string("Materials") : "Domain > Thickness is " + formatReal(thickness)) +
-      ": the mass of the bodies is beyond sense, no number that can be computed with; check exponents and "
-      "units (m, kg/m3)");
+      ": the mass of the bodies is zero or not finite; check exponents and units (m, kg/m3)");
 }
 
 /// Largest number of steps; the default of Time > Maximum Steps.
@@ -322,8 +321,8 @@ void Run<D>::inspectEquilibrium()
       for (const double v : scene_->sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
         if (v != 0.0)
           throw std::invalid_argument("Bodies > " + name + " > " + motion +
-                                      ": in equilibrium nothing moves; write Time > Analysis = Dynamic or "
-                                      "leave it out");
+                                      ": an equilibrium analysis has no initial velocity; write Time > "
+                                      "Analysis = Dynamic or leave it out");
   state_.clock.dt = loadSteps_.next;
   plan_.run(Stage::BetweenSteps, state_);
   moveNodalFields(state_);
@@ -353,8 +352,8 @@ void Run<D>::solveLoadStep(double left)
       why << "no equilibrium is found for an increment of " << formatReal(LoadSteps<D>::smallest)
           << " of a load step: the residual stays at "
           << formatReal(last.residuals.empty() ? 1.0 : last.residuals.back())
-          << " of the forces; the load may be more than the bodies can bear, or the cells too coarse for the "
-             "strain";
+          << " of the forces; the load may exceed what the bodies can bear, or the cells may be too coarse "
+             "for the strain";
       if (!last.reason.empty())
         why << "; " << last.reason;
       state_.failure = why.str();
@@ -429,10 +428,8 @@ void Run<D>::settleInPlace()
         if (lastEquilibrium_->converged)
           calls.accept();
         else
-          state_.warnings.push_back(
-              "Time > Analysis: the particles, where the last step has moved them, are out of "
-              "equilibrium, and no solution brings them into it; stress and G are those of "
-              "the last step");
+          state_.warnings.push_back("Time > Analysis: equilibrium could not be restored after the last load "
+                                    "step moved the particles; stress and G are those before this motion");
       });
 }
 

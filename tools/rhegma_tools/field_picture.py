@@ -199,7 +199,7 @@ def stopped_nodes(fields, faces, summary, view):
         for number, front in enumerate(crack.get("fronts", [])):
             if not front.get("stopped") or fields.time < stop_time(front):
                 continue
-            parts.append(f"{crack.get('name', '')}.{number}: {stopped_part(front)}stopped by the cells")
+            parts.append(f"{crack.get('name', '')}.{number}: {stopped_part(front)}stopped numerically")
             for given in (front.get("stop") or {}).get("node_positions", []):
                 nearest = int(np.argmin(np.linalg.norm(fields.crack.points - np.asarray(given), axis=1)))
                 positions.append(view.flat(0.5 * (faces[0][nearest] + faces[1][nearest])))
@@ -210,7 +210,7 @@ def close_up(fronts):
     """The front to look at, the first that still is one, and what to call the picture of it."""
     shown = next((front for front in fronts if front.stopped), None)
     if shown is not None:
-        return shown, f"where the cells stopped the front {shown.name}"
+        return shown, f"numerical stop of the front {shown.name}"
     shown = next((front for front in fronts if not front.ended), fronts[0])
     if len(fronts) == 1:
         return shown, "where the crack ended" if shown.ended else "at the crack's front"
@@ -232,7 +232,7 @@ def draw_crack(axes, segments, positions, width, stopped=()):
         axes.add_collection(LineCollection(face, colors=style.INK, linewidths=width, capstyle="round"))
     if len(stopped) > 0:
         axes.plot(*np.array(stopped).T, ls="none", marker="o", ms=5.0 * width, mfc=style.ALARM, mec=style.ALARM, zorder=4,
-                  label="stopped by the cells")
+                  label="stopped numerically")
     if positions:
         axes.plot(*np.array(positions).T, ls="none", marker="o", ms=3.2 * width, mfc="white", mec=style.INK, mew=0.9 * width)
 

@@ -97,12 +97,12 @@ def ends(summary):
 
 
 def draw_ends(axes, found, factor):
-    """A line across the panel where a front met its end, red where the cells stopped it; of many fronts that ended the lines
+    """A line across the panel where a front met its end, red where it stopped numerically; of many fronts that ended the lines
     have one name."""
     for k, (crack, front, time, how) in enumerate(found):
         stopped = how.endswith("stopped")
         between = ":\n" if " nodes " in how else " "
-        name = f"{crack}, front {front}{between}{how}" + (" by the cells" if stopped else "")
+        name = f"{crack}, front {front}{between}{how}" + (" numerically" if stopped else "")
         if len(found) > FEW and not stopped:
             name = None if k else f"{len(found)} fronts ended"
         colour, width_, dashes = (style.ALARM, 1.6, "-") if stopped else (style.INK, 1.0, (0, (1, 3)))
@@ -267,11 +267,11 @@ def draw_growth(axes, history, moved, time, summary=None, per_second=1.0):
     larger = areas(history, moved)
     if larger:
         factor, unit = style.scale(np.sqrt(finite_maximum([samples for _, samples in larger])), "m")
-        factor, what = factor**2, f"crack is larger by [{unit}²]"
+        factor, what = factor**2, f"new crack area [{unit}²]"
         grown = larger
     else:
         factor, unit = style.scale(finite_maximum([samples for _, samples in moved]), "m")
-        what = f"crack is longer by [{unit}]"
+        what = f"crack extension [{unit}]"
         grown = [(f"{front[0]}, front {front[1]}", samples) for front, samples in moved]
     for i, (name, samples) in enumerate(grown[: len(style.COLOURS)]):
         axes.plot(time, samples * factor, color=style.COLOURS[i], label=name, lw=width(i, len(grown)))

@@ -50,8 +50,8 @@ def draw_factor(axes, history):
         axes.plot(samples * across, history.column["load_factor"], color=style.COLOURS[i], marker="o", ms=2.5,
                   label=f"{crack}, front {front}", lw=width(i, len(moved)))
     axes.set_title("Load at which the crack is about to grow")
-    axes.set_xlabel(f"crack is longer by [{metres}]")
-    axes.set_ylabel("factor of the loads")
+    axes.set_xlabel(f"crack extension [{metres}]")
+    axes.set_ylabel("load factor")
     axes.set_ylim(bottom=0.0)
     if moved:
         legend(axes)

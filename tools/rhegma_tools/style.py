@@ -13,7 +13,7 @@ import matplotlib.pyplot as plt  # noqa: E402  (the back end is chosen first)
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
 INK = "#222222"
 QUIET = "#777777"
-ALARM = "#CC0000"  # results that are not the physics': fronts that the cells stopped
+ALARM = "#CC0000"  # results that are not the physics': fronts that stopped numerically
 DOTS_PER_INCH = 160
 
 plt.rcParams.update(

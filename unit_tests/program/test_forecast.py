@@ -49,7 +49,7 @@ class Forecast(ProgramTest):
 
     def test_rates_are_kept_and_used(self):
         first = self.check()
-        self.assertIn("by its first", first)
+        self.assertIn("from its first", first)
         self.assertIn("kept from an earlier measurement", self.check())
 
         def slower(content):
@@ -58,7 +58,7 @@ class Forecast(ProgramTest):
         self.change(slower)
         found = LINE.search(self.check())
         self.assertEqual((found[3], float(found[5])), ("h", 1e6))
-        self.assertIn("by its first", self.check("--set", "Time:CFL=0.31"))
+        self.assertIn("from its first", self.check("--set", "Time:CFL=0.31"))
 
     def test_rates_of_another_machine_are_refused(self):
         self.check()
@@ -67,7 +67,7 @@ class Forecast(ProgramTest):
             content["machine"] = "another machine"
             content["scenes"][0]["step"] = 1000.0
         self.change(other)
-        self.assertIn("by its first", self.check())
+        self.assertIn("from its first", self.check())
         with open(self.kept(), encoding="utf-8") as file:
             self.assertNotIn("another machine", file.read())
         self.assertIn("kept from an earlier measurement", self.check())
@@ -76,7 +76,7 @@ class Forecast(ProgramTest):
         self.check()
         with open(self.kept(), "r+", encoding="utf-8") as file:
             file.truncate(40)
-        self.assertIn("by its first", self.check())
+        self.assertIn("from its first", self.check())
         self.assertIn("kept from an earlier measurement", self.check())
 
     def test_a_cache_that_cannot_be_written_is_done_without(self):
@@ -122,7 +122,7 @@ class Forecast(ProgramTest):
         self.assertTrue(answer.output.startswith("Accuracy 3 %: "), answer)
 
     def test_a_rest_that_equilibrium_solves_for_is_named(self):
-        hint = "\n  Time > Analysis = Static, without Damping, solves for the state of rest directly\n"
+        hint = "\n  Time > Analysis = Static, without Damping, solves for the static equilibrium directly\n"
         for folder, name, fits in (("examples", "dcb.xml", True), ("verification", "dcb_adaptive_h16.xml", False),
                                    ("examples", "kalthoff.xml", False)):
             with self.subTest(name):

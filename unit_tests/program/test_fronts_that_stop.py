@@ -79,7 +79,7 @@ class FrontsThatStop(ProgramTest):
         self.assertGreaterEqual(front["stop"]["G"], 0.99 * front["stop"]["toughness"])
         self.assertNotIn("halted", text)
         last = answer.messages.splitlines()[-1]
-        for words in ("the run stopped at t = ", "crack Notch, front 0", "less than three cells from crack Other", "not arrested",
+        for words in ("the run stopped at t = ", "crack Notch, front 0", "less than three cells from crack Other", "not arrest)",
                       "G = ", "Gc = ", "Domain > Cell Size", "On Stop = Continue", "--restart"):
             self.assertIn(words, last)
         self.assertNotIn(": arrested", answer.output)
@@ -91,7 +91,7 @@ class FrontsThatStop(ProgramTest):
         self.assertEqual(list(summary)[:3], ["status", "answers", "warnings"])
         self.assertIn("less than three cells", summary["status"])
         self.assertEqual(summary["answers"][0], summary["status"])
-        self.assertIn("the cells stopped crack Notch, front 0", summary["answers"][1])
+        self.assertIn("numerical stop of crack Notch, front 0", summary["answers"][1])
 
     def test_the_rest_may_go_on_from_there(self):
         """The checkpoint keeps the status; a run that continues from it comes to its end with the flag on."""
@@ -111,10 +111,10 @@ class FrontsThatStop(ProgramTest):
     def test_a_scene_may_allow_it(self):
         answer, _, summary, rows = self.run_scene(passing(On_Stop="Continue"))
         self.assertEqual(answer.status, 0, answer)
-        self.assertIn("the cells stopped crack Notch, front 0", answer.output)
-        self.assertIn("not arrested: G = ", answer.output)
+        self.assertIn("numerical stop of crack Notch, front 0", answer.output)
+        self.assertIn("not arrest): G = ", answer.output)
         self.assertEqual(summary["status"], "finished")
-        self.assertIn("the cells stopped crack Notch, front 0", summary["answers"][1])
+        self.assertIn("numerical stop of crack Notch, front 0", summary["answers"][1])
         self.assertEqual(float(rows[-1]["Notch.0.stopped"]), 1.0)
 
     def test_a_part_of_a_3d_front_that_the_cells_stop_ends_the_run(self):
@@ -131,10 +131,10 @@ class FrontsThatStop(ProgramTest):
         self.assertTrue(front["stopped"])
         last = answer.messages.splitlines()[-1]
         for words in ("the run stopped at t = ", f"crack Penny, front 0: {part} stopped less than three cells from crack Sheet",
-                      "not arrested: G = ", "Gc = ", "Domain > Cell Size", "On Stop = Continue", "--restart"):
+                      "not arrest): G = ", "Gc = ", "Domain > Cell Size", "On Stop = Continue", "--restart"):
             self.assertIn(words, last)
         self.assertEqual(summary["answers"][0], summary["status"])
-        self.assertIn(f"the cells stopped {part} of crack Penny, front 0", summary["answers"][1])
+        self.assertIn(f"numerical stop of {part} of crack Penny, front 0", summary["answers"][1])
         flags = [float(row["Penny.0.stopped"]) for row in rows]
         self.assertEqual(flags[:-1], [0.0] * (len(rows) - 1))
         self.assertAlmostEqual(flags[-1], stop["nodes"] / stop["of_nodes"])
@@ -151,7 +151,7 @@ class FrontsThatStop(ProgramTest):
         line = next(line for line in answer.output.splitlines() if line.startswith("crack Penny, front 0"))
         self.assertRegex(line, r"extension .* at most, .* on average, new area .* m2, \d+ of \d+ front nodes stopped")
         self.assertNotIn(" arrested at", answer.output)
-        self.assertRegex(summary["answers"][1], r"^the cells stopped \d+ of \d+ front nodes of crack Penny, front 0")
+        self.assertRegex(summary["answers"][1], r"^numerical stop of \d+ of \d+ front nodes of crack Penny, front 0")
         area = float(rows[-1]["Penny.area"]) - float(rows[0]["Penny.area"])
         self.assertGreater(front["largest_advance"], 1e-3)
         self.assertGreater(front["largest_advance"], front["mean_advance"])

@@ -123,7 +123,7 @@ class RunsThatStop(TwiceTest):
             self.assertEqual(comparison["runs"][run]["status"], self.status_of("out", run))
         self.assertIn("As it is: the run stopped at t = ", answer.output)
         self.assertIn("less than three cells from crack Other", answer.output)
-        self.assertRegex(answer.output.splitlines()[-1], "^Verdict: not resolved: end of the run .*the run finishes with half the cells")
+        self.assertRegex(answer.output.splitlines()[-1], "^Verdict: not resolved: end of the run .*the run finishes with half the cell size")
 
     def test_on_two_ranks(self):
         """All ranks agree on whether the second run is made, and on the exit status."""

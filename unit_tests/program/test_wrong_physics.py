@@ -93,7 +93,7 @@ class Extremes(ProgramTest):
         damping = plate().remove("Cracks").remove("Energy Release").set("Damping", {"Mass Rate": 1e12})
         answer, warnings = self.warnings_of(damping.set("Time > Maximum Steps", 20))
         self.assertEqual(answer.status, 0, answer)
-        self.assertTrue(any("Damping > Mass Rate is 1e+12 1/s, " in line and "stable step" in line for line in warnings), answer)
+        self.assertTrue(any("Damping > Mass Rate is 1e+12 1/s, " in line and "stable time step" in line for line in warnings), answer)
 
     def test_speed_limit_below_a_cell_in_all_time(self):
         growth = plate().remove("Energy Release").set("Energy Release", {})
@@ -122,7 +122,7 @@ class Extremes(ProgramTest):
         for value in (1e308, 1e300, 1e150, 1e-300):
             with self.subTest(value):
                 said = self.changed("examples/dcb", **{"Domain > Thickness": value})
-                self.assert_said(said, r"warning: Domain > Thickness is \S+, a number beyond sense")
+                self.assert_said(said, r"warning: Domain > Thickness is \S+, an implausible number")
         answer = rhegma(os.path.join(SOURCE, "xml_inputs", "examples", "kalthoff.xml"), "--set", "Domain:Thickness=1e300",
                         "--set", "Time:Maximum Steps=3", "--output", self.path("thick"))
         self.assertIsNone(NON_NUMBER.search(answer.messages + answer.output), answer)
@@ -134,7 +134,7 @@ class Extremes(ProgramTest):
                                                       "Damping > Mass Rate": 4.0})
         self.assert_said(said, "^Energy Release > Outer Radius: ")
         self.assert_said(said, "^warning: Bodies > Strip > Operations > Bore: the hole is 2 mm thin")
-        self.assert_said(said, "^warning: Damping > Mass Rate is 4 1/s: of an oscillation 99")
+        self.assert_said(said, "^warning: Damping > Mass Rate is 4 1/s: when damping ends, 99")
 
     def test_warnings_of_bodies_that_overlap(self):
         twin = {"Material": "Acrylic", "Shape": "Box", "Lower Corner": [0.02, 0.02], "Upper Corner": [0.021, 0.06]}
@@ -145,7 +145,7 @@ class Extremes(ProgramTest):
     def test_what_is_thrown_or_hits_something_is_meant(self):
         """The lower traction alone accelerates the strip: by more than its length, if it is not thrown on purpose."""
         alone = {"Boundaries > Top": None}
-        flies = "warning: Boundaries > Bottom: no load balances it, and nothing supports Bodies > Strip along x, y, so it flies 105"
+        flies = "warning: Boundaries > Bottom: no load balances it, and nothing supports Bodies > Strip along x, y, so it moves by 105"
         self.assert_said(self.changed("examples/edge_crack", **alone), flies)
         wall = {"Type": "Velocity", "Components": "xy", "Value": [0.0, 0.0], "Lower Corner": [-0.01, -0.2],
                 "Upper Corner": [0.05, -0.1]}
@@ -161,7 +161,7 @@ class Extremes(ProgramTest):
         for name, changes in meant.items():
             with self.subTest(name):
                 said = self.changed("examples/edge_crack", **alone, **changes)
-                self.assertFalse(any("so it flies" in m for m in said), said)
+                self.assertFalse(any("so it moves by" in m for m in said), said)
 
     def test_a_shock_is_no_gravity_in_millimetres(self):
         weight = {"Type": "Gravity", "Acceleration": [0.0, -9810.0]}

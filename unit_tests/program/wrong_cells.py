@@ -103,7 +103,7 @@ ADAPTIVITY = [
     ("region_deeper_than_the_cells", plate().set("Adaptivity", {"Maximum Level": 1, "Corner": {**BOX, "Level": 2}}),
      one("Adaptivity > Corner > Level", "Maximum Level")),
     ("region_without_a_size", plate().set("Adaptivity", {"Corner": {**BOX, "Upper Corner": [0.0, 0.02]}}),
-     one("Adaptivity > Corner > Upper Corner", "not above Lower Corner along x")),
+     one("Adaptivity > Corner > Upper Corner", "must exceed Lower Corner along x")),
     ("region_outside_of_the_domain",
      plate().set("Adaptivity", {"Corner": {**BOX, "Lower Corner": [5.0, 5.0], "Upper Corner": [6.0, 6.0]}}),
      one("Adaptivity > Corner", "outside of the domain")),

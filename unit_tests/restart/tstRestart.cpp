@@ -450,8 +450,8 @@ TEST(NamesInCheckpoints, ThatAreMissingAreSaid)
   catch (const std::invalid_argument& error)
   {
     const std::string message = error.what();
-    for (const char* words : {"was written by another state of this program, version ",
-                              "\"run/momentum\" is missing", "restart with the program that wrote it"})
+    for (const char* words : {"was written by another build of this program, version ",
+                              "\"run/momentum\" is missing", "restart with the build that wrote it"})
       EXPECT_NE(message.find(words), std::string::npos) << message;
   }
 }

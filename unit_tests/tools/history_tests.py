@@ -127,8 +127,8 @@ class History(ToolTest):
 
     def test_growth_says_of_what(self):
         """In 3D a front's length is that of the border, so that the crack's area is drawn; in 2D the crack's length."""
-        for columns, values, words, drawn in (("", ("", ""), "crack is longer by [mm]", 100.0),
-                                              (",A.0.z,A.area", (",0,3e-6", ",0,5e-6"), "crack is larger by [mm²]", 2.0)):
+        for columns, values, words, drawn in (("", ("", ""), "crack extension [mm]", 100.0),
+                                              (",A.0.z,A.area", (",0,3e-6", ",0,5e-6"), "new crack area [mm²]", 2.0)):
             self.write("history.csv", f"time,A.0.length,A.0.speed{columns}\n0,0.5,0{values[0]}\n1,0.6,9{values[1]}\n")
             history = read_history(self.folder)
             figure, axes = plt.subplots()
@@ -151,7 +151,7 @@ class History(ToolTest):
         figure, axes = plt.subplots()
         draw_growth(axes, history, growth(history), 1e3 * history.time, summary, 1e3)
         marks = [(line.get_label(), line.get_xdata()[0]) for line in axes.lines[1:]]
-        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 stopped by the cells"])
+        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 stopped numerically"])
         self.assertEqual([line.get_color() == style.ALARM for line in axes.lines[1:]], [False, True])
         for (_, position), time in zip(marks, (0.4, 0.6)):
             self.assertAlmostEqual(position, time)

@@ -248,7 +248,7 @@ class FieldPicture(ToolTest):
         summary["cracks"][0]["fronts"][1].update(stopped=True, stop={"time": 0.0})
         red = drawn_fronts(fields, faces, summary, choose_view(fields))
         self.assertEqual([front.stopped for front in red], [False, True])
-        self.assertEqual(close_up(red), (red[1], "where the cells stopped the front A.1"))
+        self.assertEqual(close_up(red), (red[1], "numerical stop of the front A.1"))
         summary["cracks"][0]["fronts"][1]["stopped"] = False
         fields.time = 1.0e-3
         self.assertEqual(close_up(drawn_fronts(fields, faces, summary, choose_view(fields)))[1], "at the front A.0")
@@ -263,7 +263,7 @@ class FieldPicture(ToolTest):
         stop = {"time": 0.5e-3, "nodes": 2, "of_nodes": 24, "node_positions": positions}
         summary = {"cracks": [{"name": "Penny", "fronts": [{"stopped": True, "stop": stop}, {"stopped": False}]}]}
         drawn, parts = stopped_nodes(fields, faces, summary, view)
-        self.assertEqual(parts, ["Penny.0: 2 of 24 front nodes stopped by the cells"])
+        self.assertEqual(parts, ["Penny.0: 2 of 24 front nodes stopped numerically"])
         np.testing.assert_allclose(drawn, [view.flat(np.array(position)) for position in positions], atol=1e-12)
         stop["time"] = 2.0e-3  # later than the fields
         self.assertEqual(stopped_nodes(fields, faces, summary, view), ([], []))

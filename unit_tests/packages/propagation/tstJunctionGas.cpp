@@ -93,7 +93,7 @@ long warningsThatGasStays(const State<2>& state)
 {
   return std::count_if(state.warnings.begin(), state.warnings.end(),
                        [](const std::string& warning)
-                       { return warning.find("stay separate") != std::string::npos; });
+                       { return warning.find("no gas flows from one to the other") != std::string::npos; });
 }
 
 void runOn(Rhegma::Run<2>& run, double time)

@@ -60,8 +60,8 @@ TEST(Toughness, RefusesWhatIsNotPositive)
 TEST(Toughness, RefusesWhatIsNoFunctionOfSpeed)
 {
   EXPECT_TRUE(says("100*(1 + speed)", "speed"));
-  EXPECT_TRUE(says("100*(1 + T/300)", "names the temperature T"));
-  EXPECT_TRUE(says("100 +", "is no toughness"));
+  EXPECT_TRUE(says("100*(1 + T/300)", "depends on the temperature T"));
+  EXPECT_TRUE(says("100 +", "is not a valid toughness"));
   EXPECT_TRUE(says("1, 2", "2 values instead of one"));
   EXPECT_TRUE(says("0:100, 0:200", "must increase"));
   EXPECT_TRUE(says("0:100, x:200", "not a pair"));

@@ -276,7 +276,8 @@ TEST(Equilibrium, LoadsOnUnsupportedChipsAreNoticed)
     EXPECT_EQ(reportOf(run)["equilibrium"]["unsupported_fields"], 4);
     int warned = 0;
     for (const std::string& warning : run.state().warnings)
-      warned += warning.find("loads of 0.001 N act on 4 nodes of pieces") != std::string::npos ? 1 : 0;
+      warned +=
+          warning.find("loads of 0.001 N act on 4 nodes of unsupported pieces") != std::string::npos ? 1 : 0;
     EXPECT_EQ(warned, force > 0.0 ? 1 : 0)
         << (run.state().warnings.empty() ? "" : run.state().warnings.back());
   }

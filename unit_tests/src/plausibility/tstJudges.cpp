@@ -10,7 +10,7 @@ namespace Test
 namespace
 {
 
-const std::string still = "nothing loads or moves the bodies", flies = "so it flies";
+const std::string still = "nothing loads or moves the bodies", flies = "so it moves by";
 
 void addGravity(Teuchos::ParameterList& scene, double acceleration, const std::string& history = "1")
 {
@@ -75,7 +75,7 @@ TEST(Flight, IsSaidWithItsDistance)
   const Warnings said = warningsOf(pulledPlate());
   EXPECT_TRUE(say(said,
                   "Boundaries > Pull: no load balances it, and nothing supports Bodies > Plate along x, y, "
-                  "so it flies 1.923 m"));
+                  "so it moves by 1.923 m"));
   EXPECT_TRUE(say(said, "1.923 times its length of 1 m"));
 }
 
@@ -100,7 +100,7 @@ TEST(Flight, IsThatAlongFreeAxes)
 {
   const auto scene = pulledPlate();
   hold(*scene, "Rail", pair(-0.3, -0.1), pair(1.3, 0.05)).set<std::string>("Components", "y");
-  EXPECT_TRUE(say(warningsOf(scene), "nothing supports Bodies > Plate along x, so it flies 1.923 m"));
+  EXPECT_TRUE(say(warningsOf(scene), "nothing supports Bodies > Plate along x, so it moves by 1.923 m"));
 }
 
 TEST(Flight, OfWhatIsThrownOrHitsSomethingIsMeant)
@@ -125,7 +125,7 @@ TEST(Flight, IsThatOfAllThatMovesTogether)
   other.set("Upper Corner", pair(0.0, 1.0));
   EXPECT_FALSE(say(warningsOf(scene), flies)); // twice the mass and the length: 0.96 m of 2 m
   scene->sublist("Boundaries").sublist("Pull").set("Stress", pair(8e6, 0.0));
-  EXPECT_TRUE(say(warningsOf(scene), "so it flies 2.564 m"));
+  EXPECT_TRUE(say(warningsOf(scene), "so it moves by 2.564 m"));
 }
 
 TEST(Thickness, OfPlaneStressIsLessThanTheBody)
@@ -139,7 +139,7 @@ TEST(Thickness, OfPlaneStressIsLessThanTheBody)
     return warningsOf(scene);
   };
   EXPECT_TRUE(say(warnings("Stress", 30.0),
-                  "Domain > Thickness is 30 m, 30 times the largest body's 1 m, and plane stress"));
+                  "Domain > Thickness is 30 m, 30 times the largest body's 1 m; plane stress"));
   EXPECT_FALSE(say(warnings("Stress", 0.03), "Domain > Thickness"));
   EXPECT_FALSE(say(warnings("Strain", 30.0), "Domain > Thickness"));
 }
@@ -184,7 +184,7 @@ TEST(IdleSupports, AreNotReachedByTheirOwnMotion)
 {
   const auto scene = freePlate();
   hold(*scene, "Grip", pair(-0.4, -0.4), pair(-0.3, 1.4), pair(1e6, 0.0));
-  EXPECT_TRUE(say(warningsOf(scene), "Boundaries > Grip: it holds no node of any body"));
+  EXPECT_TRUE(say(warningsOf(scene), "Boundaries > Grip: it contains no node of any body"));
 }
 
 } // namespace Test

@@ -60,7 +60,8 @@ TEST(Answer, NamesFrontsThatTheCellsStopped)
   const std::vector<std::string> answers = answersOf(summary);
   ASSERT_EQ(answers.size(), 4u);
   EXPECT_EQ(
-      answers[1].rfind("the cells stopped 4 of 32 front nodes of crack A, front 0; crack B, front 0, ", 0),
+      answers[1].rfind(
+          "numerical stop of 4 of 32 front nodes of crack A, front 0; crack B, front 0 (not arrest)", 0),
       0u)
       << answers[1];
   EXPECT_EQ(answers[2], "crack A, front 0: ...");

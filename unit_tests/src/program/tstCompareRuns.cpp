@@ -122,7 +122,7 @@ TEST(CompareRuns, ComparesRunsThatStop)
   EXPECT_EQ(better["runs"]["as_is"]["status"], stopped.summary["status"]);
   const std::string text = comparisonAsText(better);
   EXPECT_NE(text.find("As it is: the run stopped at t = 1 ms"), std::string::npos) << text;
-  EXPECT_NE(text.find("the run finishes with half the cells"), std::string::npos) << text;
+  EXPECT_NE(text.find("the run finishes with half the cell size"), std::string::npos) << text;
   const json worse = compareRuns(finished, stopped);
   EXPECT_NE(comparisonAsText(worse).find("With half: the run stopped"), std::string::npos);
   EXPECT_FALSE(compareRuns(stopped, stopped)["resolved"].get<bool>());

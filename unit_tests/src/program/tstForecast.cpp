@@ -136,7 +136,8 @@ TEST(Forecast, OfCellsThatChange)
   const Forecast f = forecastOf(changing, scene(), 0.0);
   EXPECT_EQ(f.steps, 190.0);
   EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.01 + 0.54 + 0.02) + 0.02, 1e-9);
-  EXPECT_NE(asText(f).find("by its first 10 steps and a run with cells of twice the size"), std::string::npos)
+  EXPECT_NE(asText(f).find("from its first 10 steps and a run with cells of twice the size"),
+            std::string::npos)
       << asText(f);
 }
 
@@ -169,7 +170,7 @@ TEST(Forecast, CountsLoadStepsAndLinearSystems)
   EXPECT_NEAR(f.seconds, 0.5 + 1.02 * 20 * 0.3, 1e-9);
   const std::string text = asText(f);
   for (const char* part : {"6.6 s (20 load steps, 60 linear systems of 4443 unknowns, 100 ms each, ",
-                           "by its first 2 load steps"})
+                           "from its first 2 load steps"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
@@ -186,8 +187,8 @@ TEST(Forecast, OfOneLinearSystem)
   EXPECT_EQ(f.steps, 1.0);
   EXPECT_NEAR(f.seconds, 1.02 * 40.0, 1e-9);
   const std::string text = asText(f);
-  for (const char* part :
-       {"1 load step, 4 linear systems of 250000 unknowns, 1e+04 ms each", "by one linear system"})
+  for (const char* part : {"1 load step, 4 linear systems of 250000 unknowns, 1e+04 ms each",
+                           "from the time of one linear system"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
@@ -222,7 +223,7 @@ TEST(WorkCurve, OfTooFewStepsSaysNothing)
 TEST(Forecast, SaysWhatItIsOf)
 {
   const std::string text = asText(forecastOf(rates(), scene(), 0.0));
-  for (const char* part : {"0.64 s", "1 ms a step", "100 MB of memory", "by its first 10 steps"})
+  for (const char* part : {"0.64 s", "1 ms a step", "100 MB of memory", "from its first 10 steps"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 

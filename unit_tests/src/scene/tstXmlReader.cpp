@@ -116,7 +116,7 @@ TEST(XmlReader, RefusesWhatIsNoXml)
       {"<?xml", "without its end ?>"},
       {"<a></a", "not of the form </a>"},
       {std::string("<a x=\"\0\"/>", 10), "invalid character in an attribute value"},
-      {std::string("<a>\1</a>"), "not of a text"},
+      {std::string("<a>\1</a>"), "an invalid character"},
   };
   for (const auto& [text, part] : wrong)
     EXPECT_NE(refusal(text).find(part), std::string::npos) << text << "\n" << refusal(text);
