@@ -277,7 +277,7 @@ double clearOf(const Vector<2>& front, double most, const SceneBodies<2>& bodies
 constexpr double cellsBetween = 3.3;
 
 /// Boxes along a crack where another is nearer than half the length of both.
-void addNarrow(const Line& line, const Line& other, std::vector<NarrowPlace>& narrow)
+void addNarrow(const Line& line, const Line& other, std::vector<NarrowGap>& narrow)
 {
   const double most = 0.5 * std::min(line.length, other.length), step = 0.02 * line.length;
   double next = 0.0, passed = 0.0; // along the line

@@ -159,7 +159,7 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
       std::any_of(schema.effects().begin(), schema.effects().end(),
                   [](const auto& entry) { return static_cast<bool>(entry.second.cells.refine); });
   double least = atRest ? atFront : cell; // of the smallest cells
-  for (const NarrowPlace& place : needs.narrow)
+  for (const NarrowGap& place : needs.narrow)
     least = std::min(least, place.cell);
   cell = std::min(cell, mayRefine ? least * (1 << mostLevels) : least);
   ParameterList& domain = scene.sublist("Domain");

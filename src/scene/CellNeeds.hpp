@@ -14,7 +14,7 @@ namespace Rhegma
 {
 
 /// A box in which cells are small.
-struct NarrowPlace
+struct NarrowGap
 {
   std::vector<double> lower, upper; ///< corners [m]
   double cell;                      ///< largest edge of cells [m]
@@ -40,7 +40,7 @@ struct CellNeeds
   bool heat = false;     ///< whether layers of heat need small cells far from fronts, too
   bool facesLoaded = false;          ///< whether faces of cracks may have pressure, contact, gas or heat
   bool equal = false;                ///< whether all effects of the scene need cells of equal size
-  std::vector<NarrowPlace> narrow{}; ///< where cracks are near each other
+  std::vector<NarrowGap> narrow{}; ///< where cracks are near each other
   std::string shortestAcross, smallestSource; ///< sections that give these lengths
 
   bool fronts() const { return across < none; }
@@ -52,7 +52,7 @@ struct FrontRefinement
   int levels;                        ///< below Domain > Cell Size
   double around;                     ///< cells of each size next to a front
   bool moves;                        ///< whether the scene has time steps
-  std::vector<NarrowPlace> narrow{}; ///< where cells are smaller, too
+  std::vector<NarrowGap> narrow{}; ///< where cells are smaller, too
 };
 
 /// Functions of an effect. All may be empty.
