@@ -1,6 +1,6 @@
 #include "boundary/ReadLoad.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace Rhegma
 {
@@ -17,26 +17,21 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
   const auto x = onHost(state.particles.template real<D>(fields::position));
   const auto edge = onHost(state.particles.template real<D>(fields::edge));
   Seeds<D> seeds{};
-  std::vector<double> edges[D];
+  std::vector<Vector<D>> boxes;
   for (int p = 0; p < state.particles.size(); ++p)
     if (bodies(p) == body)
     {
-      Vector<D> at;
+      Vector<D> at, box;
       for (int d = 0; d < D; ++d)
       {
         at[d] = x(p, d);
-        edges[d].push_back(edge(p, d));
+        box[d] = edge(p, d);
       }
       seeds.position.push_back(at);
+      boxes.push_back(box);
       ids.push_back(id(p));
     }
-  for (int d = 0; d < D && !ids.empty(); ++d)
-  {
-    // Those at the body's edges differ; most are those of the lattice.
-    const auto middle = edges[d].begin() + static_cast<std::ptrdiff_t>(edges[d].size() / 2);
-    std::nth_element(edges[d].begin(), middle, edges[d].end());
-    seeds.edge[d] = *middle;
-  }
+  seeds.edge = latticeEdge<D>(std::move(boxes));
   for (int d = 0; d < D; ++d)
     for (int e = 0; e < D; ++e)
       seeds.axes[d][e] = state.bodies.info[body].axes[d][e];

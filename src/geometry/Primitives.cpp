@@ -27,30 +27,6 @@ bool onEdge(const Vector<2>& x, const Vector<2>& a, const Vector<2>& b, double t
   return norm(x - a - s * edge) <= tolerance;
 }
 
-/// Even-odd rule; points within the tolerance of an edge are inside.
-bool insidePolygon(const std::vector<Vector<2>>& points, const Vector<2>& x)
-{
-  Bounds<2> box = emptyBounds<2>();
-  for (const auto& p : points)
-    box.include(p);
-  const double tolerance = surfaceTolerance * largestSide(box.lower, box.upper);
-  for (int d = 0; d < 2; ++d)
-    if (x[d] < box.lower[d] - tolerance || x[d] > box.upper[d] + tolerance)
-      return false;
-
-  bool inside = false;
-  for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++)
-  {
-    const auto& a = points[j];
-    const auto& b = points[i];
-    if (onEdge(x, a, b, tolerance))
-      return true;
-    if ((a[1] > x[1]) != (b[1] > x[1]) && x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
-      inside = !inside;
-  }
-  return inside;
-}
-
 /// Distance to the nearest edge, negative outside by the even-odd rule.
 double depthInPolygon(const std::vector<Vector<2>>& points, const Vector<2>& x)
 {
@@ -69,6 +45,19 @@ double depthInPolygon(const std::vector<Vector<2>>& points, const Vector<2>& x)
       inside = !inside;
   }
   return inside ? std::sqrt(square) : -std::sqrt(square);
+}
+
+/// Points within the tolerance of an edge are inside.
+bool insidePolygon(const std::vector<Vector<2>>& points, const Vector<2>& x)
+{
+  Bounds<2> box = emptyBounds<2>();
+  for (const auto& p : points)
+    box.include(p);
+  const double tolerance = surfaceTolerance * largestSide(box.lower, box.upper);
+  for (int d = 0; d < 2; ++d)
+    if (x[d] < box.lower[d] - tolerance || x[d] > box.upper[d] + tolerance)
+      return false;
+  return depthInPolygon(points, x) >= -tolerance;
 }
 
 bool segmentsMeet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)

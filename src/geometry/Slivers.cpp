@@ -1,6 +1,7 @@
 #include "geometry/Slivers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Rhegma::Geometry
@@ -27,6 +28,17 @@ void join(const LatticePart<D>& one, LatticePart<D>& to)
   }
   to.fraction = all;
   to.family = -1;
+}
+
+/// Whether the box of a part is longer than a joined one may be.
+template <int D>
+bool isLong(const LatticePart<D>& part, const Vector<D>& edge)
+{
+  constexpr double rounding = 1.0 + 1e-6; // of two whole cells
+  bool found = false;
+  for (int d = 0; d < D; ++d)
+    found = found || 12.0 * part.variance[d] > std::pow(longestJoined * rounding * edge[d], 2);
+  return found;
 }
 
 /// Calls visit(index) for the parts in the cells around one.
@@ -93,7 +105,7 @@ void sortByCell(std::vector<LatticePart<D>>& parts)
 }
 
 template <int D>
-void joinSlivers(std::vector<LatticePart<D>>& parts, const IsSeen<D>& isSeen)
+void joinSlivers(std::vector<LatticePart<D>>& parts, const Vector<D>& edge, const IsSeen<D>& isSeen)
 {
   std::vector<int> slivers;
   for (std::size_t k = 0; k < parts.size(); ++k)
@@ -109,12 +121,16 @@ void joinSlivers(std::vector<LatticePart<D>>& parts, const IsSeen<D>& isSeen)
     if (parts[k].fraction >= joinedBelow) // by what has joined it
       continue;
     const std::vector<int> hosts = hostsOf(before, gone, k, isSeen);
-    if (hosts.empty())
-      continue;
     LatticePart<D> piece = parts[k];
-    piece.fraction /= static_cast<double>(hosts.size());
+    piece.fraction /= static_cast<double>(std::max<std::size_t>(hosts.size(), 1));
+    std::vector<LatticePart<D>> joined;
     for (const int host : hosts)
-      join(piece, parts[host]);
+      join(piece, joined.emplace_back(parts[host]));
+    if (joined.empty() ||
+        std::any_of(joined.begin(), joined.end(), [&](const auto& part) { return isLong(part, edge); }))
+      continue;
+    for (std::size_t h = 0; h < hosts.size(); ++h)
+      parts[hosts[h]] = joined[h];
     gone[k] = 1;
   }
   std::size_t kept = 0;
@@ -126,7 +142,7 @@ void joinSlivers(std::vector<LatticePart<D>>& parts, const IsSeen<D>& isSeen)
 
 template void sortByCell(std::vector<LatticePart<2>>&);
 template void sortByCell(std::vector<LatticePart<3>>&);
-template void joinSlivers(std::vector<LatticePart<2>>&, const IsSeen<2>&);
-template void joinSlivers(std::vector<LatticePart<3>>&, const IsSeen<3>&);
+template void joinSlivers(std::vector<LatticePart<2>>&, const Vector<2>&, const IsSeen<2>&);
+template void joinSlivers(std::vector<LatticePart<3>>&, const Vector<3>&, const IsSeen<3>&);
 
 } // namespace Rhegma::Geometry

@@ -29,6 +29,10 @@ constexpr double joinedBelow = 0.5;
 template <int D>
 void sortByCell(std::vector<LatticePart<D>>& parts);
 
+/// No part becomes so long by what joins it: a wall that is thinner than half a lattice cell keeps a part in
+/// each of its cells, or in two of them [edges of a cell].
+constexpr double longestJoined = 2.0;
+
 /// Whether the line between two positions (in the lattice's axes) does not leave the body.
 template <int D>
 using IsSeen = std::function<bool(const Vector<D>&, const Vector<D>&)>;
@@ -36,10 +40,11 @@ using IsSeen = std::function<bool(const Vector<D>&, const Vector<D>&)>;
 /// Joins the parts below joinedBelow with others: the smallest first, each with the part, not smaller than
 /// itself, of a neighbouring cell (over corners too) whose centroid is nearest and can be seen; in equal
 /// pieces with those that are equally near. Volume, first and second moments stay. A part without such a
-/// neighbour stays as it is.
+/// neighbour, or by which one would become longer than longestJoined, stays as it is.
 ///
 /// \param parts   in the order of their cells: along the first axis first
+/// \param edge    of a lattice cell [m]
 template <int D>
-void joinSlivers(std::vector<LatticePart<D>>& parts, const IsSeen<D>& isSeen);
+void joinSlivers(std::vector<LatticePart<D>>& parts, const Vector<D>& edge, const IsSeen<D>& isSeen);
 
 } // namespace Rhegma::Geometry

@@ -326,3 +326,31 @@ TEST(MomentsOfBodies, NoParticleLiesInASlot)
     EXPECT_NEAR(area, 100.0 - 10.0 * (to - from), 0.01);
   }
 }
+
+/// A wall thinner than half a particle, anywhere in its row of the lattice: its particles are not joined
+/// along it into boxes longer than two edges, and keep its area.
+TEST(MomentsOfBodies, ThinWallsKeepShortParticles)
+{
+  Random random;
+  constexpr double edge = 0.5;
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    const double thin = random(0.02, 0.24), from = 8.5 + random(0.01, 0.24), to = from + thin;
+    ParameterList list = box({0.0, 0.0}, {10.0, 10.0});
+    ParameterList& hole = list.sublist("Operations").sublist("Hole");
+    hole = box({2.0, 3.0}, {from, 9.0});
+    hole.set<std::string>("Operation", "Cut");
+    ParameterList& outside = list.sublist("Operations").sublist("Outside");
+    outside = box({to, -1.0}, {11.0, 11.0});
+    outside.set<std::string>("Operation", "Cut");
+    const Seeds<2> seeds = seedParticles(makeShape<2>(list), 1.0, 2, "Plate");
+    double area = 0.0;
+    for (std::size_t p = 0; p < seeds.volume.size(); ++p)
+    {
+      area += seeds.volume[p];
+      for (int d = 0; d < 2; ++d)
+        EXPECT_LE(seeds.box[p][d], 2.0 * edge * (1.0 + 1e-5)) << thin << " at " << seeds.position[p][1];
+    }
+    EXPECT_NEAR(area, 10.0 * to - 6.0 * (from - 2.0), 0.01) << thin;
+  }
+}
