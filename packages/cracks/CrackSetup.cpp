@@ -15,11 +15,12 @@ namespace Rhegma::cracks
 {
 
 template <int D>
-void readCracks(const Teuchos::ParameterList& section, State<D>& state, double edge)
+std::vector<surface::CrackMesh<D>> readCracks(const Teuchos::ParameterList& section,
+                                              const SceneBodies<D>& bodies, State<D>& state, double edge)
 {
   const double spacing = state.mesh.grid.spacing;
-  const BodyRegion<D> bodies(state);
-  const ReadingContext<D> context{bodies, spacing, edge};
+  const BodyRegion<D> region(bodies, state);
+  const ReadingContext<D> context{region, spacing, edge};
   std::vector<surface::CrackMesh<D>> meshes;
   CrackSet<D>& set = state.cracks;
   Attempts attempts;
@@ -47,9 +48,12 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state, double e
   set.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);
   set.enrichedField = View<int*>("rhegma::enrichedField", state.mesh.grid.numNodes);
   Kokkos::deep_copy(set.enrichedField, -1);
+  return meshes;
 }
 
-template void readCracks(const Teuchos::ParameterList&, State<2>&, double);
-template void readCracks(const Teuchos::ParameterList&, State<3>&, double);
+template std::vector<surface::CrackMesh<2>> readCracks(const Teuchos::ParameterList&, const SceneBodies<2>&,
+                                                       State<2>&, double);
+template std::vector<surface::CrackMesh<3>> readCracks(const Teuchos::ParameterList&, const SceneBodies<3>&,
+                                                       State<3>&, double);
 
 } // namespace Rhegma::cracks

@@ -2,6 +2,8 @@
 /// From the scene's points to cracks in the state.
 
 #include "plan/Effect.hpp"
+#include "scene/SceneBodies.hpp"
+#include "surface/CrackMesh.hpp"
 
 namespace Rhegma::cracks
 {
@@ -9,10 +11,13 @@ namespace Rhegma::cracks
 /// Reads the cracks of a scene into state.cracks: polylines in 2D, polygons, disks and surfaces from
 /// files in 3D (CrackMesh.hpp).
 ///
-/// \param edge of the triangles of surfaces [m]
+/// \param bodies of the scene \param edge of the triangles of surfaces [m]
+///
+/// \return the meshes of the cracks, in their order
 ///
 /// Throws std::invalid_argument, with the section's path, for a crack that is wrong in itself.
 template <int D>
-void readCracks(const Teuchos::ParameterList& section, State<D>& state, double edge);
+std::vector<surface::CrackMesh<D>> readCracks(const Teuchos::ParameterList& section,
+                                              const SceneBodies<D>& bodies, State<D>& state, double edge);
 
 } // namespace Rhegma::cracks

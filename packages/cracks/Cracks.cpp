@@ -1,6 +1,7 @@
 #include "cracks/Cracks.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/Attempts.hpp"
 #include "base/ReadList.hpp"
 #include "cracks/AdvectedFronts.hpp"
 #include "cracks/CellsForCracks.hpp"
@@ -14,12 +15,14 @@
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
 #include "cracks/JudgeLength.hpp"
+#include "cracks/JudgeLigaments.hpp"
 #include "cracks/Normals.hpp"
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
 #include "cracks/SpringsInEquilibrium.hpp"
 #include "cracks/Visibility.hpp"
 #include "plan/LastStage.hpp"
+#include "scene/SceneBodies.hpp"
 
 #include <memory>
 #include <vector>
@@ -42,11 +45,25 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
 /// but no smaller than those of the second level, as there are four times as many with each.
 int piecesOfACell(const RunOptions& options) { return 1 << std::min(2, options.frontLevels); }
 
+/// The shapes of a scene's bodies; none where one is wrong, which is said where bodies are placed.
+template <int D>
+std::shared_ptr<const SceneBodies<D>> readBodies(const Teuchos::ParameterList& scene)
+{
+  std::shared_ptr<const SceneBodies<D>> bodies;
+  Attempts hidden;
+  if (scene.isSublist("Bodies"))
+    hidden.attempt([&] { bodies = std::make_shared<SceneBodies<D>>(scene); });
+  return bodies;
+}
+
 /// What the calls of the effect have in common.
 template <int D>
 struct Parts
 {
   Teuchos::ParameterList section;
+  std::shared_ptr<const SceneBodies<D>> bodies; ///< none where a shape is wrong: then nothing starts
+  MirroredSides mirrored;
+  std::vector<surface::CrackMesh<D>> meshes; ///< as they were read, until they are judged
   Formulation formulation;
   bool hasSprings; ///< behind fronts
   bool grows;
@@ -65,6 +82,8 @@ struct Parts
 
   Parts(const Teuchos::ParameterList& scene, const RunOptions& options)
       : section(scene.sublist("Cracks")),
+        bodies(readBodies<D>(scene)),
+        mirrored(scene),
         formulation(readFormulation(section)),
         hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
         grows(options.growth),
@@ -117,7 +136,7 @@ void start(const Shared<D>& parts, State<D>& state)
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
-  readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);
+  parts->meshes = readCracks(parts->section, *parts->bodies, state, state.mesh.grid.spacing / parts->pieces);
   judgeLengths(std::ldexp(state.mesh.grid.spacing, -parts->levels), state);
   if (parts->hasSprings)
     parts->advected.start(state);
@@ -345,7 +364,13 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.name = "Cracks";
   addFields(*parts, effect);
   effect.atStart = [=](State<D>& state) { start(parts, state); };
-  effect.judge = [](State<D>& state) { refuseCloseCracks(state); };
+  effect.judge = [=](State<D>& state)
+  {
+    if (!parts->meshes.empty()) // else bodies or cracks are wrong
+      judgeLigaments(*parts->bodies, parts->mirrored, parts->meshes, state);
+    parts->meshes.clear();
+    refuseCloseCracks(state);
+  };
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     archive("steps", parts->surroundings.stamp);

@@ -23,15 +23,45 @@ SceneBodies<D>::SceneBodies(const Teuchos::ParameterList& scene)
   const Teuchos::ParameterList& list = scene.sublist("Bodies");
   for (const std::string& name : sublistNames(list))
     shapes_.push_back(makeShape<D>(list.sublist(name)));
+  std::vector<Geometry::Bounds<D>> bounds;
+  bounds.reserve(shapes_.size());
   for (const Shape<D>& shape : shapes_)
+  {
+    bounds.push_back(shape.bounds());
     for (int d = 0; d < D; ++d)
-      extent_ = std::max(extent_, shape.bounds().upper[d] - shape.bounds().lower[d]);
+      extent_ = std::max(extent_, bounds.back().upper[d] - bounds.back().lower[d]);
+  }
+  boxes_ = Geometry::NearBoxes<D>(std::move(bounds));
+}
+
+template <int D>
+template <class Condition>
+bool SceneBodies<D>::any(const Vector<D>& x, double distance, const Condition& condition) const
+{
+  constexpr std::size_t few = 8; // that are checked faster than they are searched
+  if (shapes_.size() <= few)
+    return std::any_of(shapes_.begin(), shapes_.end(), condition);
+  const double rounding = 1e-9 * extent_;
+  const std::vector<int> near = boxes_.near({x, x}, distance + rounding);
+  return std::any_of(near.begin(), near.end(), [&](int k) { return condition(shapes_[k]); });
 }
 
 template <int D>
 bool SceneBodies<D>::contain(const Vector<D>& x) const
 {
-  return std::any_of(shapes_.begin(), shapes_.end(), [&](const Shape<D>& s) { return s.contains(x); });
+  return any(x, 0.0, [&](const Shape<D>& s) { return s.contains(x); });
+}
+
+template <int D>
+bool SceneBodies<D>::contain(const Vector<D>& x, double outside) const
+{
+  return any(x, outside, [&](const Shape<D>& s) { return s.contains(x) || s.depth(x) >= -outside; });
+}
+
+template <int D>
+bool SceneBodies<D>::isDeep(const Vector<D>& x, double depth) const
+{
+  return any(x, 0.0, [&](const Shape<D>& s) { return s.depth(x) >= depth; });
 }
 
 template <int D>
@@ -85,6 +115,15 @@ double SceneBodies<D>::reach(const Vector<D>& x, const Vector<D>& direction, dou
       return outside;
     }
   return infinity;
+}
+
+template <int D>
+std::vector<Geometry::Bounds<D>> SceneBodies<D>::boundsNear(const Vector<D>& x, double distance) const
+{
+  std::vector<Geometry::Bounds<D>> bounds;
+  for (const int k : boxes_.near({x, x}, distance))
+    bounds.push_back(shapes_[k].bounds());
+  return bounds;
 }
 
 template <int D>

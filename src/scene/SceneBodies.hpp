@@ -1,6 +1,7 @@
 #pragma once
 /// The bodies of a scene as shapes, before there are cells.
 
+#include "geometry/NearBoxes.hpp"
 #include "geometry/Shape.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -21,6 +22,14 @@ public:
   /// Whether x lies in one of them.
   bool contain(const Vector<D>& x) const;
 
+  /// Whether x lies in one of them or no further than that outside: by Shape::depth, which is smaller than
+  /// the distance at corners of boxes, by a factor of up to the root of D. \param outside [m]
+  bool contain(const Vector<D>& x, double outside) const;
+
+  /// Whether x lies in one of them, at least that far from its surface; where parts are added to each other
+  /// it may be further and this false, as Shape::depth says. \param depth [m]
+  bool isDeep(const Vector<D>& x, double depth) const;
+
   /// Distance to the nearest surface along the axes and the diagonals between them [m], to 1 %; 0 outside,
   /// and where below 1e-9 of the bodies' extent.
   double depth(const Vector<D>& x) const;
@@ -34,12 +43,20 @@ public:
   /// infinite if there is no end. \param direction of length one
   double reach(const Vector<D>& x, const Vector<D>& direction, double most) const;
 
+  /// Bounds of the bodies whose bounds come within a distance of x [m].
+  std::vector<Geometry::Bounds<D>> boundsNear(const Vector<D>& x, double distance) const;
+
   double extent() const { return extent_; } ///< the longest edge of their bounds [m]
 
 private:
   double nearest(const Vector<D>& x, double span) const;
 
+  /// Whether a condition holds for a shape whose bounds come within a distance of x.
+  template <class Condition>
+  bool any(const Vector<D>& x, double distance, const Condition& condition) const;
+
   std::vector<Shape<D>> shapes_;
+  Geometry::NearBoxes<D> boxes_{{}}; ///< their bounds
   double extent_ = 0.0;
 };
 

@@ -66,7 +66,7 @@ class OddCracks(ProgramTest):
                 self.reports(scene, "extends over", "separates nothing")
 
     def test_crack_beyond_the_last_particles(self):
-        self.reports(cracked([0.0, 0.002, 0.5, 0.002]), "separates nothing")
+        self.reports(cracked([0.0, 0.002, 0.5, 0.002]), "a surface of the body is 2 mm away", "separates nothing")
 
     def test_crack_that_leaves_a_bridge_thinner_than_a_cell(self):
         self.reports(cracked([0.03, 0.5, 0.97, 0.5]), "0.03, 0.5", "0.97, 0.5")
