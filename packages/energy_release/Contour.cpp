@@ -5,7 +5,6 @@
 #include "transfer/PushNodes.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace Rhegma::energy_release
 {
@@ -144,26 +143,6 @@ double largestContour(const State<D>& state, const CrackFront<D>& front, double 
     if (!other.ended && (other.crack != front.crack || other.number != front.number))
       clear = std::min(clear, norm(other.position - front.position));
   return clear;
-}
-
-double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& front)
-{
-  double nearest = std::numeric_limits<double>::infinity();
-  const auto vertex = onHost(cracks.vertex);
-  const auto simplex = onHost(cracks.simplex);
-  for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
-  {
-    const Crack<2>& crack = cracks.cracks[c];
-    for (int s = crack.firstSimplex; c != front.crack && s < crack.firstSimplex + crack.numSimplices; ++s)
-    {
-      const Vector<2> a{{vertex(simplex(s, 0), 0), vertex(simplex(s, 0), 1)}};
-      const Vector<2> b{{vertex(simplex(s, 1), 0), vertex(simplex(s, 1), 1)}};
-      const double square = dot(b - a, b - a);
-      const double at = square > 0.0 ? std::clamp(dot(front.position - a, b - a) / square, 0.0, 1.0) : 0.0;
-      nearest = std::min(nearest, norm(front.position - (a + at * (b - a))));
-    }
-  }
-  return nearest;
 }
 
 namespace

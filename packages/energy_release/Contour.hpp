@@ -62,9 +62,6 @@ double clearRadius(const State<D>& state, const Vector<D>& centre, double radius
 template <int D>
 double largestContour(const State<D>& state, const CrackFront<D>& front, double radius);
 
-/// Distance [m] from a front to the nearest other crack.
-double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& front);
-
 /// Radii that a scene gives; 0 where it leaves them to the program.
 struct GivenRadii
 {

@@ -1,8 +1,8 @@
 #include "energy_release/EnergyRelease.hpp"
 
 #include "archive/Archive.hpp"
-#include "base/Attempts.hpp"
 #include "base/Numbers.hpp"
+#include "energy_release/CheckTubes.hpp"
 #include "energy_release/DomainIntegral.hpp"
 #include "energy_release/DrivingForces.hpp"
 #include "energy_release/FrontIntegral.hpp"
@@ -13,6 +13,7 @@
 #include "energy_release/JudgeStrain.hpp"
 #include "energy_release/JudgeYield.hpp"
 #include "energy_release/LoadsInRing.hpp"
+#include "energy_release/NegativeRelease.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -48,88 +49,6 @@ template <int D>
 std::string columnName(const State<D>& state, const CrackFront<D>& front)
 {
   return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
-}
-
-/// A node may come to lie this fraction of a cell inside of the tube as the body moves.
-constexpr double slack = 1e-6;
-
-void refuseContour(const State<2>& state, const CrackFront<2>& front, const std::string& where,
-                   const std::string& contour, const std::string& advice)
-{
-  throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour + " m around " +
-                              frontName(state.cracks, front) + " leaves the body or reaches another " +
-                              advice + ", or use smaller cells (Domain > Cell Size)");
-}
-
-/// Refuses radii of the scene that do not fit; reports the radii used where the default ones do not.
-void checkTube(State<2>& state, const CrackFront<2>& front, const Options& options)
-{
-  const double cell = spacingAt(state, front.position);
-  const GivenRadii& given = options.radii;
-  if (given.outer > 0.0)
-  {
-    const double clear = largestContour(state, front, given.outer);
-    if (clear < given.outer - slack * cell)
-      refuseContour(state, front, "Outer Radius", formatReal(given.outer),
-                    "front; write at most " + formatReal(clear));
-    return;
-  }
-  const double usual = usualRadii(given, cell).outer, capacity = clearAround(state, front, usual);
-  const double least = smallestOuter(given, cell);
-  if (capacity < least - slack * cell)
-    refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
-                  "front or crack; at most " + formatReal(capacity) + " m fit: " +
-                      (given.inner > 0.0 ? "write a smaller Inner Radius"
-                                         : "write both radii, or leave out Energy Release"));
-  if (capacity < usual - slack * cell)
-  {
-    const ContourRadii radii = fittingTube(state, front, given).radii;
-    state.warnings.push_back("Energy Release: for " + frontName(state.cracks, front) +
-                             ", the domain integral is reduced to radii of " + readableLength(radii.inner) +
-                             " to " + readableLength(radii.outer) + " (default: to " + readableLength(usual) +
-                             "), because of a surface, another front or another crack; G and K are less "
-                             "accurate: use smaller cells (Domain > Cell Size)");
-  }
-}
-
-/// Refuses an outer radius that the scene gives and that does not fit.
-void checkTube(State<3>& state, const CrackFront<3>& front, const Options& options)
-{
-  if (options.radii.outer == 0.0 || front.numFacets == 0)
-    return;
-  const double clear = clearAround(state, front, options.radii.outer);
-  if (clear < options.radii.outer - slack * spacingAt(state, front.position))
-    throw std::invalid_argument(
-        "Energy Release > Outer Radius: the integration tube of " + formatReal(options.radii.outer) +
-        " m around " + frontName(state.cracks, front) +
-        " leaves the body, reaches another front or crack, or exceeds the radius of curvature of the front; "
-        "write at most " +
-        formatReal(clear) + ", or use smaller cells (Domain > Cell Size)");
-}
-
-/// Closer contours contain the inaccurate cells at the tip.
-constexpr double leastInnerCells = 2.0;
-
-template <int D>
-void checkTubes(State<D>& state, const Options& options)
-{
-  if (state.cracks.fronts.empty())
-    throw std::invalid_argument(
-        std::string("Energy Release: no crack has a front inside a body; end a crack inside material, choose "
-                    "its front with Cracks > NAME > ") +
-        (D == 2 ? "Fronts" : "Front Edges") + ", or remove this section");
-  if (!options.contour)
-    return;
-  Attempts attempts;
-  for (const CrackFront<D>& front : state.cracks.fronts)
-    attempts.attempt([&] { checkTube(state, front, options); });
-  attempts.throwIfAny();
-  const double cell = spacingAt(state, state.cracks.fronts.front().position);
-  if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
-    state.warnings.push_back(
-        "Energy Release > Inner Radius is " + formatReal(options.radii.inner / cell) +
-        " cells: below two cells the contour passes through the cells of the front, and G and K "
-        "can be wrong by 10 % or more; use smaller cells or a larger radius");
 }
 
 /// The outer radius that the surroundings of a front allow, for what is computed along it now.
@@ -354,6 +273,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
     }
     addAnswers(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
+      summary["warnings"].push_back(warning);
+    for (const std::string& warning : warningsOfNegativeRelease(state, samples->last, samples->time))
       summary["warnings"].push_back(warning);
   };
   return effect;

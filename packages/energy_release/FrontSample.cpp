@@ -22,25 +22,6 @@ double lengthOf(const CrackFront<D>& front)
     return front.nodes[0].tributaryLength;
 }
 
-/// Mean along a front: of the straight lines between its nodes. Nodes without a value are left out.
-template <int D>
-double meanOf(const CrackFront<D>& front, const Along& values)
-{
-  double sum = 0.0, length = lengthOf(front);
-  std::size_t with = 0;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (std::isfinite(values[k]))
-    {
-      sum += front.nodes[k].tributaryLength * values[k];
-      ++with;
-    }
-    else
-      length -= front.nodes[k].tributaryLength;
-  if (with == 0 && !values.empty())
-    return FrontSample<D>::notYet;
-  return length > 0.0 ? sum / length : 0.0;
-}
-
 /// The smallest or largest value of the nodes that have one.
 template <class Better>
 double extremeOf(const Along& values, const Better& better)
@@ -56,7 +37,7 @@ double extremeOf(const Along& values, const Better& better)
 template <int D, class Add>
 void addQuantity(const char* name, const CrackFront<D>& front, const Along& values, const Add& add)
 {
-  add(name, meanOf(front, values));
+  add(name, meanAlong(front, values));
   if constexpr (D == 3)
   {
     add(std::string(name) + "_min", extremeOf(values, std::less<>{}));
@@ -145,6 +126,24 @@ void storeNodes(std::vector<FrontNode<D>>& nodes, Archive& archive)
 } // namespace
 
 template <int D>
+double meanAlong(const CrackFront<D>& front, const Along& values)
+{
+  double sum = 0.0, length = lengthOf(front);
+  std::size_t with = 0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (std::isfinite(values[k]))
+    {
+      sum += front.nodes[k].tributaryLength * values[k];
+      ++with;
+    }
+    else
+      length -= front.nodes[k].tributaryLength;
+  if (with == 0 && !values.empty())
+    return FrontSample<D>::notYet;
+  return length > 0.0 ? sum / length : 0.0;
+}
+
+template <int D>
 FrontSample<D>::FrontSample(const CrackFront<D>& of, double value)
     : front(of), J(of.nodes.size(), value), modeI(J), modeII(J), modeIII(J), tipOffset(value)
 {
@@ -208,6 +207,8 @@ void FrontSample<D>::serialize(Archive& archive)
   archive("closure_lumped", closure.lumped);
 }
 
+template double meanAlong(const CrackFront<2>&, const Along&);
+template double meanAlong(const CrackFront<3>&, const Along&);
 template struct FrontSample<2>;
 template struct FrontSample<3>;
 

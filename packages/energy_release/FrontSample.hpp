@@ -45,4 +45,9 @@ struct FrontSample
   void serialize(Archive& archive);
 };
 
+/// Mean of a quantity along a front: of the straight lines between its nodes; in 2D the quantity itself.
+/// Nodes without a value are left out; notYet where none has one.
+template <int D>
+double meanAlong(const CrackFront<D>& front, const Along& values);
+
 } // namespace Rhegma::energy_release

@@ -1,6 +1,7 @@
 #include "energy_release/FrontTube.hpp"
 
 #include "archive/Archive.hpp"
+#include "energy_release/ClearOfCracks.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -58,26 +59,16 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   return std::min(-closeness, radius);
 }
 
-/// Distance to the other fronts and the vertices of other cracks.
-double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius)
+/// Distance to the other fronts of its crack.
+double clearOfOwnFronts(const CrackSet<3>& cracks, const CrackFront<3>& front, const FrontLine& line,
+                        double radius)
 {
-  const CrackSet<3>& cracks = state.cracks;
-  const auto vertex = onHost(cracks.vertex);
-  std::vector<Vector<3>> others;
+  double nearest = radius;
   for (const CrackFront<3>& other : cracks.fronts)
     if (other.crack == front.crack && other.number != front.number)
-      for (const FrontNode<3>& s : other.nodes)
-        others.push_back(s.position);
-  for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
-    for (int k = 0; c != front.crack && k < cracks.cracks[c].numVertices; ++k)
-    {
-      const int v = cracks.cracks[c].firstVertex + k;
-      others.push_back({vertex(v, 0), vertex(v, 1), vertex(v, 2)});
-    }
-  double nearest = radius;
-  for (const FrontNode<3>& s : line.nodes)
-    for (const Vector<3>& x : others)
-      nearest = std::min(nearest, norm(x - s.position));
+      for (const FrontNode<3>& s : line.nodes)
+        for (const FrontNode<3>& t : other.nodes)
+          nearest = std::min(nearest, norm(t.position - s.position));
   return nearest;
 }
 
@@ -181,14 +172,17 @@ GivenRadii usualCells<3>()
 
 double clearAround(const State<2>& state, const CrackFront<2>& front, double radius)
 {
-  return std::min(largestContour(state, front, radius), distanceToOtherCracks(state.cracks, front));
+  return std::min(largestContour(state, front, radius),
+                  clearOfCracks(state.cracks, front, radius, spacingAt(state, front.position)));
 }
 
 double clearAround(const State<3>& state, const CrackFront<3>& front, double radius)
 {
   const FrontLine line = lineOf(front);
-  radius = std::min(radius, radiusOfCurvature(line, spacingAt(state, front.position)));
-  radius = clearOfOthers(state, front, line, radius);
+  const double cell = spacingAt(state, front.position);
+  radius = std::min(radius, radiusOfCurvature(line, cell));
+  radius = clearOfOwnFronts(state.cracks, front, line, radius);
+  radius = clearOfCracks(state.cracks, front, radius, cell);
   return clearOfSurfaces(state, line, radius);
 }
 

@@ -28,9 +28,10 @@ struct FrontTube
 template <int D>
 GivenRadii usualCells();
 
-/// Largest outer radius that stays inside the body and clear of other fronts and cracks, at most `radius`
-/// [m]. In 3D it is no more than the radius of curvature of the front; where an open front ends at the
-/// surface, so does the tube. Collective.
+/// Largest outer radius that stays inside the body and clear of other fronts, of other cracks and of parts of
+/// its own crack that come back to the front (ClearOfCracks.hpp), at most `radius` [m]. In 3D it is no more
+/// than the radius of curvature of the front; where an open front ends at the surface, so does the tube.
+/// Collective.
 double clearAround(const State<2>& state, const CrackFront<2>& front, double radius);
 double clearAround(const State<3>& state, const CrackFront<3>& front, double radius);
 

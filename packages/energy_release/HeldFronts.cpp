@@ -46,6 +46,23 @@ std::string quantityAsText(const nlohmann::json& entry, const std::string& name,
   return text;
 }
 
+/// What is said where K_I is negative: the part of G that K_I has closes the crack further. Empty where it is
+/// below a hundredth of G, as the compliance of closed faces makes it.
+std::string closedAsText(const nlohmann::json& entry, const std::string& release)
+{
+  constexpr double little = 0.01;
+  if (!isKnown(entry, "K_I") || entry["K_I"].get<double>() >= 0.0)
+    return "";
+  const auto squareOf = [&](const char* name)
+  { return isKnown(entry, name) ? std::pow(entry[name].get<double>(), 2) : 0.0; };
+  const double closing = squareOf("K_I"), all = closing + squareOf("K_II") + squareOf("K_III");
+  if (closing <= little * all)
+    return "";
+  return "; the crack is closed (K_I < 0), so about " +
+         releaseAsText(std::max(0.0, entry[release].get<double>()) * (1.0 - closing / all)) +
+         " of G would advance it";
+}
+
 } // namespace
 
 template <int D>
@@ -66,7 +83,8 @@ void addAnswers(const CrackSet<D>& set, const std::vector<FrontSample<D>>& sampl
     for (const char* name : {"K_I", "K_II", "K_III"})
       if (isKnown(entry, name))
         text += ", " + quantityAsText(entry, name, name, intensityAsText);
-    lines.emplace_back(entry[release].get<double>(), text + " at t = " + readableTime(time));
+    lines.emplace_back(entry[release].get<double>(),
+                       text + " at t = " + readableTime(time) + closedAsText(entry, release));
   }
   const std::size_t count = lines.size();
   if (count > mostLines)

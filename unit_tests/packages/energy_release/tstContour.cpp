@@ -82,6 +82,36 @@ TEST(Contour, StaysClearOfOtherCracks)
   expectRadii(fittingTube(state, front, {}).radii, 2e-3, 4e-3);
 }
 
+/// A crack whose front looks back along its own other leg, 4 mm away; with legs of 1 mm it has only turned.
+TEST(Contour, StaysClearOfItsOwnCrack)
+{
+  for (const double leg : {6e-3, 1e-3})
+  {
+    State<2> state = makeBody(0.01, cell, Plane::Strain, ShapeKind::Gimp);
+    const CrackFront<2> front = addFront(state, {{0.0, 0.0}}, std::acos(-1.0));
+    const double points[4][2] = {{-5e-3, 4e-3}, {leg, 4e-3}, {leg, 0.0}, {0.0, 0.0}};
+    CrackSet<2>& cracks = state.cracks;
+    cracks.cracks[0].numVertices = 4;
+    cracks.cracks[0].numSimplices = 3;
+    cracks.vertex = View<double* [2]>("rhegma::vertex", 4);
+    cracks.simplex = View<int* [2]>("rhegma::simplex", 3);
+    cracks.neighbour = View<int* [2]>("rhegma::neighbour", 3);
+    cracks.frontFacet = View<int* [2]>("rhegma::frontFacet", 1);
+    cracks.frontFacet(0, 0) = 2;
+    for (int v = 0; v < 4; ++v)
+      for (int d = 0; d < 2; ++d)
+        cracks.vertex(v, d) = points[v][d];
+    for (int s = 0; s < 3; ++s)
+      for (int i = 0; i < 2; ++i)
+      {
+        cracks.simplex(s, i) = s + i;
+        const int beyond = i == 0 ? s + 1 : s - 1; // facet i is opposite to vertex i
+        cracks.neighbour(s, i) = beyond == 3 ? facet::front : beyond;
+      }
+    expectRadii(fittingTube(state, front, {}).radii, leg > 2e-3 ? 2e-3 : 3e-3, leg > 2e-3 ? 4e-3 : 6e-3);
+  }
+}
+
 /// Outside of a bend positions have the bend as their nearest point: round-off must not decide to which piece
 /// they belong.
 TEST(CrackPath, OutsideOfABendPositionsGoWithThePieceNearerToTheFront)

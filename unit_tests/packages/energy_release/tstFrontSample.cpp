@@ -104,7 +104,8 @@ namespace
 {
 
 /// The answers of held fronts of a crack with these values of G; none that is negative.
-std::vector<std::string> answersOf(const std::vector<double>& release, bool firstHasGrown = false)
+std::vector<std::string> answersOf(const std::vector<double>& release, bool firstHasGrown = false,
+                                   double modeI = 2.5e6)
 {
   CrackSet<2> set;
   set.cracks.push_back({"Notch"});
@@ -119,7 +120,7 @@ std::vector<std::string> answersOf(const std::vector<double>& release, bool firs
     set.fronts.push_back(front);
     samples.emplace_back(front, 0.0);
     samples.back().J = {G};
-    samples.back().modeI = {2.5e6};
+    samples.back().modeI = {modeI};
     samples.back().modeII = {-300.0};
     samples.back().report({}, summary["cracks"][0]["fronts"][front.number]);
   }
@@ -142,6 +143,19 @@ TEST(HeldFronts, SayWhatTheyHave)
   EXPECT_EQ(many[0], "crack Notch, front 1: G = 6" + values);
   EXPECT_EQ(many[3], "crack Notch, front 5: G = 3" + values);
   EXPECT_EQ(many[4], "these are the 4 fronts with the largest G of 6; summary.json has all");
+}
+
+/// Of a closed crack the part of K_II would advance it: 1e-4 / (1 + 1e-4) here, half with as much K_I. Faces
+/// that give way a little where they touch are not mentioned.
+TEST(HeldFronts, SayWhatAClosedCrackHas)
+{
+  const std::string closed = "; the crack is closed (K_I < 0), so about ",
+                    advance = " J/m2 of G would advance it";
+  const auto endOf = [](const std::string& text, const std::string& end)
+  { return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0; };
+  EXPECT_TRUE(endOf(answersOf({20.0}, false, -3e4).at(0), closed + "0.002" + advance));
+  EXPECT_TRUE(endOf(answersOf({20.0}, false, -300.0).at(0), closed + "10" + advance));
+  EXPECT_TRUE(endOf(answersOf({20.0}, false, -10.0).at(0), "at t = 4 ms"));
 }
 
 /// In 3D a value is a mean along the front, which comes with its range.

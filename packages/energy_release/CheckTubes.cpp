@@ -1,0 +1,134 @@
+#include "energy_release/CheckTubes.hpp"
+
+#include "base/Attempts.hpp"
+#include "base/Numbers.hpp"
+#include "energy_release/ClearOfCracks.hpp"
+#include "energy_release/FrontTube.hpp"
+#include "transfer/LocalSpacing.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// A node may come to lie this fraction of a cell inside of the tube as the body moves.
+constexpr double slack = 1e-6;
+
+void refuseContour(const State<2>& state, const CrackFront<2>& front, const std::string& where,
+                   const std::string& contour, const std::string& advice)
+{
+  throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour + " m around " +
+                              frontName(state.cracks, front) + " leaves the body or reaches another " +
+                              advice + ", or use smaller cells (Domain > Cell Size)");
+}
+
+/// Warns of a contour of the scene that meets a crack.
+void warnOfCracks(State<2>& state, const CrackFront<2>& front, double outer, double cell)
+{
+  const double clear = clearOfCracks(state.cracks, front, outer, cell);
+  if (clear < outer - slack * cell)
+    state.warnings.push_back("Energy Release > Outer Radius: the contour of " + formatReal(outer) +
+                             " m around " + frontName(state.cracks, front) +
+                             " meets another crack or another part of its own, " + readableLength(clear) +
+                             " away, so G and K can have any value; write at most " + formatReal(clear));
+}
+
+/// Refuses radii of the scene that do not fit; reports the radii used where the default ones do not.
+void checkTube(State<2>& state, const CrackFront<2>& front, const Options& options)
+{
+  const double cell = spacingAt(state, front.position);
+  const GivenRadii& given = options.radii;
+  if (given.outer > 0.0)
+  {
+    const double clear = largestContour(state, front, given.outer);
+    if (clear < given.outer - slack * cell)
+      refuseContour(state, front, "Outer Radius", formatReal(given.outer),
+                    "front; write at most " + formatReal(clear));
+    warnOfCracks(state, front, given.outer, cell);
+    return;
+  }
+  const double usual = usualRadii(given, cell).outer, capacity = clearAround(state, front, usual);
+  const double least = smallestOuter(given, cell);
+  if (capacity < least - slack * cell)
+    refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
+                  "front, another crack or another part of its own; at most " + formatReal(capacity) +
+                      " m fit: " +
+                      (given.inner > 0.0 ? "write a smaller Inner Radius"
+                                         : "write both radii, or leave out Energy Release"));
+  if (capacity < usual - slack * cell)
+  {
+    const ContourRadii radii = fittingTube(state, front, given).radii;
+    state.warnings.push_back("Energy Release: for " + frontName(state.cracks, front) +
+                             ", the domain integral is reduced to radii of " + readableLength(radii.inner) +
+                             " to " + readableLength(radii.outer) + " (default: to " + readableLength(usual) +
+                             "), because of a surface, another front, another crack or another part of its "
+                             "own; G and K are less accurate: use smaller cells (Domain > Cell Size)");
+  }
+}
+
+/// Warns where not even the smallest tube fits.
+void warnOfSmallestTube(State<3>& state, const CrackFront<3>& front, const Options& options)
+{
+  const double cell = spacingAt(state, front.position), least = smallestOuter(options.radii, cell);
+  const double clear = clearAround(state, front, least);
+  if (clear < least - slack * cell)
+    state.warnings.push_back("Energy Release: for " + frontName(state.cracks, front) +
+                             ", the integration tube of " + readableLength(least) +
+                             " meets a surface, another front, another crack or another part of its own, " +
+                             readableLength(clear) +
+                             " away, or exceeds the radius of curvature of the front; " +
+                             "G and K can be wrong there: use smaller cells (Domain > Cell Size)");
+}
+
+/// Refuses an outer radius that the scene gives and that does not fit.
+void checkTube(State<3>& state, const CrackFront<3>& front, const Options& options)
+{
+  if (front.numFacets == 0)
+    return;
+  if (options.radii.outer == 0.0)
+    return warnOfSmallestTube(state, front, options);
+  const double clear = clearAround(state, front, options.radii.outer);
+  if (clear < options.radii.outer - slack * spacingAt(state, front.position))
+    throw std::invalid_argument(
+        "Energy Release > Outer Radius: the integration tube of " + formatReal(options.radii.outer) +
+        " m around " + frontName(state.cracks, front) +
+        " leaves the body, reaches another front or crack, or exceeds the radius of curvature of the front; "
+        "write at most " +
+        formatReal(clear) + ", or use smaller cells (Domain > Cell Size)");
+}
+
+/// Closer contours contain the inaccurate cells at the tip.
+constexpr double leastInnerCells = 2.0;
+
+} // namespace
+
+template <int D>
+void checkTubes(State<D>& state, const Options& options)
+{
+  if (state.cracks.fronts.empty())
+    throw std::invalid_argument(
+        std::string("Energy Release: no crack has a front inside a body; end a crack inside material, choose "
+                    "its front with Cracks > NAME > ") +
+        (D == 2 ? "Fronts" : "Front Edges") + ", or remove this section");
+  if (!options.contour)
+    return;
+  Attempts attempts;
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    attempts.attempt([&] { checkTube(state, front, options); });
+  attempts.throwIfAny();
+  const double cell = spacingAt(state, state.cracks.fronts.front().position);
+  if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
+    state.warnings.push_back(
+        "Energy Release > Inner Radius is " + formatReal(options.radii.inner / cell) +
+        " cells: below two cells the contour passes through the cells of the front, and G and K "
+        "can be wrong by 10 % or more; use smaller cells or a larger radius");
+}
+
+template void checkTubes(State<2>&, const Options&);
+template void checkTubes(State<3>&, const Options&);
+
+} // namespace Rhegma::energy_release

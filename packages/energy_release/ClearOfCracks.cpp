@@ -1,0 +1,98 @@
+#include "energy_release/ClearOfCracks.hpp"
+
+#include "surface/Returns.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+template <int D>
+std::vector<Vector<D>> positionsOf(const CrackFront<D>& front)
+{
+  if constexpr (D == 2)
+    return {front.position};
+  std::vector<Vector<D>> positions;
+  for (const FrontNode<D>& node : front.nodes)
+    positions.push_back(node.position);
+  return positions;
+}
+
+/// A crack of a set, its vertices and simplices counted from 0.
+template <int D>
+surface::CrackMesh<D> meshOf(const CrackSet<D>& cracks, const Crack<D>& crack)
+{
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex), neighbour = onHost(cracks.neighbour);
+  surface::CrackMesh<D> mesh;
+  mesh.vertices.resize(crack.numVertices);
+  for (int v = 0; v < crack.numVertices; ++v)
+    for (int d = 0; d < D; ++d)
+      mesh.vertices[v][d] = vertex(crack.firstVertex + v, d);
+  mesh.simplices.resize(crack.numSimplices);
+  mesh.beyond.resize(crack.numSimplices);
+  for (int s = 0; s < crack.numSimplices; ++s)
+    for (int i = 0; i < D; ++i)
+    {
+      const int from = crack.firstSimplex + s;
+      const int beyond = neighbour.extent(0) > 0 ? neighbour(from, i) : facet::surfaceBreaking;
+      mesh.simplices[s][i] = simplex(from, i) - crack.firstVertex;
+      mesh.beyond[s][i] = beyond >= 0 ? beyond - crack.firstSimplex : beyond;
+    }
+  return mesh;
+}
+
+/// Whether the bounds of a crack come within a distance of those of points.
+template <int D>
+bool isNear(const CrackSet<D>& cracks, const Crack<D>& crack, const Geometry::Bounds<D>& points, double reach)
+{
+  const auto vertex = onHost(cracks.vertex);
+  bool near = crack.numVertices > 0;
+  for (int d = 0; d < D && near; ++d)
+  {
+    double low = vertex(crack.firstVertex, d), high = low;
+    for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
+    {
+      low = std::min(low, vertex(v, d));
+      high = std::max(high, vertex(v, d));
+    }
+    near = low <= points.upper[d] + reach && high >= points.lower[d] - reach;
+  }
+  return near;
+}
+
+} // namespace
+
+template <int D>
+double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, double radius, double cell)
+{
+  constexpr double slack = 1.5; // cells
+  const std::vector<Vector<D>> points = positionsOf(front);
+  if (points.empty() || front.numFacets == 0)
+    return radius;
+  const auto frontFacet = onHost(cracks.frontFacet);
+  Geometry::Bounds<D> bounds = Geometry::emptyBounds<D>();
+  for (const Vector<D>& x : points)
+    bounds.include(x);
+  for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
+  {
+    const Crack<D>& crack = cracks.cracks[c];
+    std::vector<int> start;
+    if (c == front.crack && crack.numSimplices > 1)
+      for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
+        start.push_back(frontFacet(f, 0) - crack.firstSimplex);
+    if ((c == front.crack && start.empty()) || !isNear(cracks, crack, bounds, radius))
+      continue;
+    const surface::CrackMesh<D> mesh = meshOf(cracks, crack);
+    radius = surface::Returns<D>(mesh).find(start, points, radius, slack * cell);
+  }
+  return radius;
+}
+
+template double clearOfCracks(const CrackSet<2>&, const CrackFront<2>&, double, double);
+template double clearOfCracks(const CrackSet<3>&, const CrackFront<3>&, double, double);
+
+} // namespace Rhegma::energy_release
