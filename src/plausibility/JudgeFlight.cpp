@@ -2,8 +2,8 @@
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "geometry/NearBoxes.hpp"
-#include "plan/BoundaryType.hpp"
 #include "plausibility/Judges.hpp"
+#include "plausibility/SupportReach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,22 +37,6 @@ struct Cluster
   Vector<D> moment{};        ///< of all its loads [kg m]
   const Push<D>* hardest{};  ///< the largest of them
 };
-
-/// Whether a support holds nodes of a box, or of its surroundings within a gap.
-template <int D>
-bool reaches(const BoundaryRegion& support, const Bounds<D>& box, double gap)
-{
-  using Kind = BoundaryRegion::Kind;
-  bool meets = true, within = true;
-  for (int d = 0; d < D; ++d)
-  {
-    const bool counts = support.kind != Kind::Mirror || support.axes[0] == 'x' + d;
-    meets =
-        meets && (!counts || (support.from[d] <= box.upper[d] + gap && support.to[d] >= box.lower[d] - gap));
-    within = within && support.from[d] < box.lower[d] - gap && support.to[d] > box.upper[d] + gap;
-  }
-  return support.kind == Kind::HeldOutside ? !within : meets;
-}
 
 template <int D>
 std::vector<Bounds<D>> boundsOf(const std::vector<BodyMeasure<D>>& bodies)

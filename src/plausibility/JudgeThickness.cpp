@@ -3,7 +3,7 @@
 #include "base/ShortNumber.hpp"
 #include "boundary/DomainEdges.hpp"
 #include "geometry/Shape.hpp"
-#include "plausibility/Judges.hpp"
+#include "plausibility/JudgeWalls.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
@@ -128,8 +128,9 @@ std::string placeOf(const Teuchos::ParameterList& body, const std::string& name,
                      : where + " > Operations > " + sublistNames(body.sublist("Operations"))[number - 1];
 }
 
+/// \return whether the part is thin
 template <int D>
-void judgePart(const State<D>& state, const MirroredSides& mirrored, const Shape<D>& shape, std::size_t k,
+bool judgePart(const State<D>& state, const MirroredSides& mirrored, const Shape<D>& shape, std::size_t k,
                const std::function<std::string()>& where, Messages& messages)
 {
   constexpr double fewest = 2.0; // cells: fewer do not bend, and nodes of both sides are the same
@@ -149,6 +150,7 @@ void judgePart(const State<D>& state, const MirroredSides& mirrored, const Shape
                        " cells of " + readableLength(cell) + "; the grid needs at least two cells to " +
                        (hole ? "keep it open" : "resolve bending and strain") +
                        ": use smaller cells (Domain > Cell Size), or check its size (metres)");
+  return width.has_value();
 }
 
 } // namespace
@@ -163,9 +165,11 @@ Messages judgeThickness(const Teuchos::ParameterList& scene, const State<D>& sta
   {
     const Teuchos::ParameterList& list = section.sublist(name);
     const Shape<D> shape = makeShape<D>(list);
-    for (std::size_t k = 0; k < shape.parts().size(); ++k)
-      judgePart<D>(
+    std::vector<char> thin(shape.parts().size());
+    for (std::size_t k = 0; k < thin.size(); ++k)
+      thin[k] = judgePart<D>(
           state, mirrored, shape, k, [&] { return placeOf(list, name, k); }, messages);
+    judgeWalls(state, mirrored, shape, thin, name, messages);
   }
   return messages;
 }

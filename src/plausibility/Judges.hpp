@@ -29,13 +29,16 @@ Messages judgeQuantities(const JudgedScene<D>& judged);
 /// Fewer than one step or more than 1e8; waves that do not cross a body; weight above all loads.
 template <int D>
 Messages judgeTimes(const JudgedScene<D>& judged);
-/// Bodies, holes and added parts thinner than two cells; cuts that meet no material. \param state has its
-/// cells; particles are not looked at
+/// Bodies, holes and added parts thinner than two cells, walls and gaps that they leave together
+/// (JudgeWalls.hpp); cuts that meet no material. \param state has its cells; particles are not looked at
 template <int D>
 Messages judgeThickness(const Teuchos::ParameterList& scene, const State<D>& state);
 /// Bodies that share nodes.
 template <int D>
 Messages judgeNeighbours(const JudgedScene<D>& judged);
+/// Bodies that their operations leave in pieces, one of which no support holds, or that share nodes.
+template <int D>
+Messages judgePieces(const JudgedScene<D>& judged);
 /// Strains that no solid or no linear law withstands, and loads that are zero.
 template <int D>
 Messages judgeLoads(const JudgedScene<D>& judged);

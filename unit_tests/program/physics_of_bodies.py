@@ -70,6 +70,108 @@ def hole_beside(scene, rng):
     return where("Bodies", name, "Operations", "Bore")
 
 
+def thin_wall(scene, rng):
+    """two holes leave a wall thinner than two cells between them"""
+    names = scene.boxes()
+    if not names or not scene.cell or scene.has("Adaptivity") or scene.has("Domain > Accuracy"):
+        return None
+    name = rng.choice(names)
+    low, high = scene.corners(name)
+    across, along = rng.sample(range(scene.dimension), 2)
+    if high[across] - low[across] < 16 * scene.cell or high[along] - low[along] < 16 * scene.cell:
+        return None
+    half = 0.5 * rng.uniform(0.3, 1.9) * scene.cell
+    middle = [l + rng.uniform(0.45, 0.55) * (h - l) for l, h in zip(low, high)]
+    holes = {}
+    for hole, sign in (("Left", -1), ("Right", 1)):
+        near, far = middle[across] + sign * half, middle[across] + sign * (half + 3 * scene.cell)
+        lower, upper = list(low), list(high)
+        lower[across], upper[across] = min(near, far), max(near, far)
+        lower[along], upper[along] = middle[along] - 4 * scene.cell, middle[along] + 4 * scene.cell
+        holes[hole] = {"Operation": "Cut", "Shape": "Box", "Lower Corner": lower, "Upper Corner": upper}
+    scene.set(f"Bodies > {name} > Operations", holes)
+    return where("Bodies", name) + ": a wall"
+
+
+def thin_ring(scene, rng):
+    """a ring is thinner than two cells"""
+    if scene.has("Adaptivity") or scene.has("Domain > Accuracy"):
+        return None
+    place = free_body(scene, rng, [8.0] * scene.dimension, "Ring")
+    if place is None:
+        return None
+    low, high = scene.corners("Ring")
+    middle = [0.5 * (l + h) for l, h in zip(low, high)]
+    scene.remove("Bodies > Ring > Lower Corner").remove("Bodies > Ring > Upper Corner")
+    scene.set("Bodies > Ring > Shape", "Ball").set("Bodies > Ring > Centre", middle)
+    scene.set("Bodies > Ring > Radius", 4 * scene.cell)
+    scene.set("Bodies > Ring > Operations", {"Bore": {
+        "Operation": "Cut", "Shape": "Ball", "Centre": middle, "Radius": (4 - rng.uniform(0.6, 1.9)) * scene.cell}})
+    return place + ": a wall"
+
+
+def cut_apart(scene, rng):
+    """a hole cuts a body in two"""
+    names = scene.boxes()
+    if not names or not scene.cell or scene.has("Adaptivity") or scene.has("Domain > Accuracy"):
+        return None
+    name = rng.choice(names)
+    low, high = scene.corners(name)
+    axis = rng.randrange(scene.dimension)
+    if high[axis] - low[axis] < 14 * scene.cell or scene.boundaries("Velocity", "Symmetry"):
+        return None
+    at = low[axis] + rng.uniform(0.35, 0.65) * (high[axis] - low[axis])
+    half = rng.uniform(0.8, 1.5) * scene.cell
+    lower, upper = [l - scene.cell for l in low], [h + scene.cell for h in high]
+    lower[axis], upper[axis] = at - half, at + half
+    scene.set(f"Bodies > {name} > Operations", {"Slot": {
+        "Operation": "Cut", "Shape": "Box", "Lower Corner": lower, "Upper Corner": upper}})
+    return where("Bodies", name, "Operations") + ": they leave"
+
+
+def cracked_box(scene, cells):
+    """The only crack of a plane scene of one box, which is so many cells wide, and the box's corners. All cells are equal."""
+    names, cracks = scene.boxes(), scene.lists("Cracks")
+    if scene.dimension != 2 or scene.lists("Bodies") != names or len(names) != 1 or len(cracks) != 1 or not scene.cell:
+        return None
+    if scene.has("Adaptivity") or scene.has("Domain > Accuracy") or not scene.has(f"Cracks > {cracks[0]} > Points"):
+        return None
+    low, high = scene.corners(names[0])
+    return (cracks[0], low, high) if min(h - l for l, h in zip(low, high)) > cells * scene.cell else None
+
+
+def crack_below_a_surface(scene, rng):
+    """a crack runs less than two cells below a surface"""
+    found = cracked_box(scene, 12)
+    if found is None or scene.boundaries("Velocity", "Symmetry"):  # a side that is held as by a mirror is no surface
+        return None
+    name, low, high = found
+    along = rng.randrange(2)
+    depth = rng.uniform(0.2, 1.8) * scene.cell
+    across = rng.choice([low[1 - along] + depth, high[1 - along] - depth])
+    points = []
+    for x in (low[along] + 2 * scene.cell, low[along] + 10 * scene.cell):
+        points += [x, across] if along == 0 else [across, x]
+    scene.set(f"Cracks > {name} > Points", points)
+    return where("Cracks", name) + ": a surface of the body is"
+
+
+def crack_that_comes_back(scene, rng):
+    """a crack turns back and runs less than three cells from itself"""
+    found = cracked_box(scene, 14)
+    if found is None:
+        return None
+    name, low, high = found
+    middle = [0.5 * (l + h) for l, h in zip(low, high)]
+    gap, half = rng.uniform(0.5, 2.8) * scene.cell, 4 * scene.cell
+    points = [(-half, 0.0), (half, 0.0), (half, gap), (0.25 * half, gap)]
+    turn = rng.uniform(0.0, 2.0 * math.pi)
+    cosine, sine = math.cos(turn), math.sin(turn)
+    scene.set(f"Cracks > {name} > Points", [c for x, y in points for c in (
+        middle[0] + cosine * x - sine * y, middle[1] + sine * x + cosine * y)])
+    return where("Cracks", name) + ": it comes back"
+
+
 def fast_bodies(scene, rng):
     """bodies are thousands of times too fast"""
     names = [n for n in scene.lists("Bodies") if any(scene.get(f"Bodies > {n} > Velocity", [0]))]

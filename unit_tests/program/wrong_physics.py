@@ -9,6 +9,7 @@ from physics_of_loads import (
 )
 from physics_of_bodies import (
     thin_body, thin_hole, thin_hole_in_a_held_body, hole_beside, fast_bodies, touching_twin, short_crack,
+    thin_wall, thin_ring, cut_apart, crack_below_a_surface, crack_that_comes_back,
 )
 from physics_of_units import (
     all_in_millimetres, one_body_in_millimetres, crack_in_millimetres, cells_in_millimetres,
@@ -26,4 +27,5 @@ TEMPLATES = [support_away, mirror_away, load_away, no_load, late_load, thin_body
              toughness_in_pascal, heavy_damping, heavy_loads, fast_bodies, touching_twin, senseless_number,
              hot_source_away, held_temperature_away,
              toughness_in_megapascal, thin_hole_in_a_held_body, thickness_in_millimetres, yield_in_megapascal,
-             nothing_acts, gravity_in_millimetres, opposite_load_forgotten, damping_that_never_settles]
+             nothing_acts, gravity_in_millimetres, opposite_load_forgotten, damping_that_never_settles,
+             thin_wall, thin_ring, cut_apart, crack_below_a_surface, crack_that_comes_back]

@@ -1,0 +1,214 @@
+#include "geometry/SurfacePoints.hpp"
+
+#include "geometry/Cross.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Rhegma::Geometry
+{
+namespace
+{
+
+template <int D>
+using Points = std::vector<SurfacePoint<D>>;
+
+const double pi = std::acos(-1.0);
+
+int countOf(double length, double spacing, int least)
+{
+  return std::max(least, static_cast<int>(std::ceil(length / spacing)));
+}
+
+/// Calls visit(s), in 0 .. 1, in the middle of pieces of a length.
+template <class Visit>
+void along(double length, double spacing, const Visit& visit)
+{
+  const int count = countOf(length, spacing, 2);
+  for (int k = 0; k < count; ++k)
+    visit((k + 0.5) / count);
+}
+
+/// Points of the surface of a primitive, in its own coordinates.
+template <int D>
+struct Sampler
+{
+  double spacing;
+  Points<D> points{};
+
+  void operator()(const Box<D>& box)
+  {
+    const Vector<D> extent = box.corners.upper - box.corners.lower;
+    for (int axis = 0; axis < D; ++axis)
+      for (const double side : {-1.0, 1.0})
+      {
+        SurfacePoint<D> point{side < 0.0 ? box.corners.lower : box.corners.upper, Vector<D>{}};
+        point.normal[axis] = side;
+        const int a = (axis + 1) % D, b = (axis + D - 1) % D;
+        along(extent[a], spacing,
+              [&](double s)
+              {
+                point.x[a] = box.corners.lower[a] + s * extent[a];
+                if constexpr (D == 2)
+                  points.push_back(point);
+                else
+                  along(extent[b], spacing,
+                        [&](double t)
+                        {
+                          point.x[b] = box.corners.lower[b] + t * extent[b];
+                          points.push_back(point);
+                        });
+              });
+      }
+  }
+
+  /// In 3D on a spiral, by the golden angle.
+  void operator()(const Ball<D>& ball)
+  {
+    const int count = D == 2 ? countOf(2.0 * pi * ball.radius, spacing, 8)
+                             : countOf(4.0 * pi * ball.radius * ball.radius, spacing * spacing, 24);
+    for (int k = 0; k < count; ++k)
+    {
+      const double turn = D == 2 ? 2.0 * pi * (k + 0.5) / count : pi * (3.0 - std::sqrt(5.0)) * k;
+      const double height = D == 2 ? 0.0 : 1.0 - 2.0 * (k + 0.5) / count;
+      const double across = std::sqrt(1.0 - height * height);
+      Vector<D> normal{};
+      normal[D - 1] = height;
+      normal[0] = across * std::cos(turn);
+      normal[1] = across * std::sin(turn);
+      points.push_back({ball.centre + ball.radius * normal, normal});
+    }
+  }
+
+  void operator()(const Cylinder<D>& cylinder)
+  {
+    if constexpr (D == 3)
+    {
+      const double length = norm(cylinder.to - cylinder.from);
+      const Vector<3> axis = (1.0 / length) * (cylinder.to - cylinder.from);
+      const int flat = std::abs(axis[0]) < 0.5 ? 0 : std::abs(axis[1]) < 0.9 ? 1 : 2;
+      Vector<3> a{};
+      a[flat] = 1.0;
+      a = cross(axis, a);
+      a = (1.0 / norm(a)) * a;
+      const Vector<3> b = cross(axis, a);
+      const auto ring = [&](double radius, const auto& add)
+      {
+        const int count = countOf(2.0 * pi * radius, spacing, 8);
+        for (int k = 0; k < count; ++k)
+        {
+          const double turn = 2.0 * pi * (k + 0.5) / count;
+          add(std::cos(turn) * a + std::sin(turn) * b);
+        }
+      };
+      along(length, spacing,
+            [&](double s)
+            {
+              ring(cylinder.radius,
+                   [&](const Vector<3>& out) {
+                     points.push_back({cylinder.from + s * length * axis + cylinder.radius * out, out});
+                   });
+            });
+      along(cylinder.radius, spacing,
+            [&](double s)
+            {
+              const double radius = s * cylinder.radius;
+              ring(radius,
+                   [&](const Vector<3>& out)
+                   {
+                     points.push_back({cylinder.from + radius * out, -1.0 * axis});
+                     points.push_back({cylinder.to + radius * out, axis});
+                   });
+            });
+    }
+  }
+
+  void operator()(const Polygon<D>& polygon)
+  {
+    const double turn = signedArea(polygon.points) > 0.0 ? 1.0 : -1.0;
+    for (std::size_t i = 0, j = polygon.points.size() - 1; i < polygon.points.size(); j = i++)
+    {
+      const Vector<2> a = polygon.points[j], edge = polygon.points[i] - a;
+      const double length = norm(edge);
+      if (length == 0.0)
+        continue;
+      SurfacePoint<D> point{};
+      point.normal[0] = turn * edge[1] / length;
+      point.normal[1] = -turn * edge[0] / length;
+      along(length, spacing,
+            [&](double s)
+            {
+              point.x[0] = a[0] + s * edge[0];
+              point.x[1] = a[1] + s * edge[1];
+              if constexpr (D == 2)
+                points.push_back(point);
+              else
+                along(polygon.top - polygon.bottom, spacing,
+                      [&](double t)
+                      {
+                        point.x[2] = polygon.bottom + t * (polygon.top - polygon.bottom);
+                        points.push_back(point);
+                      });
+            });
+    }
+    if constexpr (D == 3)
+      addEnds(polygon);
+  }
+
+  void addEnds(const Polygon<D>& polygon)
+  {
+    Bounds<2> bounds = emptyBounds<2>();
+    for (const Vector<2>& x : polygon.points)
+      bounds.include(x);
+    const Vector<2> extent = bounds.upper - bounds.lower;
+    along(extent[0], spacing,
+          [&](double s)
+          {
+            along(extent[1], spacing,
+                  [&](double t)
+                  {
+                    Vector<D> x{};
+                    x[0] = bounds.lower[0] + s * extent[0];
+                    x[1] = bounds.lower[1] + t * extent[1];
+                    for (const double side : {-1.0, 1.0})
+                    {
+                      x[D - 1] = side < 0.0 ? polygon.bottom : polygon.top;
+                      Vector<D> normal{};
+                      normal[D - 1] = side;
+                      if (polygon.contains(x))
+                        points.push_back({x, normal});
+                    }
+                  });
+          });
+  }
+};
+
+} // namespace
+
+template <int D>
+std::vector<SurfacePoint<D>> surfacePoints(const Shape<D>& shape, std::size_t part, double spacing)
+{
+  const Part<D>& one = shape.parts()[part];
+  Sampler<D> sampler{spacing};
+  std::visit(sampler, one.primitive);
+  const double aside = 1e-6 * spacing;
+  Points<D> found;
+  for (const SurfacePoint<D>& own : sampler.points)
+  {
+    SurfacePoint<D> point{one.frame.toSpace(own.x), Vector<D>{}};
+    for (int e = 0; e < D; ++e)
+      point.normal = point.normal + own.normal[e] * one.frame.axes[e];
+    const bool behind = shape.contains(point.x - aside * point.normal);
+    if (behind == shape.contains(point.x + aside * point.normal))
+      continue;
+    if (!behind)
+      point.normal = -1.0 * point.normal;
+    found.push_back(point);
+  }
+  return found;
+}
+
+template std::vector<SurfacePoint<2>> surfacePoints(const Shape<2>&, std::size_t, double);
+template std::vector<SurfacePoint<3>> surfacePoints(const Shape<3>&, std::size_t, double);
+
+} // namespace Rhegma::Geometry
