@@ -288,8 +288,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const double until = scene.sublist("Time").get<double>("Final Time");
   effect.atStart = [=](State<D>& s) { s.clock.stopWhenSettled = stop; };
   const double drift = list.get<double>("Settled Drift");
-  effect.judge = [=](State<D>& s) {
+  const Teuchos::ParameterList& output = scene.sublist("Output");
+  const double interval =
+      output.isParameter("History Interval") ? output.get<double>("History Interval") : until / 200.0;
+  const int samples = list.get<int>("Settled Samples");
+  effect.judge = [=](State<D>& s)
+  {
     judgeDamping({rate, shear, bulk, std::min(end, until), stop ? drift : 1.0}, s);
+    if (stop && !s.method.equilibrium())
+      judgeSamples(interval, until, samples, s.warnings);
   };
   effect.call(Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {},
               {},

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace Rhegma::damping
 {
@@ -41,6 +43,20 @@ void judgeSettling(const JudgedDamping& damping, const BodyMeasure<D>& quick, St
       formatShort(-2.0 * std::log(damping.settled) / damping.end) + " 1/s (the longest wave of " +
       quick.name + " is critically damped at " + formatShort(2.0 * frequency) +
       ") or a longer Time > Final Time");
+}
+
+/// Warns of a run that is to end at rest and takes too few samples to see that. \param interval between two
+/// samples, end of the run [s] \param samples that are compared
+inline void judgeSamples(double interval, double end, int samples, std::vector<std::string>& warnings)
+{
+  if (end >= (samples - 1 + 1e-6) * interval)
+    return;
+  warnings.push_back("Output > History Interval is " + readableTime(interval) + ", and up to Time > Final " +
+                     "Time = " + readableTime(end) + " there are " +
+                     std::to_string(static_cast<int>(end / interval)) +
+                     " samples: Damping > Stop When Settled compares the last " + std::to_string(samples) +
+                     ", so the run does not end at rest; write at most " +
+                     readableTime(end / (2.0 * samples)) + ", or a later end");
 }
 
 /// Warns where a body can't come near rest before the end. With mass damping r its longest wave, of frequency

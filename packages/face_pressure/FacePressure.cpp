@@ -4,6 +4,7 @@
 #include "base/ReadList.hpp"
 #include "plan/LastStage.hpp"
 #include "plan/LoadOverStep.hpp"
+#include "plausibility/IdleLoads.hpp"
 #include "transfer/FacePush.hpp"
 #include "transfer/PressureReport.hpp"
 
@@ -85,6 +86,14 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     for (const std::string& name : sublistNames(list))
       account->pressures.emplace_back(findCrack(state.cracks, name),
                                       TimeFunction::parse(list.sublist(name).get<std::string>("Pressure")));
+  };
+  effect.judge = [list, end = scene.sublist("Time").get<double>("Final Time")](State<D>& state)
+  {
+    for (const std::string& name : sublistNames(list))
+      for (const std::string& message :
+           idleMessages({"Face Pressure > " + name, "pressure"}, "Pressure",
+                        list.sublist(name).get<std::string>("Pressure"), "Pa", end))
+        state.warnings.push_back(message);
   };
   effect.call(Stage::BeforeSolve, "pressure on crack faces", {quantity::nodalMass, quantity::crackGeometry},
               {}, {quantity::nodalForce, quantity::facePressure},

@@ -14,17 +14,31 @@
 namespace Rhegma::propagation
 {
 
-/// Warns of a Speed Limit with which no front can advance by a cell. \param scene its core
+/// Warns of a Speed Limit with which no front can advance by a cell, and of one that no crack reaches.
+/// \param scene its core
 template <int D>
 void judgeSpeedLimit(const Teuchos::ParameterList& scene, const Options& options, State<D>& state)
 {
+  if (!(options.speedLimit > 0.0))
+    return;
+  const std::string where = "Propagation > Speed Limit is " + formatReal(options.speedLimit) + " m/s";
   const double time = scene.sublist("Time").get<double>("Final Time") - options.rule.startTime;
   const double length = options.speedLimit * time, cell = state.mesh.smallestSpacing();
-  if (options.speedLimit > 0.0 && time > 0.0 && length < cell)
-    state.warnings.push_back("Propagation > Speed Limit is " + formatReal(options.speedLimit) +
-                             " m/s: a front advances by " + readableLength(length) +
-                             " at most up to Time > Final Time, less than a cell of " + readableLength(cell) +
-                             ", so no crack grows: write a larger limit (m/s), or leave it out");
+  if (time > 0.0 && length < cell)
+    state.warnings.push_back(
+        where + ": a front advances by " + readableLength(length) +
+        " at most up to Time > Final Time, less than a cell of " + readableLength(cell) +
+        ", so beyond its first increment no crack grows: write a larger limit (m/s), or leave it "
+        "out");
+  double rayleigh = 0.0;
+  for (const Properties& material : state.materials.properties)
+    rayleigh = std::max(rayleigh, rayleighSpeed(material));
+  if (options.speedLimit > (1.0 + 1e-3) * rayleigh)
+    state.warnings.push_back(where + ", " + formatShort(options.speedLimit / rayleigh) +
+                             " times the speed of Rayleigh waves (" + formatShort(rayleigh) +
+                             " m/s), which no crack under tension passes: what fronts do faster than that "
+                             "has no meaning; leave it "
+                             "out, so that this is the limit, and check its unit (m/s)");
 }
 
 /// A toughness, and the bodies that it is compared with.
@@ -34,6 +48,7 @@ struct JudgedToughness
   const State<D>& state;
   std::vector<BodyMeasure<D>> bodies;
   double atRest, most; ///< of the toughness, and of all speeds [J/m2]
+  double slow, half;   ///< at a twentieth of the speed of Rayleigh waves, and up to half of it [J/m2]
   double crack;        ///< longest extent of the cracks [m]
   const BodyMeasure<D>*soft, *stiff;
   std::string where;
@@ -44,6 +59,8 @@ struct JudgedToughness
         bodies(measureBodies(judged)),
         atRest(std::max(options.rule.initiation, options.rule.toughness(0.0, options.temperature))),
         most(atRest),
+        slow(atRest),
+        half(atRest),
         crack(longestCrack(judged)),
         where("Propagation > Toughness is " + formatReal(atRest) + " J/m2: ")
   {
@@ -53,8 +70,15 @@ struct JudgedToughness
     stiff = &*std::max_element(bodies.begin(), bodies.end(), by);
     for (const Properties& material : state.materials.properties)
       for (int k = 1; k <= 20; ++k)
-        most =
-            std::max(most, options.rule.toughness(0.05 * k * rayleighSpeed(material), options.temperature));
+      {
+        const double speed = 0.05 * k * rayleighSpeed(material);
+        if (options.speedLimit > 0.0 && speed > options.speedLimit)
+          break;
+        const double needed = options.rule.toughness(speed, options.temperature);
+        most = std::max(most, needed);
+        half = k <= 10 ? std::max(half, needed) : half;
+        slow = k == 1 ? std::max(slow, needed) : slow;
+      }
   }
 
   /// Stress at which the crack runs [Pa].
@@ -79,11 +103,19 @@ void judgeBonds(const JudgedToughness<D>& judged, std::vector<std::string>& mess
   // solids polyethylene has the largest Gc / E, 2e-5 m.
   const Elasticity& soft = judged.soft->moduli;
   const bool stiffSolid = (judged.soft->linear || judged.soft->yield > 0.0) && soft.young > 1e9;
-  if (judged.most < 0.05 || judged.atRest > 2e6 || (stiffSolid && judged.atRest > 5e-5 * soft.young))
+  const auto isTough = [&](double Gc) { return Gc > 2e6 || (stiffSolid && Gc > 5e-5 * soft.young); };
+  if (judged.most < 0.05 || isTough(judged.atRest))
     messages.push_back(judged.where +
                        (judged.most < 0.05 ? "less than the surface energy of any solid"
                                            : "more than that of any solid of this stiffness") +
                        judged.advice());
+  else if (isTough(judged.half) || (stiffSolid && judged.slow > 10.0 * judged.atRest))
+    messages.push_back(judged.where + "it rises to " + formatShort(judged.slow) +
+                       " J/m2 at a twentieth of the speed of Rayleigh waves and to " +
+                       formatShort(judged.half) + " J/m2 at half of it, " +
+                       (isTough(judged.half) ? "more than any solid of that stiffness takes"
+                                             : "faster than in any stiff solid") +
+                       ", so that no crack runs: speeds are in m/s");
   // Ice has the smallest K_Ic of solids of that stiffness, 1e5 Pa m^0.5. Where the stress next to a front
   // exceeds E / 10, bonds break: in E' Gc / (2 pi (E / 10)^2), of which single crystals that cleave have an
   // atom's distance.

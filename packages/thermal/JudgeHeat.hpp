@@ -5,6 +5,7 @@
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "boundary/TouchedNodes.hpp"
+#include "plausibility/IdleLoads.hpp"
 #include "thermal/Conduction.hpp"
 
 #include <algorithm>
@@ -42,6 +43,34 @@ double distanceOf(const Source<D>& source, double end, const std::vector<Vector<
   return nearest;
 }
 
+/// Warns of sources of no power, and of probes off the bodies, which report what is extrapolated.
+/// \param list section Thermal \param nodes of bodies
+template <int D>
+void judgeSourcesAndProbes(const Teuchos::ParameterList& list, double end, double cell,
+                           const std::vector<Vector<D>>& nodes, std::vector<std::string>& warnings)
+{
+  const Teuchos::ParameterList none;
+  const Teuchos::ParameterList& sources = list.isSublist("Sources") ? list.sublist("Sources") : none;
+  for (const std::string& name : sublistNames(sources))
+    for (const std::string& message : idleMessages({"Thermal > Sources > " + name, "source"},
+                                                   sources.sublist(name), {"Power", "Power Density"}, end))
+      warnings.push_back(message);
+  const Teuchos::ParameterList& probes = list.isSublist("Probes") ? list.sublist("Probes") : none;
+  for (const std::string& name : sublistNames(probes))
+  {
+    const Vector<D> x = readVector<D>(probes.sublist(name), "Point");
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vector<D>& node : nodes)
+      nearest = std::min(nearest, norm(x - node));
+    // A node of its cell is no farther from a point than half of the diagonal.
+    if (nearest > (0.5 + 1e-6) * std::sqrt(double(D)) * cell)
+      warnings.push_back("Thermal > Probes > " + name + " > Point: no body is closer than " +
+                         readableLength(nearest) +
+                         ", so it reports what is extrapolated from the nearest particle; move it into a "
+                         "body");
+  }
+}
+
 /// Warns of held temperatures and sources that no body touches, of temperatures no solid has, of a run too
 /// short for heat to leave a particle, and of a diffusivity that no solid has.
 /// \param scene its core and Thermal \param end of the run [s]
@@ -72,6 +101,7 @@ void judgeHeat(const Teuchos::ParameterList& scene, const Conduction<D>& conduct
       state.warnings.push_back(where + ": it contains no node of any body; the nearest is " +
                                readableLength(nearest) + " away; move it to the body");
   }
+  judgeSourcesAndProbes<D>(scene.sublist("Thermal"), end, cell, nodes, state.warnings);
   for (const Source<D>& source : conduction.sources)
     if (const double nearest = distanceOf(source, end, nodes); nearest > cell)
       state.warnings.push_back("Thermal > Sources > " + source.name + ": no body comes closer than " +

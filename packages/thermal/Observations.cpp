@@ -74,12 +74,14 @@ double temperatureAt(const State<D>& state, const Vector<D>& position)
   const auto x = state.particles.template real<D>(fields::position);
   using Nearest = Kokkos::MinLoc<double, int>;
   Nearest::value_type nearest;
+  constexpr double farthest = 1e300; // the square of a larger distance may be no number
   Kokkos::parallel_reduce(
       "rhegma::thermal::nearest", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, Nearest::value_type& best) {
         double square = 0.0;
         for (int d = 0; d < D; ++d)
           square += (x(p, d) - position[d]) * (x(p, d) - position[d]);
+        square = square < farthest ? square : farthest;
         if (square < best.val)
         {
           best.val = square;

@@ -10,6 +10,7 @@
 #include "thermal/CellsForSources.hpp"
 #include "thermal/Conduction.hpp"
 #include "thermal/JudgeHeat.hpp"
+#include "thermal/JudgeTemperatures.hpp"
 #include "thermal/Observations.hpp"
 #include "thermal/RepeatedStep.hpp"
 #include "thermal/Start.hpp"
@@ -44,6 +45,7 @@ struct Run
   double settledPeaks = 0.0; ///< sum of the highest temperatures at the samples of the last twentieth [K]
   int settledSamples = 0;
   PeakTemperature<D> peak;
+  std::vector<TabulatedProperty> tables; ///< of all materials
 };
 
 /// Sets the properties of materials that other effects use to those at the reference temperature.
@@ -112,6 +114,8 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   }
   judgeHeat(scene, run.conduction, run.finalTime, state);
   startTemperature(state, scene.sublist("Bodies"), run.initial);
+  judgeTemperatures(scene, run.conduction, run.finalTime, state);
+  run.tables = tabulated(scene.sublist("Materials"));
   startEnergy(state);
   run.conduction.frontTemperature.assign(state.cracks.fronts.size(), run.initial);
   for (CrackFront<D>& front : state.cracks.fronts)
@@ -146,6 +150,22 @@ void observe(State<D>& state, Run<D>& run)
                     " K, and it is absolute; check the heat sources and the outgoing heat fluxes";
 }
 
+/// Warns of tables that do not cover the temperatures at the end.
+template <int D>
+void reportTables(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
+{
+  if (state.clock.step == 0 || run.tables.empty())
+    return;
+  const std::vector<TemperatureRange> end = temperaturesOf(state);
+  for (const TabulatedProperty& property : run.tables)
+  {
+    const TemperatureRange& own = end[property.material];
+    const TemperatureRange all{-state.ranks.max(-own.lowest), state.ranks.max(own.highest)};
+    if (const auto message = property.messageOn(all, "bodies came to"); message && all.highest > 0.0)
+      summary["warnings"].push_back(*message);
+  }
+}
+
 template <int D>
 void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
 {
@@ -155,6 +175,7 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
             unresolved("Thermal > Front Radius", run.conduction.frontRadius, run.conduction.finestHeated);
         !word.empty())
       summary["warnings"].push_back(word);
+  reportTables(state, run, summary);
   const Extremes<D> now = extremes(state);
   nlohmann::json where = nlohmann::json::array();
   for (int d = 0; d < D; ++d)

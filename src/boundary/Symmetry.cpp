@@ -1,6 +1,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "boundary/BoundaryParts.hpp"
+#include "boundary/MirrorSide.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -41,9 +42,7 @@ TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, State<D>& st
   }
   // The plane and everything beyond it. The body lies on the side where the domain extends further, unless
   // the scene gives the side.
-  const bool lower = list.isParameter("Side") ? list.get<std::string>("Side") == "Lower"
-                                              : position - grid.lower[axis] < grid.upper[axis] - position;
-  if (lower)
+  if (mirrorIsBelow(list, grid.lower[axis], grid.upper[axis]))
     timed.constraint.upper[axis] = position + 1e-9 * grid.spacing;
   else
     timed.constraint.lower[axis] = position - 1e-9 * grid.spacing;

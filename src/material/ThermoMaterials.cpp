@@ -15,19 +15,6 @@ namespace Rhegma
 namespace
 {
 
-/// Names of the properties that are tables of temperature.
-std::vector<std::string> tablesIn(const Teuchos::ParameterList& material)
-{
-  std::vector<std::string> names;
-  for (auto entry = material.begin(); entry != material.end(); ++entry)
-  {
-    const std::string name = material.name(entry);
-    if (material.isType<std::string>(name) && material.get<std::string>(name).find(':') != std::string::npos)
-      names.push_back(name);
-  }
-  return names;
-}
-
 /// A property as a table; constant where the scene gives a number.
 TemperatureTable tableOf(const Teuchos::ParameterList& material, const std::string& name, double absent)
 {
@@ -141,7 +128,7 @@ MaterialTables tablesOf(const Teuchos::ParameterList& list, const std::string& n
     setRatios(m, list.get<Teuchos::Array<double>>("Conductivity Ratios"), where);
   const bool entropic = mechanics && list.isParameter("Entropic") && list.get<bool>("Entropic");
   bool varies = entropic;
-  for (const std::string& property : tablesIn(list))
+  for (const std::string& property : tabulatedProperties(list))
   {
     const bool thermal =
         property == "Specific Heat" || property == "Conductivity" || property == "Thermal Expansion";
@@ -196,10 +183,22 @@ View<T*> onDevice(const std::string& label, const std::vector<T>& values)
 
 } // namespace
 
+std::vector<std::string> tabulatedProperties(const Teuchos::ParameterList& material)
+{
+  std::vector<std::string> names;
+  for (auto entry = material.begin(); entry != material.end(); ++entry)
+  {
+    const std::string name = material.name(entry);
+    if (material.isType<std::string>(name) && material.get<std::string>(name).find(':') != std::string::npos)
+      names.push_back(name);
+  }
+  return names;
+}
+
 std::vector<double> tableTemperatures(const Teuchos::ParameterList& material)
 {
   std::vector<double> at;
-  for (const std::string& name : tablesIn(material))
+  for (const std::string& name : tabulatedProperties(material))
   {
     const TemperatureTable table = TemperatureTable::parse(material.get<std::string>(name));
     at.insert(at.end(), table.temperature.begin(), table.temperature.end());
@@ -212,7 +211,7 @@ std::vector<double> tableTemperatures(const Teuchos::ParameterList& material)
 Teuchos::ParameterList materialAt(const Teuchos::ParameterList& material, double temperature)
 {
   Teuchos::ParameterList copy(material);
-  for (const std::string& name : tablesIn(material))
+  for (const std::string& name : tabulatedProperties(material))
   {
     copy.remove(name);
     copy.set(name, TemperatureTable::parse(material.get<std::string>(name))(temperature));

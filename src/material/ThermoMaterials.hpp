@@ -11,6 +11,9 @@
 namespace Rhegma
 {
 
+/// Names of the properties of a material that are tables of temperature, in its order.
+std::vector<std::string> tabulatedProperties(const Teuchos::ParameterList& material);
+
 /// The temperatures of all tables of a material [K], rising; empty where no property is a table.
 std::vector<double> tableTemperatures(const Teuchos::ParameterList& material);
 

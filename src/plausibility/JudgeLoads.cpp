@@ -1,6 +1,6 @@
-#include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "plausibility/IdleLoads.hpp"
 #include "plausibility/Judges.hpp"
 
 #include <algorithm>
@@ -42,18 +42,11 @@ void judgeHistories(const JudgedScene<D>& judged, Messages& messages)
   for (const std::string& name : sublistNames(section))
   {
     const Teuchos::ParameterList& list = section.sublist(name);
-    const std::string where = "Boundaries > " + name;
-    for (const char* value : {"Force", "Stress", "Acceleration", "Pressure", "Flux"})
-      if ((list.isType<double>(value) && list.get<double>(value) == 0.0) ||
-          (list.isType<Teuchos::Array<double>>(value) && norm(readVector<D>(list, value)) == 0.0))
-        messages.push_back(where + " > " + value + " is zero, so this boundary does nothing");
-    if (!list.isParameter("History") || list.get<std::string>("Type") == "Velocity")
+    if (list.get<std::string>("Type") == "Velocity") // zero is a support
       continue;
-    const double largest = rangeOf(list.get<std::string>("History"), end).largest;
-    if (largest < 1e-3)
-      messages.push_back(where + " > History: up to Time > Final Time = " + readableTime(end) +
-                         " its factor is at most " + formatShort(largest) +
-                         ", so this boundary does next to nothing; times are in seconds");
+    const Messages idle = idleMessages({"Boundaries > " + name, "boundary"}, list,
+                                       {"Force", "Stress", "Acceleration", "Pressure", "Flux"}, end);
+    messages.insert(messages.end(), idle.begin(), idle.end());
   }
 }
 

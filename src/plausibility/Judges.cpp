@@ -1,7 +1,8 @@
 #include "plausibility/Judges.hpp"
 
+#include "base/NonNumbers.hpp"
+
 #include <algorithm>
-#include <cctype>
 
 namespace Rhegma
 {
@@ -10,20 +11,7 @@ namespace
 {
 
 /// Whether a message prints a number that is none.
-bool printsNonNumber(const std::string& message)
-{
-  for (const char* const word : {"nan", "inf"})
-    for (std::size_t at = message.find(word); at != std::string::npos; at = message.find(word, at + 1))
-    {
-      const char before = at == 0 ? ' ' : message[at - 1],
-                 after = at + 3 < message.size() ? message[at + 3] : ' ';
-      const bool named = at >= 2 && message.compare(at - 2, 2, "> ") == 0; // a name of the user's
-      if (!named && !std::isalnum(static_cast<unsigned char>(before)) &&
-          !std::isalnum(static_cast<unsigned char>(after)))
-        return true;
-    }
-  return false;
-}
+bool printsNonNumber(const std::string& message) { return findNonNumber(message) != std::string::npos; }
 
 /// The path with which a message starts.
 std::string placeOf(const std::string& message)
@@ -76,8 +64,9 @@ void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven, S
     judged.loads = estimateLoads(scene, state, judged.bodies);
   judgeWithoutParticles(scene, state);
   Messages all;
-  for (const auto judge : {judgeQuantities<D>, judgeTimes<D>, judgeNeighbours<D>, judgePieces<D>,
-                           judgeLoads<D>, judgeMotion<D>, judgeFlight<D>})
+  for (const auto judge :
+       {judgeQuantities<D>, judgeTimes<D>, judgeNeighbours<D>, judgePieces<D>, judgeLoads<D>, judgeMotion<D>,
+        judgeMirrors<D>, judgeHeld<D>, judgeFirstSteps<D>, judgeFlight<D>})
     addFirstTen(judge(judged), all);
   state.warnings.insert(state.warnings.end(), all.begin(), all.end());
   state.warnings = withoutNonNumbers(state.warnings);

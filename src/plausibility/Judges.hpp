@@ -45,6 +45,15 @@ Messages judgeLoads(const JudgedScene<D>& judged);
 /// A scene in which nothing moves; gravity in other units.
 template <int D>
 Messages judgeMotion(const JudgedScene<D>& judged);
+/// Planes of symmetry with material on the side of the mirror image.
+template <int D>
+Messages judgeMirrors(const JudgedScene<D>& judged);
+/// Loads on bodies that a support holds everywhere.
+template <int D>
+Messages judgeHeld(const JudgedScene<D>& judged);
+/// Supports that are faster than waves, and forces that a cell cannot bear.
+template <int D>
+Messages judgeFirstSteps(const JudgedScene<D>& judged);
 /// Bodies that fly away under a load that nothing balances.
 template <int D>
 Messages judgeFlight(const JudgedScene<D>& judged);

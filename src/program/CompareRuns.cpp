@@ -50,6 +50,14 @@ public:
     if (std::isnan(asIs) && std::isnan(half))
       return;
     json answer = {{"name", name}, {"unit", unit}, {"as_is", asIs}, {"half", half}};
+    if (asIs == 0.0 && half == 0.0)
+    {
+      answer["change"] = 0.0;
+      answer["resolved"] = false;
+      answer["verdict"] = "zero in both: nothing to resolve";
+      return answers_.push_back(std::move(answer));
+    }
+    known_ = true;
     if (std::isnan(asIs) || std::isnan(half))
       return add(answer, false,
                  std::isnan(asIs) ? "none in the scene as it is" : "none with half the cell size");
@@ -69,6 +77,7 @@ public:
   {
     if (std::isnan(distance))
       return;
+    known_ = true;
     const double cells = distance / cell_;
     add({{"name", name}, {"unit", "m"}, {"distance", distance}, {"cells", cells}}, cells <= 1.0,
         "differs by " + cellsText(cells));
@@ -95,13 +104,15 @@ public:
 
   json result() const
   {
-    const bool resolved = open_.empty() && !answers_.empty();
-    const std::string verdict = answers_.empty()
-                                    ? "nothing to compare: the scene has no crack, temperature or "
-                                      "Reference"
-                                : resolved ? "resolved: no answer moves by more than 5 %, no path or "
-                                             "position by more than a cell"
-                                           : "not resolved: " + open_ + "; " + advice_;
+    const bool resolved = open_.empty() && known_;
+    const std::string verdict =
+        answers_.empty()           ? "nothing to compare: the scene has no crack, temperature or "
+                                     "Reference"
+        : open_.empty() && !known_ ? "nothing to compare: all answers are zero in both runs; see whether "
+                                     "loads act, and come to the crack before Time > Final Time"
+        : resolved                 ? "resolved: no answer moves by more than 5 %, no path or "
+                                     "position by more than a cell"
+                                   : "not resolved: " + open_ + "; " + advice_;
     return {{"answers", answers_},
             {"resolved", resolved},
             {"open", open_},
@@ -114,8 +125,10 @@ private:
   {
     if (!resolved)
       open_ += (open_.empty() ? "" : "; ") + answer["name"].get<std::string>() + " (" + what + ")";
-    answer["resolved"] = resolved;
-    answer["verdict"] = what + (resolved ? ": resolved" : ": not resolved");
+    answer["resolved"] = resolved && !stopped_;
+    answer["verdict"] = what + (!resolved  ? ": not resolved"
+                                : stopped_ ? ": not judged, as a run stopped"
+                                           : ": resolved");
     answers_.push_back(std::move(answer));
   }
 
@@ -123,6 +136,7 @@ private:
   json answers_ = json::array();
   std::string open_; ///< answers that are not resolved, and what of them
   std::string advice_ = "use smaller cells";
+  bool known_ = false;   ///< there is an answer that is not zero
   bool stopped_ = false; ///< then the runs end at different times
 };
 

@@ -125,7 +125,7 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
   f.solves = f.steps * rates.solves;
   if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
   {
-    const double settled = timeToRest(*end);
+    const double settled = std::max(timeToRest(*end), historyInterval(scene)); // it is seen in a sample
     if (settled < fraction * length)
       f.secondsToRest = rates.setup + running * settled / (fraction * length) + rates.frame;
   }

@@ -2,6 +2,7 @@
 
 #include "Simulation.hpp"
 #include "base/FoldMessages.hpp"
+#include "base/NonNumbers.hpp"
 #include "base/Numbers.hpp"
 #include "base/OutputError.hpp"
 #include "output/OutputFolder.hpp"
@@ -37,15 +38,20 @@ Teuchos::RCP<const Teuchos::Comm<int>> world()
   return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
 }
 
-/// Prints one error per line, with the name of the program.
+/// Prints one error per line, with the name of the program and without what is no number.
+void printLines(const std::vector<std::string>& lines, std::ostream& err)
+{
+  for (const std::string& line : foldMessages(lines))
+    err << "rhegma: " << withWordsForNonNumbers(line) << "\n";
+}
+
 void printErrors(const std::string& messages, std::ostream& err)
 {
   std::istringstream lines(messages);
   std::vector<std::string> all;
   for (std::string line; std::getline(lines, line);)
     all.push_back(line);
-  for (const std::string& line : foldMessages(all))
-    err << "rhegma: " << line << "\n";
+  printLines(all, err);
 }
 
 void printErrors(const std::vector<SceneError>& errors, std::ostream& err)
@@ -54,8 +60,7 @@ void printErrors(const std::vector<SceneError>& errors, std::ostream& err)
   all.reserve(errors.size());
   for (const SceneError& error : errors)
     all.push_back(toString(error));
-  for (const std::string& line : foldMessages(all))
-    err << "rhegma: " << line << "\n";
+  printLines(all, err);
 }
 
 /// A validated scene, or nothing after its errors have been printed.
@@ -198,6 +203,12 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   out << bodiesAsText(summary, *scene);
   const Ranks ranks(world());
   const Forecast forecast = makeForecast(simulation, *scene, ranks, setup);
+  if (!forecast.rates.failure.empty())
+  {
+    err << "rhegma: " << (options.strict ? "" : "warning: ") << "in its first steps "
+        << forecast.rates.failure << (options.strict ? " (an error by --strict)" : "") << "\n";
+    return options.strict ? exitWrongScene : exitFinished;
+  }
   out << asText(forecast) << "\n"
       << equilibriumAsText(*scene, forecast, ranks)
       << costOfAccuracy(options, *scene, ranks, &forecast, start);

@@ -129,7 +129,7 @@ def opposite_load_forgotten(scene, rng):
     now = math.hypot(*scene.get(place)) * (1.0 if place.endswith("Force") else thickness * min(sizes))
     factor = max(1.0, force / now)
     scene.set(place, [x * factor for x in scene.get(place)])
-    return where("Boundaries", kept) + ".* flies"
+    return where("Boundaries", kept) + ".* so it moves by"
 
 
 def hot_source_away(scene, rng):
@@ -155,3 +155,56 @@ def held_temperature_away(scene, rng):
     scene.set(f"Boundaries > {name} > Lower Corner", low)
     scene.set(f"Boundaries > {name} > Upper Corner", [x + 5 * scene.cell for x in low])
     return where("Boundaries", name)
+
+
+def mirror_in_material(scene, rng):
+    """a plane of symmetry lies inside a body"""
+    names = scene.boxes()
+    if not names or not scene.cell or scene.get("Thermal > Mechanics") == "false":
+        return None
+    low, high = scene.corners(rng.choice(names))
+    axis = rng.randrange(scene.dimension)
+    start = scene.get("Domain > Lower Corner")[axis]
+    first, last = (round((x[axis] - start) / scene.cell) for x in (low, high))
+    if last - first < 4:
+        return None
+    plane = {"Type": "Symmetry", "Axis": "xyz"[axis], "Position": start + rng.randrange(first + 2, last - 1) * scene.cell}
+    if rng.random() < 0.5:
+        plane["Side"] = rng.choice(["Lower", "Upper"])
+    scene.set(*("Boundaries > Mirror", plane) if scene.has("Boundaries") else ("Boundaries", {"Mirror": plane}))
+    return where("Boundaries", "Mirror")
+
+
+def wrong_side(scene, rng):
+    """the side of a plane of symmetry is that of the body"""
+    names = scene.boundaries("Symmetry")
+    if not names or not scene.cell:
+        return None
+    scene.enlarge(0)  # writes Side
+    name = rng.choice(names)
+    place = f"Boundaries > {name} > Side"
+    scene.set(place, "Lower" if scene.get(place) == "Upper" else "Upper")
+    return where("Boundaries", name)
+
+
+def held_everywhere(scene, rng):
+    """a support holds all of a body that is loaded"""
+    names = scene.boundaries("Traction", "Point Load", "Line Load")
+    if not names or not scene.moves():
+        return None
+    low, high = scene.get("Domain > Lower Corner"), scene.get("Domain > Upper Corner")
+    scene.set("Boundaries > Everywhere", {"Type": "Velocity", "Components": "xyz"[: scene.dimension], "Lower Corner": low,
+                                          "Upper Corner": high, "Value": [0.0] * scene.dimension})
+    return where("Boundaries", "Everywhere") + "(: it prescribes the motion of all| both prescribe)"
+
+
+def fast_support(scene, rng):
+    """a support is faster than waves"""
+    names = [n for n in scene.boundaries("Velocity") if any(scene.get(f"Boundaries > {n} > Value", [0.0]))]
+    if not names or not scene.moves():
+        return None
+    name = rng.choice(names)
+    value = scene.get(f"Boundaries > {name} > Value")
+    factor = 10 ** rng.uniform(4.5, 6) / max(map(abs, value))
+    scene.set(f"Boundaries > {name} > Value", [x * factor for x in value])
+    return where("Boundaries", name) + ": it (moves|strains)"

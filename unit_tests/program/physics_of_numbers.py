@@ -41,6 +41,16 @@ def damping_that_never_settles(scene, rng):
     return where("Damping", "Mass Rate") + ".* settled"
 
 
+def rare_samples(scene, rng):
+    """Stop When Settled is to see rest in samples that the run does not take"""
+    if scene.get("Damping > Stop When Settled") != "true" or not scene.moves():
+        return None
+    most = scene.get("Time > Final Time") / (int(scene.get("Damping > Settled Samples", 5)) - 1)
+    interval = most * 10 ** rng.uniform(0.1, 3)
+    scene.set(*("Output > History Interval", interval) if scene.has("Output") else ("Output", {"History Interval": interval}))
+    return where("Output", "History Interval")
+
+
 NUMBERS = [("Domain > Thickness", [1e308, 1e-12]), ("Density", [1e30, 1e-30, -1200.0, 1e6]),
            ("Young Modulus", [1e40, -3e9, 1e-3]), ("Time > Final Time", [1e300, -1.0, 1e-100]),
            ("Value", [1e30, 1e200]), ("Force", [1e60]), ("Stress", [1e60]), ("Radius", [1e-40, 1e300, -1.0]),

@@ -163,6 +163,12 @@ class Extremes(ProgramTest):
                 said = self.changed("examples/edge_crack", **alone, **changes)
                 self.assertFalse(any("so it moves by" in m for m in said), said)
 
+    def test_first_steps_that_fail(self):
+        """A forecast takes first steps; where they fail, the scene is valid by its words alone."""
+        loads = {f"Boundaries > {side} > Stress": [0.0, sign * 5e9] for side, sign in (("Top", 1), ("Bottom", -1))}
+        self.assert_said(self.changed("examples/edge_crack", **loads), "^warning: in its first steps the run stopped at t = ")
+        self.assertFalse(any("first steps" in m for m in self.changed("examples/edge_crack")))
+
     def test_a_shock_is_no_gravity_in_millimetres(self):
         weight = {"Type": "Gravity", "Acceleration": [0.0, -9810.0]}
         self.assert_said(self.changed("examples/dcb", **{"Boundaries > Weight": weight}),
@@ -183,6 +189,42 @@ class Extremes(ProgramTest):
         law = {"Materials > Polymer > Model": "J2 Plastic", "Materials > Polymer > Yield Stress": 1e6}
         self.assert_said(self.changed("examples/strip_running", **law),
                          "Propagation > Toughness is .* yield at Materials > Polymer > Yield Stress = 1000000 Pa")
+
+
+# Numbers and functions of time that are none somewhere, and those of which other numbers are none.
+NON_NUMBERS = ["nan", "inf", "-inf", "1e309", "1e308", "-1e308", "1e300", "1e200", "-1e150", "1e80", "1e-310", "1e-300", "1e-200",
+               "-1e-300", "0", "-0"]
+NON_FUNCTIONS = ["1/0", "sqrt(-t)", "1/(t - t)", "log(t)", "1e308*exp(1e9*t)", "1e400", "0:0, 1e-300:1e308", "nan", "inf"]
+QUOTED = re.compile('"[^"]*"')  # what the user wrote
+
+
+class NonNumbers(ProgramTest):
+    def draw(self, rng):
+        """A scene with one parameter that is beyond sense, and its name and value."""
+        scene = FileScene(rng.choice(FILES))
+        parameters = [e for e in scene.root.iter("Parameter") if e.get("type") in ("double", "Array(double)")
+                      or e.get("name") in ("History", "Pressure", "Toughness", "Field", "Temperature Field")]
+        element = rng.choice(parameters)
+        if element.get("type") == "string":
+            element.set("value", rng.choice(NON_FUNCTIONS))
+        elif element.get("type") == "double":
+            element.set("value", rng.choice(NON_NUMBERS))
+        else:
+            values = re.findall(r"[-+.\deE]+", element.get("value"))
+            values[rng.randrange(len(values))] = rng.choice(NON_NUMBERS)
+            element.set("value", "{" + ", ".join(values) + "}")
+        return scene, f"{element.get('name')} = {element.get('value')}"
+
+    def test_no_message_prints_nan_or_inf(self):
+        rng = random.Random(SEED)
+        for number in range(COUNT // 2):
+            scene, what = self.draw(rng)
+            path = self.write(f"{number:03d}_{os.path.basename(scene.path)}", scene.text())
+            with self.subTest(what, scene=scene.path, seed=SEED):
+                answer = rhegma(path, "--check", "--quiet")
+                self.assertIn(answer.status, (0, 1), answer)
+                said = QUOTED.sub("", answer.messages + answer.output)
+                self.assertIsNone(NON_NUMBER.search(said), answer)
 
 
 class WrongPhysics(ProgramTest):

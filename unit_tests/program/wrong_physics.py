@@ -5,7 +5,8 @@ nothing to which it applies. Its docstring is the error that it makes, for the t
 
 from physics_of_loads import (
     support_away, mirror_away, load_away, no_load, late_load, heavy_loads, nothing_acts,
-    gravity_in_millimetres, opposite_load_forgotten, hot_source_away, held_temperature_away,
+    gravity_in_millimetres, opposite_load_forgotten, hot_source_away, held_temperature_away, mirror_in_material, wrong_side,
+    held_everywhere, fast_support,
 )
 from physics_of_bodies import (
     thin_body, thin_hole, thin_hole_in_a_held_body, hole_beside, fast_bodies, touching_twin, short_crack,
@@ -17,7 +18,13 @@ from physics_of_units import (
     toughness_in_megajoule, toughness_in_pascal, toughness_in_megapascal,
 )
 from physics_of_numbers import (
-    no_step, endless, heavy_damping, damping_that_never_settles, senseless_number,
+    no_step, endless, heavy_damping, damping_that_never_settles, senseless_number, rare_samples,
+)
+from physics_of_cracks import (
+    limit_above_waves, limit_below_a_cell, speeds_in_kilometres, no_pressure, late_pressure,
+)
+from physics_of_heat import (
+    source_of_nothing, source_too_strong, probe_away, reference_in_celsius, table_in_celsius, strained_by_heat,
 )
 
 # A seed draws by the position in this list.
@@ -28,4 +35,7 @@ TEMPLATES = [support_away, mirror_away, load_away, no_load, late_load, thin_body
              hot_source_away, held_temperature_away,
              toughness_in_megapascal, thin_hole_in_a_held_body, thickness_in_millimetres, yield_in_megapascal,
              nothing_acts, gravity_in_millimetres, opposite_load_forgotten, damping_that_never_settles,
-             thin_wall, thin_ring, cut_apart, crack_below_a_surface, crack_that_comes_back]
+             thin_wall, thin_ring, cut_apart, crack_below_a_surface, crack_that_comes_back,
+             mirror_in_material, wrong_side, held_everywhere, fast_support, rare_samples, limit_above_waves,
+             limit_below_a_cell, speeds_in_kilometres, no_pressure, late_pressure, source_of_nothing, source_too_strong,
+             probe_away, reference_in_celsius, table_in_celsius, strained_by_heat]

@@ -48,6 +48,21 @@ TEST(Settling, IsNotSaidOfARunThatGoesOnOrIsDampedWell)
   EXPECT_TRUE(say(warningsOf(ended), never));
 }
 
+/// Five samples are compared, which take four intervals.
+TEST(Settling, InSamplesThatAreNotTakenIsSaid)
+{
+  for (const double interval : {1.0, 0.026, 0.024, 1e-3})
+    for (const bool stops : {true, false})
+    {
+      const auto scene = dampedPlate(2000.0, stops);
+      scene->sublist("Output").set("History Interval", interval);
+      const Warnings said = warningsOf(scene);
+      EXPECT_EQ(say(said, "Output > History Interval is "), stops && interval > 0.025) << interval;
+      EXPECT_EQ(say(said, "there are 0 samples: Damping > Stop When Settled compares the last 5"),
+                stops && interval == 1.0);
+    }
+}
+
 TEST(Damping, ThatHoldsABodyIsSaid)
 {
   EXPECT_TRUE(say(warningsOf(dampedPlate(1e9, false)), "so it hardly moves"));

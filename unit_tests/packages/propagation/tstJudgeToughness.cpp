@@ -2,6 +2,8 @@
 
 #include "src/plausibility/Warnings.hpp"
 
+#include <cmath>
+
 namespace Rhegma
 {
 namespace Test
@@ -64,6 +66,30 @@ TEST(ToughnessOfBonds, OfARunningCrackOrASoftSolidIsRight)
 {
   EXPECT_FALSE(say(warningsOf(crackedPlate(3e9, 1e5, "0:1, 100:1, 200:100")), asK));
   EXPECT_FALSE(say(warningsOf(crackedPlate(1e6, 10.0, "1")), asK));
+}
+
+/// Speeds in km/s: 440 m/s, half of the speed of Rayleigh waves, would need 2.6e5 J/m2.
+TEST(ToughnessOfSpeed, InKilometresIsSaid)
+{
+  const std::string rises = "J/m2: it rises to ", speeds = "speeds are in m/s";
+  EXPECT_TRUE(
+      say(warningsOf(crackedPlate(3e9, 1e5, "300*(1 + v/0.5)")), "Propagation > Toughness is 300 " + rises));
+  EXPECT_TRUE(say(warningsOf(crackedPlate(3e9, 1e5, "10*(1 + v/0.5)")), "faster than in any stiff solid"));
+  for (const char* right : {"300*(1 + v/100)", "0:1, 100:1, 200:1000", "300/(1 - v/2000)"})
+    EXPECT_FALSE(say(warningsOf(crackedPlate(3e9, 1e5, right)), speeds)) << right;
+  EXPECT_FALSE(say(warningsOf(crackedPlate(1e6, 10.0, "1*(1 + v/0.1)")), speeds));
+}
+
+/// Without contraction the Rayleigh speed is 0.874 of sqrt(mu / rho).
+TEST(SpeedLimit, AboveRayleighWavesIsSaid)
+{
+  const double rayleigh = 0.8740 * std::sqrt(1.5e9 / 7800.0);
+  for (const double part : {0.5, 0.99, 1.01, 1e6})
+  {
+    const auto scene = crackedPlate(3e9, 1e5, "300");
+    scene->sublist("Propagation").set("Speed Limit", part * rayleigh);
+    EXPECT_EQ(say(warningsOf(scene), "times the speed of Rayleigh waves (383.3 m/s)"), part > 1.0) << part;
+  }
 }
 
 TEST(PlasticZoneOfToughness, IsSmallNextToTheCrack)

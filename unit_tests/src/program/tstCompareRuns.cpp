@@ -118,6 +118,7 @@ TEST(CompareRuns, ComparesRunsThatStop)
   EXPECT_EQ(answer(better, "end of the run")["half"], "finished");
   EXPECT_EQ(answer(better, "time reached")["change"].get<double>(), 0.5);
   EXPECT_FALSE(answer(better, "G_J of Notch.0").contains("extrapolated"));
+  EXPECT_EQ(answer(better, "G_J of Notch.0")["verdict"], "moves by -1.961 %: not judged, as a run stopped");
   EXPECT_FALSE(better["resolved"].get<bool>());
   EXPECT_EQ(better["runs"]["as_is"]["status"], stopped.summary["status"]);
   const std::string text = comparisonAsText(better);
@@ -149,6 +150,28 @@ TEST(CompareRuns, MissesNothing)
   lost.summary["cracks"][0]["fronts"][0]["G_J"] = nullptr;
   EXPECT_FALSE(answer(compareRuns(atRest(10.0), lost), "G_J of Notch.0")["resolved"].get<bool>());
   EXPECT_FALSE(compareRuns({}, {})["resolved"].get<bool>());
+}
+
+/// Nothing is resolved by runs in which nothing happens; a zero next to other answers says nothing of them.
+TEST(CompareRuns, DoesNotResolveZeros)
+{
+  const auto still = []
+  {
+    RunResults run = atRest(0.0);
+    for (const char* mode : {"K_I", "K_II"})
+      run.summary["cracks"][0]["fronts"][0][mode] = 0.0;
+    return run;
+  };
+  const json comparison = compareRuns(still(), still());
+  EXPECT_FALSE(comparison["resolved"].get<bool>());
+  EXPECT_NE(
+      comparisonAsText(comparison).find("Verdict: nothing to compare: all answers are zero in both runs"),
+      std::string::npos);
+  EXPECT_EQ(answer(comparison, "G_J of Notch.0")["verdict"], "zero in both: nothing to resolve");
+  EXPECT_FALSE(compareRuns(still(), atRest(1.0))["resolved"].get<bool>());
+  RunResults heated = still(), other = still();
+  heated.summary["temperature"]["peak_rise"] = other.summary["temperature"]["peak_rise"] = 9.0;
+  EXPECT_TRUE(compareRuns(heated, other)["resolved"].get<bool>());
 }
 
 TEST(CompareRuns, ReadsAHistory)

@@ -104,6 +104,11 @@ TEST(Forecast, ToWhereDampingHasItSettle)
   const Forecast f = forecastOf(rates(), damped, 0.0);
   EXPECT_NEAR(f.secondsToRest, 0.5 + 0.4605 * 1.02 * 0.12 + 0.005, 2e-3);
   EXPECT_LT(f.secondsToRest, f.seconds);
+  Teuchos::ParameterList rare = damped; // rest is seen in a sample
+  rare.sublist("Output").set("History Interval", 0.6);
+  EXPECT_NEAR(forecastOf(rates(), rare, 0.0).secondsToRest, 0.5 + 0.6 * 1.02 * 0.1033 + 0.005, 2e-3);
+  rare.sublist("Output").set("History Interval", 2.0);
+  EXPECT_EQ(forecastOf(rates(), rare, 0.0).secondsToRest, 0.0);
   damped.sublist("Damping").set("Mass Rate", 0.0);
   EXPECT_EQ(forecastOf(rates(), damped, 0.0).secondsToRest, 0.0);
 }
