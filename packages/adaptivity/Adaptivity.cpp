@@ -364,11 +364,11 @@ EffectEntry adaptivityEntry()
     list.set("Maximum Level", refinement.levels).set("Front Cells", refinement.around);
     const double cell = scene.sublist("Domain").get<double>("Cell Size");
     int number = 0;
-    for (const NarrowGap& place : refinement.narrow)
-      if (const int level = static_cast<int>(std::ceil(std::log2(cell / place.cell) - 1e-6)); level > 0)
+    for (const RefinedBox& box : refinement.boxes)
+      if (const int level = static_cast<int>(std::ceil(std::log2(cell / box.cell) - 1e-6)); level > 0)
         list.sublist("Narrow Gap " + std::to_string(++number))
-            .set("Lower Corner", Teuchos::Array<double>(place.lower))
-            .set("Upper Corner", Teuchos::Array<double>(place.upper))
+            .set("Lower Corner", Teuchos::Array<double>(box.lower))
+            .set("Upper Corner", Teuchos::Array<double>(box.upper))
             .set("Level", level);
   };
   return entry;

@@ -87,22 +87,6 @@ void measureAhead(const Vector<2>& front, const Vector<2>& direction, const Scen
                               0.5 * (reach(normal) + reach(-1.0 * normal))});
 }
 
-/// The thickness of arms next to the middle of a crack, whose fronts are half of its length away.
-void measureArms(const std::vector<Vector<2>>& points, double length, const SceneBodies<2>& bodies,
-                 Lengths& found)
-{
-  double passed = 0.0;
-  std::size_t k = 1;
-  while (k + 1 < points.size() && passed + norm(points[k] - points[k - 1]) < 0.5 * length)
-    passed += norm(points[k] - points[k - 1]), ++k;
-  const Vector<2> along = (1.0 / norm(points[k] - points[k - 1])) * (points[k] - points[k - 1]);
-  const Vector<2> middle = points[k - 1] + (0.5 * length - passed) * along;
-  for (const double side : {1.0, -1.0})
-    if (const double arm = bodies.reach(middle, side * turned(along), 2.0 * bodies.extent());
-        0.5 * length > slenderness * arm)
-      found.thickness = std::min(found.thickness, arm);
-}
-
 /// The length of a polyline inside the bodies, its ligament, and what is around it.
 Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
 {
@@ -148,10 +132,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
     measureAhead(first ? points.front() : points.back(), (1.0 / norm(last)) * last, bodies, found);
   }
   if (fronts > 0)
-  {
     found.crack = length / fronts;
-    measureArms(points, length, bodies, found);
-  }
   found.line.points = std::move(points);
   return found;
 }
@@ -273,25 +254,36 @@ double clearOf(const Vector<2>& front, double most, const SceneBodies<2>& bodies
   return least < most ? least : CellNeeds::none;
 }
 
-/// Cells between two cracks: fewer than three do not separate them.
-constexpr double cellsBetween = 3.3;
-
-/// Boxes along a crack where another is nearer than half the length of both.
-void addNarrow(const Line& line, const Line& other, std::vector<NarrowGap>& narrow)
+/// Boxes along a crack where the body is narrow beside it: up to other cracks that are nearer than half the
+/// length of both, and up to surfaces on both sides, as far as the part is an arm (slenderness) with respect
+/// to the nearest end of the crack.
+void addNarrow(const Line& line, const std::vector<const Line*>& others, const SceneBodies<2>& bodies,
+               std::vector<NarrowGap>& narrow)
 {
-  const double most = 0.5 * std::min(line.length, other.length), step = 0.02 * line.length;
-  double next = 0.0, passed = 0.0; // along the line
+  constexpr double first = 0.05; // fraction of the length: at the very end of a crack all parts are narrow
+  const double last = (1.0 - first) * line.length, longest = 0.5 * line.length / slenderness;
+  double at = first * line.length, passed = 0.0; // along the line
   for (std::size_t k = 1; k < line.points.size(); ++k)
   {
-    const Vector<2> along = line.points[k] - line.points[k - 1];
-    const double length = norm(along);
-    for (; next <= passed + length * (1.0 + 1e-9);)
+    const Vector<2> from = line.points[k - 1];
+    const double length = norm(line.points[k] - from);
+    const Vector<2> along = (1.0 / length) * (line.points[k] - from);
+    while (at <= std::min(passed + length, last))
     {
-      const Vector<2> x = line.points[k - 1] + ((next - passed) / length) * along;
-      const double gap = distanceTo(other, x);
-      if (gap < most && gap > 0.0)
-        narrow.push_back({{x[0] - gap, x[1] - gap}, {x[0] + gap, x[1] + gap}, gap / cellsBetween});
-      next += std::max(step, gap < most ? gap : gap - 0.9 * most);
+      const Vector<2> x = from + (at - passed) * along;
+      double width = CellNeeds::none;
+      for (const Line* other : others)
+        if (const double gap = distanceTo(*other, x);
+            gap > 0.0 && gap < 0.5 * std::min(line.length, other->length))
+          width = std::min(width, gap);
+      for (const double side : {1.0, -1.0})
+        if (const double arm = bodies.reach(x, side * turned(along), longest);
+            std::min(at, line.length - at) > slenderness * arm)
+          width = std::min(width, arm);
+      const bool isNarrow = width > 0.0 && width < CellNeeds::none;
+      if (isNarrow)
+        narrow.push_back({{x[0] - width, x[1] - width}, {x[0] + width, x[1] + width}, width});
+      at += line.length * std::max(0.005, std::min(isNarrow ? width / line.length : first, first));
     }
     passed += length;
   }
@@ -312,18 +304,19 @@ void measureNeighbours(const std::vector<Line>& lines, const SceneBodies<2>& bod
   {
     const Line& line = lines[a];
     const std::vector<int> near = boxes.near(bounds[a], 0.5 * line.length);
+    std::vector<const Line*> others;
     for (const int b : near)
       if (b != static_cast<int>(a))
-        addNarrow(line, lines[b], needs.narrow);
+        others.push_back(&lines[b]);
+    addNarrow(line, others, bodies, needs.narrow);
     for (const int end : {0, 1})
     {
       if (!line.front[end])
         continue;
       const Vector<2>& front = end == 0 ? line.points.front() : line.points.back();
       double clear = clearOf(front, 0.5 * line.length, bodies);
-      for (const int b : near)
-        if (b != static_cast<int>(a))
-          clear = std::min(clear, distanceTo(lines[b], front));
+      for (const Line* other : others)
+        clear = std::min(clear, distanceTo(*other, front));
       if (clear < std::min({needs.clear, needs.across, needs.atFronts}))
         needs.shortestAcross = line.name;
       needs.clear = std::min(needs.clear, clear);

@@ -16,11 +16,12 @@ namespace Rhegma::cracks
 
 template <int D>
 std::vector<surface::CrackMesh<D>> readCracks(const Teuchos::ParameterList& section,
-                                              const SceneBodies<D>& bodies, State<D>& state, double edge)
+                                              const SceneBodies<D>& bodies, State<D>& state, double edge,
+                                              double front)
 {
   const double spacing = state.mesh.grid.spacing;
   const BodyRegion<D> region(bodies, state);
-  const ReadingContext<D> context{region, spacing, edge};
+  const ReadingContext<D> context{region, spacing, edge, front};
   std::vector<surface::CrackMesh<D>> meshes;
   CrackSet<D>& set = state.cracks;
   Attempts attempts;
@@ -52,8 +53,8 @@ std::vector<surface::CrackMesh<D>> readCracks(const Teuchos::ParameterList& sect
 }
 
 template std::vector<surface::CrackMesh<2>> readCracks(const Teuchos::ParameterList&, const SceneBodies<2>&,
-                                                       State<2>&, double);
+                                                       State<2>&, double, double);
 template std::vector<surface::CrackMesh<3>> readCracks(const Teuchos::ParameterList&, const SceneBodies<3>&,
-                                                       State<3>&, double);
+                                                       State<3>&, double, double);
 
 } // namespace Rhegma::cracks

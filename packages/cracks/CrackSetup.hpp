@@ -18,6 +18,7 @@ namespace Rhegma::cracks
 /// Throws std::invalid_argument, with the section's path, for a crack that is wrong in itself.
 template <int D>
 std::vector<surface::CrackMesh<D>> readCracks(const Teuchos::ParameterList& section,
-                                              const SceneBodies<D>& bodies, State<D>& state, double edge);
+                                              const SceneBodies<D>& bodies, State<D>& state, double edge,
+                                              double front);
 
 } // namespace Rhegma::cracks

@@ -136,8 +136,10 @@ void start(const Shared<D>& parts, State<D>& state)
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
-  parts->meshes = readCracks(parts->section, *parts->bodies, state, state.mesh.grid.spacing / parts->pieces);
-  judgeLengths(std::ldexp(state.mesh.grid.spacing, -parts->levels), state);
+  const double front = std::ldexp(state.mesh.grid.spacing, -parts->levels);
+  parts->meshes =
+      readCracks(parts->section, *parts->bodies, state, state.mesh.grid.spacing / parts->pieces, front);
+  judgeLengths(front, state);
   if (parts->hasSprings)
     parts->advected.start(state);
   state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row) { prepareStencils(*parts, s, row); };

@@ -44,8 +44,8 @@ Points readPoints(const Teuchos::ParameterList& list, const std::string& where, 
   return points;
 }
 
-/// The kind of an end: it is a front if the user's crack ends there and there is material for a cell ahead of
-/// it, unless Fronts decides. \param outermost the point that the user gave
+/// The kind of an end: it is a front if the user's crack ends there and there is material for a cell (of
+/// those at fronts) ahead of it, unless Fronts decides. \param outermost the point that the user gave
 int beyondEnd(const Vector<2>& end, const Vector<2>& before, const Vector<2>& outermost, bool first,
               const std::string& fronts, const std::string& where, const ReadingContext<2>& context,
               std::vector<std::string>& warnings)
@@ -54,11 +54,14 @@ int beyondEnd(const Vector<2>& end, const Vector<2>& before, const Vector<2>& ou
     return fronts == "Both" || fronts == (first ? "First" : "Last") ? facet::front : facet::surfaceBreaking;
   if (norm(end - outermost) >= 1e-9 * context.cell)
     return facet::surfaceBreaking;
-  const auto isIn = [&](const Vector<2>& x) { return context.bodies.isNear(x); };
+  // Where cells at fronts are smaller, particles beyond the surface reach too far.
+  const bool refined = context.front < context.cell;
+  const auto isIn = [&](const Vector<2>& x)
+  { return refined ? context.bodies.contains(x) : context.bodies.isNear(x); };
   const Vector<2> ahead = (1.0 / norm(end - before)) * (end - before);
-  if (surface::extendsBeyond<2>(isIn, end, ahead, context.cell))
+  if (surface::extendsBeyond<2>(isIn, end, ahead, context.front))
     return facet::front;
-  if (isIn(end + (0.5 * context.cell) * ahead))
+  if (isIn(end + (0.5 * context.front) * ahead))
     warnings.push_back(
         where + ": less than a cell of material is left ahead of the end at " + formatReal(end[0]) + ", " +
         formatReal(end[1]) +

@@ -25,8 +25,9 @@ template <int D>
 struct ReadingContext
 {
   const BodyRegion<D>& bodies;
-  double cell; ///< size of the coarse cells [m]
-  double edge; ///< length that edges of triangles have about [m]
+  double cell;  ///< size of the coarse cells [m]
+  double edge;  ///< length that edges of triangles have about [m]
+  double front; ///< size of the cells at fronts, once they are refined [m]
 };
 
 /// Reads one crack, cuts off what lies outside of the bodies, and finds which of its ends or border edges are

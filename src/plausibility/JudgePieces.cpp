@@ -24,6 +24,7 @@ template <int D>
 struct Grains
 {
   std::vector<Vector<D>> position, box; ///< [m]
+  std::vector<Vector<D>> unsplit;       ///< boxes of the particles that they were split from [m]
   std::vector<double> mass;             ///< [kg]
 };
 
@@ -37,14 +38,14 @@ struct Piece
 };
 
 /// Sorts the particles of a body by its pieces: those are connected whose cells in its lattice are no more
-/// than a reach apart along each axis.
+/// than a reach apart along each axis. Cells are those of particles that are not split.
 template <int D>
 class Pieces
 {
 public:
   Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach)
       : reach_(reach),
-        edge_(latticeEdge<D>(grains.box)),
+        edge_(latticeEdge<D>(grains.unsplit)),
         cellOf_(grains.position.size()),
         pieceOf_(grains.position.size())
   {
@@ -196,20 +197,24 @@ std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& 
   const auto x = onHost(state.particles.template real<D>(fields::position));
   const auto edge = onHost(state.particles.template real<D>(fields::edge));
   const auto mass = onHost(state.particles.scalar(fields::mass));
+  const bool splits = state.particles.has(fields::level);
+  const auto level = onHost(state.particles.integer(splits ? fields::level : fields::body));
   std::vector<Grains<D>> grains(wanted.size());
   for (int p = 0; p < state.particles.size(); ++p)
   {
     if (wanted[body(p)] == 0)
       continue;
-    Vector<D> at, box;
+    Vector<D> at, box, unsplit;
     for (int d = 0; d < D; ++d)
     {
       at[d] = x(p, d);
       box[d] = edge(p, d);
+      unsplit[d] = std::ldexp(box[d], splits ? level(p) : 0);
     }
     Grains<D>& own = grains[body(p)];
     own.position.push_back(at);
     own.box.push_back(box);
+    own.unsplit.push_back(unsplit);
     own.mass.push_back(mass(p));
   }
   return grains;

@@ -159,8 +159,12 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
       std::any_of(schema.effects().begin(), schema.effects().end(),
                   [](const auto& entry) { return static_cast<bool>(entry.second.cells.refine); });
   double least = atRest ? atFront : cell; // of the smallest cells
-  for (const NarrowGap& place : needs.narrow)
-    least = std::min(least, place.cell);
+  std::vector<RefinedBox> boxes;
+  for (const NarrowGap& gap : needs.narrow)
+  {
+    boxes.push_back({gap.lower, gap.upper, gap.width / rule.perThickness});
+    least = std::min(least, boxes.back().cell);
+  }
   cell = std::min(cell, mayRefine ? least * (1 << mostLevels) : least);
   ParameterList& domain = scene.sublist("Domain");
   if (domain.isType<double>("Cell Size"))
@@ -172,8 +176,8 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   }
   const int levels = mayRefine ? static_cast<int>(std::ceil(std::log2(cell / least) - 1e-6)) : 0;
   if (levels > 0)
-    refine(scene, schema,
-           {levels, needs.ahead < CellNeeds::none ? rule.aroundFront : 3.0, moves, needs.narrow}, rule);
+    refine(scene, schema, {levels, needs.ahead < CellNeeds::none ? rule.aroundFront : 3.0, moves, boxes},
+           rule);
 }
 
 } // namespace

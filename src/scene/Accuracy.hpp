@@ -15,18 +15,19 @@ namespace Rhegma
 /// penny-shaped crack (docs/accuracy-and-cost.md).
 struct AccuracyRule
 {
-  const char* name;    ///< as scenes write it
-  double error;        ///< relative, of G, K or a rise of temperature
-  double perLigament;  ///< cells across the shortest distance from a front to a surface, or a crack's (half)
-                       ///< length
-  double perThickness; ///< in 2D at rest, instead, cells across CellNeeds::thickness: n cells across an arm
-                       ///< bend with 54 / n^2 percent too little energy, half of the error
-  double perFront;     ///< in 2D cells at a front in CellNeeds::ahead
-  double aroundFront;  ///< in 2D cells of each size next to a front
-  double perClear;     ///< in 2D cells at a front in CellNeeds::clear, which the contour of J needs
-  double perSource;    ///< cells in the radius of a moving source of heat
-  double perResting;   ///< cells in the radius of a source at rest
-  bool running;        ///< whether running cracks reach this error
+  const char* name;   ///< as scenes write it
+  double error;       ///< relative, of G, K or a rise of temperature
+  double perLigament; ///< cells across the shortest distance from a front to a surface, or a crack's (half)
+                      ///< length
+  double
+      perThickness;   ///< in 2D at rest, instead, cells across CellNeeds::thickness and NarrowGap::width: n
+                      ///< cells across an arm bend with 54 / n^2 percent too little energy, half of the error
+  double perFront;    ///< in 2D cells at a front in CellNeeds::ahead
+  double aroundFront; ///< in 2D cells of each size next to a front
+  double perClear;    ///< in 2D cells at a front in CellNeeds::clear, which the contour of J needs
+  double perSource;   ///< cells in the radius of a moving source of heat
+  double perResting;  ///< cells in the radius of a source at rest
+  bool running;       ///< whether running cracks reach this error
 };
 
 /// In order of decreasing error.

@@ -13,8 +13,15 @@
 namespace Rhegma
 {
 
-/// A box in which cells are small.
+/// A box round a narrow part of a body: between a crack and a surface beside it, or another crack.
 struct NarrowGap
+{
+  std::vector<double> lower, upper; ///< corners [m]
+  double width;                     ///< of the part [m]
+};
+
+/// A box in which cells are small.
+struct RefinedBox
 {
   std::vector<double> lower, upper; ///< corners [m]
   double cell;                      ///< largest edge of cells [m]
@@ -28,8 +35,8 @@ struct CellNeeds
   double across = none;   ///< from a crack front to a surface, or a crack's (half) length if shorter [m]
   double atFronts = none; ///< the shortest crack's (half) length, next to which cells at fronts are small [m]
   double ahead = none;    ///< in 2D from a front to the surface ahead of it, or `atFronts` if shorter [m]
-  /// In 2D the least thickness that cells far from fronts resolve: of an arm next to a crack, or half the
-  /// extent of the body through a front [m].
+  /// In 2D the least thickness that cells far from fronts resolve: half the extent of the body through a
+  /// front [m].
   double thickness = none;
   double clear = none;   ///< in 2D from a front to the nearest surface or other crack, in any direction [m]
   double source = none;  ///< radius of the smallest round source of heat that moves [m]
@@ -38,9 +45,9 @@ struct CellNeeds
   bool running = false;  ///< whether fronts run
   bool rests = false;    ///< whether waves are damped, so that none needs small cells
   bool heat = false;     ///< whether layers of heat need small cells far from fronts, too
-  bool facesLoaded = false;          ///< whether faces of cracks may have pressure, contact, gas or heat
-  bool equal = false;                ///< whether all effects of the scene need cells of equal size
-  std::vector<NarrowGap> narrow{}; ///< where cracks are near each other
+  bool facesLoaded = false;        ///< whether faces of cracks may have pressure, contact, gas or heat
+  bool equal = false;              ///< whether all effects of the scene need cells of equal size
+  std::vector<NarrowGap> narrow{}; ///< beside cracks, in 2D
   std::string shortestAcross, smallestSource; ///< sections that give these lengths
 
   bool fronts() const { return across < none; }
@@ -49,10 +56,10 @@ struct CellNeeds
 /// Smaller cells at fronts.
 struct FrontRefinement
 {
-  int levels;                        ///< below Domain > Cell Size
-  double around;                     ///< cells of each size next to a front
-  bool moves;                        ///< whether the scene has time steps
-  std::vector<NarrowGap> narrow{}; ///< where cells are smaller, too
+  int levels;                      ///< below Domain > Cell Size
+  double around;                   ///< cells of each size next to a front
+  bool moves;                      ///< whether the scene has time steps
+  std::vector<RefinedBox> boxes{}; ///< where cells are smaller, too
 };
 
 /// Functions of an effect. All may be empty.
