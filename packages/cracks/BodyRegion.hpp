@@ -4,6 +4,7 @@
 #include "geometry/NearestPoint.hpp"
 #include "geometry/Seeds.hpp"
 #include "scene/SceneBodies.hpp"
+#include "state/Ancestry.hpp"
 #include "state/State.hpp"
 
 #include <algorithm>
@@ -63,8 +64,9 @@ private:
     const std::vector<Vector<D>> boxes = readVectors(state, fields::edge);
     const auto body = onHost(state.particles.integer(fields::body));
     std::vector<std::vector<Vector<D>>> ofBodies(state.bodies.info.size());
+    const std::vector<int> level = levelsOfParticles(state);
     for (std::size_t p = 0; p < boxes.size(); ++p)
-      ofBodies[body(p)].push_back(boxes[p]);
+      ofBodies[body(p)].push_back(double(1 << level[p]) * boxes[p]);
     Reach largest;
     for (std::vector<Vector<D>>& own : ofBodies)
     {

@@ -54,13 +54,28 @@ Corners<D> cornersOf(const CrackSet<D>& cracks)
   return all;
 }
 
-/// Positions on a simplex no further apart than half the cells there.
+/// Positions on a simplex no further apart than half the cells there, on a triangle than two of them.
 template <int D, class Visit>
 void visitPositions(const std::array<Vector<D>, D>& corner, const Branches<D>& refined, const Visit& visit)
 {
-  if constexpr (D == 3) // triangles are as small as cells
-    for (const Vector<D>& x : corner)
-      visit(x, edgeAt(refined, x));
+  if constexpr (D == 3)
+  {
+    double edge = refined.grid().spacing, longest = 0.0;
+    Vector<D> middle[D];
+    for (int i = 0; i < D; ++i)
+    {
+      visit(corner[i], edgeAt(refined, corner[i]));
+      const Vector<D>& next = corner[(i + 1) % D];
+      longest = std::max(longest, norm(next - corner[i]));
+      middle[i] = 0.5 * (corner[i] + next);
+      edge = std::min({edge, edgeAt(refined, corner[i]), edgeAt(refined, middle[i])});
+    }
+    if (longest <= 2.0 * edge)
+      return;
+    visitPositions<D>({middle[0], middle[1], middle[2]}, refined, visit);
+    for (int i = 0; i < D; ++i)
+      visitPositions<D>({corner[i], middle[i], middle[(i + 2) % D]}, refined, visit);
+  }
   else
   {
     const Vector<D> along = corner[1] - corner[0];

@@ -17,11 +17,11 @@ namespace Rhegma::cracks
 template <int D>
 std::vector<surface::CrackMesh<D>> readCracks(const Teuchos::ParameterList& section,
                                               const SceneBodies<D>& bodies, State<D>& state, double edge,
-                                              double front)
+                                              double cellAtFronts)
 {
   const double spacing = state.mesh.grid.spacing;
   const BodyRegion<D> region(bodies, state);
-  const ReadingContext<D> context{region, spacing, edge, front};
+  const ReadingContext<D> context{region, spacing, edge, cellAtFronts};
   std::vector<surface::CrackMesh<D>> meshes;
   CrackSet<D>& set = state.cracks;
   Attempts attempts;

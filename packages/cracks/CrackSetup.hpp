@@ -12,6 +12,7 @@ namespace Rhegma::cracks
 /// files in 3D (CrackMesh.hpp).
 ///
 /// \param bodies of the scene \param edge of the triangles of surfaces [m]
+/// \param cellAtFronts size of the cells at fronts once they are refined [m]
 ///
 /// \return the meshes of the cracks, in their order
 ///
@@ -19,6 +20,6 @@ namespace Rhegma::cracks
 template <int D>
 std::vector<surface::CrackMesh<D>> readCracks(const Teuchos::ParameterList& section,
                                               const SceneBodies<D>& bodies, State<D>& state, double edge,
-                                              double front);
+                                              double cellAtFronts);
 
 } // namespace Rhegma::cracks

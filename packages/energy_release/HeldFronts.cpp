@@ -58,6 +58,9 @@ std::string closedAsText(const nlohmann::json& entry, const std::string& release
   const double closing = squareOf("K_I"), all = closing + squareOf("K_II") + squareOf("K_III");
   if (closing <= little * all)
     return "";
+  if (isKnown(entry, "K_I_min")) // modes that change their sign along a front vanish in its means
+    return "; the crack is closed (K_I < 0 in the mean), so only the part of G that slides it would advance "
+           "it";
   return "; the crack is closed (K_I < 0), so about " +
          releaseAsText(std::max(0.0, entry[release].get<double>()) * (1.0 - closing / all)) +
          " of G would advance it";

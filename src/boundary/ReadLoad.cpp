@@ -1,5 +1,8 @@
 #include "boundary/ReadLoad.hpp"
 
+#include "state/Ancestry.hpp"
+
+#include <cmath>
 #include <utility>
 
 namespace Rhegma
@@ -16,8 +19,9 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
   const auto id = onHost(state.particles.integer(fields::id));
   const auto x = onHost(state.particles.template real<D>(fields::position));
   const auto edge = onHost(state.particles.template real<D>(fields::edge));
+  const std::vector<int> level = levelsOfParticles(state);
   Seeds<D> seeds{};
-  std::vector<Vector<D>> boxes;
+  std::vector<Vector<D>> boxes; // of the lattice that was not divided yet
   for (int p = 0; p < state.particles.size(); ++p)
     if (bodies(p) == body)
     {
@@ -25,7 +29,7 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
       for (int d = 0; d < D; ++d)
       {
         at[d] = x(p, d);
-        box[d] = edge(p, d);
+        box[d] = std::ldexp(edge(p, d), level[p]);
       }
       seeds.position.push_back(at);
       boxes.push_back(box);

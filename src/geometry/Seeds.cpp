@@ -140,14 +140,14 @@ void addPart(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const V
 template <int D>
 using PartsOfLevels = std::vector<std::vector<Part<D>>>;
 
-/// Divides the cells of a lattice as `levelOf` asks for, and adds their parts.
+/// Divides the cells of a lattice where `isDivided` says so, and adds their parts.
 template <int D>
 class Division
 {
 public:
   Division(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const Geometry::Region<D>& region,
-           const LevelOf<D>& levelOf)
-      : frame_(frame), region_(region), levelOf_(levelOf), lattices_{lattice}
+           const IsDivided<D>& isDivided)
+      : frame_(frame), region_(region), isDivided_(isDivided), lattices_{lattice}
   {
   }
 
@@ -160,7 +160,7 @@ private:
   {
     const Vector<D> edge = lattices_[level].edge;
     const bool divided =
-        levelOf_ && levelOf_(Geometry::OrientedBox<D>{frame_.toSpace(own), edge, frame_.axes}, level) > level;
+        isDivided_ && isDivided_(Geometry::OrientedBox<D>{frame_.toSpace(own), edge, frame_.axes}, level);
     if (divided && family < 0) // that of an empty cell has no parts
       family = partOf(edge, frame_, own, region_).fraction == 1.0 ? families_++ : -1;
     if (divided)
@@ -199,16 +199,16 @@ private:
 
   const Geometry::Frame<D>& frame_;
   const Geometry::Region<D>& region_;
-  const LevelOf<D>& levelOf_;
+  const IsDivided<D>& isDivided_;
   std::vector<Lattice<D>> lattices_; ///< of each level
   int families_ = 0;
 };
 
 template <int D>
 PartsOfLevels<D> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame,
-                         const Geometry::Region<D>& region, bool isBox, const LevelOf<D>& levelOf)
+                         const Geometry::Region<D>& region, bool isBox, const IsDivided<D>& isDivided)
 {
-  Division<D> division(lattice, frame, region, levelOf);
+  Division<D> division(lattice, frame, region, isDivided);
   Vector<D> variance;
   for (int d = 0; d < D; ++d)
     variance[d] = lattice.edge[d] * lattice.edge[d] / 12.0;
@@ -232,6 +232,29 @@ PartsOfLevels<D> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& fr
   for (std::size_t level = 1; level < division.parts.size(); ++level)
     Geometry::sortByCell<D>(division.parts[level]);
   return std::move(division.parts);
+}
+
+/// Moves the parts of a level that are too small and have no neighbour of their size to the level of cells
+/// twice as large, where they may have one.
+template <int D>
+void moveSlivers(std::vector<Part<D>>& from, std::vector<Part<D>>& to)
+{
+  const auto isSliver = [](const Part<D>& part) { return part.fraction < Geometry::joinedBelow; };
+  const std::size_t before = to.size();
+  for (Part<D> part : from)
+  {
+    if (!isSliver(part))
+      continue;
+    for (int d = 0; d < D; ++d)
+      part.cell[d] /= 2;
+    part.fraction /= 1 << D;
+    part.family = -1;
+    to.push_back(part);
+  }
+  if (to.size() == before)
+    return;
+  from.erase(std::remove_if(from.begin(), from.end(), isSliver), from.end());
+  Geometry::sortByCell<D>(to);
 }
 
 template <int D>
@@ -310,7 +333,7 @@ double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell)
 
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section,
-                       const LevelOf<D>& levelOf)
+                       const IsDivided<D>& isDivided)
 {
   if (!(cell > 0.0) || particlesPerCell < 1)
     throw std::invalid_argument(section +
@@ -322,13 +345,13 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
                                    [&](const Geometry::BoxPoints<D>& box) { return shape.coverage(box); }};
   const bool isBox =
       shape.parts().size() == 1 && std::holds_alternative<Geometry::Box<D>>(shape.base().primitive);
-  PartsOfLevels<D> parts = partsOf(lattice, frame, region, isBox, levelOf);
+  PartsOfLevels<D> parts = partsOf(lattice, frame, region, isBox, isDivided);
   const double slack = -tiny * norm(lattice.edge);
   bool any = false, stands = false;
-  Vector<D> edge = lattice.edge;
-  for (std::vector<Part<D>>& these : parts)
+  for (std::size_t level = parts.size(); level-- > 0;)
   {
-    Geometry::joinSlivers<D>(these, edge,
+    std::vector<Part<D>>& these = parts[level];
+    Geometry::joinSlivers<D>(these, std::ldexp(1.0, -static_cast<int>(level)) * lattice.edge,
                              [&](const Vector<D>& a, const Vector<D>& b)
                              {
                                bool seen = true;
@@ -336,7 +359,8 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
                                  seen = seen && shape.depth(frame.toSpace(a + s * (b - a))) >= slack;
                                return seen;
                              });
-    edge = 0.5 * edge; // of the next level
+    if (level > 0)
+      moveSlivers(these, parts[level - 1]);
     any = any || !these.empty();
     stands =
         stands || std::any_of(these.begin(), these.end(),
@@ -358,7 +382,7 @@ template Vector<2> latticeEdge<2>(std::vector<Vector<2>>);
 template Vector<3> latticeEdge<3>(std::vector<Vector<3>>);
 template double estimateSeeds<2>(const Shape<2>&, double, int);
 template double estimateSeeds<3>(const Shape<3>&, double, int);
-template Seeds<2> seedParticles<2>(const Shape<2>&, double, int, const std::string&, const LevelOf<2>&);
-template Seeds<3> seedParticles<3>(const Shape<3>&, double, int, const std::string&, const LevelOf<3>&);
+template Seeds<2> seedParticles<2>(const Shape<2>&, double, int, const std::string&, const IsDivided<2>&);
+template Seeds<3> seedParticles<3>(const Shape<3>&, double, int, const std::string&, const IsDivided<3>&);
 
 } // namespace Rhegma

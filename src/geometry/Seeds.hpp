@@ -27,10 +27,10 @@ struct Seeds
   Geometry::Axes<D> axes; ///< unit directions of the lattice
 };
 
-/// How often particles must be halved to suit the grid cells that a box touches, which has been halved
-/// `level` times.
+/// Whether a cell of a lattice, which has been halved `level` times, is too large for the grid cells that it
+/// touches.
 template <int D>
-using LevelOf = std::function<int(const Geometry::OrientedBox<D>&, int level)>;
+using IsDivided = std::function<bool(const Geometry::OrientedBox<D>& cell, int level)>;
 
 /// Fills a shape with particles.
 ///
@@ -45,7 +45,7 @@ using LevelOf = std::function<int(const Geometry::OrientedBox<D>&, int level)>;
 /// moments and the second moments along the axes of a shape are those of its particles, as exactly as
 /// partOfBox (geometry/PartOfBox.hpp) finds them.
 ///
-/// A cell of the lattice is divided into 2^D, and those again, until it is as small as `levelOf` asks for:
+/// A cell of the lattice is divided into 2^D, and those again, until `isDivided` is content:
 /// parts of cells are exact at each size. The cells of a box, all whole, stay undivided: dividing their
 /// particles later is exact, too.
 ///
@@ -57,7 +57,7 @@ using LevelOf = std::function<int(const Geometry::OrientedBox<D>&, int level)>;
 /// can count.
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section,
-                       const LevelOf<D>& levelOf = {});
+                       const IsDivided<D>& isDivided = {});
 
 /// Edges of a cell of a body's lattice, from the boxes of its particles [m]: the median along each axis, for
 /// the particles at the body's surface differ. Zero without particles.

@@ -3,6 +3,7 @@
 #include "geometry/Seeds.hpp"
 #include "plausibility/Judges.hpp"
 #include "plausibility/SupportReach.hpp"
+#include "state/Ancestry.hpp"
 
 #include <algorithm>
 #include <array>
@@ -197,8 +198,7 @@ std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& 
   const auto x = onHost(state.particles.template real<D>(fields::position));
   const auto edge = onHost(state.particles.template real<D>(fields::edge));
   const auto mass = onHost(state.particles.scalar(fields::mass));
-  const bool splits = state.particles.has(fields::level);
-  const auto level = onHost(state.particles.integer(splits ? fields::level : fields::body));
+  const std::vector<int> level = levelsOfParticles(state);
   std::vector<Grains<D>> grains(wanted.size());
   for (int p = 0; p < state.particles.size(); ++p)
   {
@@ -209,7 +209,7 @@ std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& 
     {
       at[d] = x(p, d);
       box[d] = edge(p, d);
-      unsplit[d] = std::ldexp(box[d], splits ? level(p) : 0);
+      unsplit[d] = std::ldexp(box[d], level[p]);
     }
     Grains<D>& own = grains[body(p)];
     own.position.push_back(at);

@@ -160,7 +160,7 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
                   [](const auto& entry) { return static_cast<bool>(entry.second.cells.refine); });
   double least = atRest ? atFront : cell; // of the smallest cells
   std::vector<RefinedBox> boxes;
-  for (const NarrowGap& gap : needs.narrow)
+  for (const NarrowGap& gap : mayRefine ? needs.narrow : std::vector<NarrowGap>{})
   {
     boxes.push_back({gap.lower, gap.upper, gap.width / rule.perThickness});
     least = std::min(least, boxes.back().cell);

@@ -51,7 +51,7 @@ bool haveCutParticles(const Teuchos::ParameterList& scene)
 }
 
 template <int D>
-LevelOf<D> levelsOfCells(const State<D>& state)
+IsDivided<D> dividedByCells(const State<D>& state)
 {
   const Branches<D> refined = refinedCells(state);
   const bool boxes = state.method.shape == ShapeKind::Gimp;
@@ -69,14 +69,11 @@ LevelOf<D> levelsOfCells(const State<D>& state)
       low[d] = at - half;
       high[d] = at + half;
     }
-    int deepest = 0;
-    while (deepest < refined.depth() && anyRefined(refined, deepest, low, high))
-      ++deepest;
-    return deepest;
+    return level < refined.depth() && anyRefined(refined, level, low, high);
   };
 }
 
-template LevelOf<2> levelsOfCells(const State<2>&);
-template LevelOf<3> levelsOfCells(const State<3>&);
+template IsDivided<2> dividedByCells(const State<2>&);
+template IsDivided<3> dividedByCells(const State<3>&);
 
 } // namespace Rhegma

@@ -15,6 +15,6 @@ bool haveCutParticles(const Teuchos::ParameterList& scene);
 /// The deepest level of cells that a box touches, as the particle that fills it would; the cells are those of
 /// the state now.
 template <int D>
-LevelOf<D> levelsOfCells(const State<D>& state);
+IsDivided<D> dividedByCells(const State<D>& state);
 
 } // namespace Rhegma

@@ -27,12 +27,12 @@ struct PlacedBody
 
 /// Places the bodies of the section `Bodies`.
 /// \param state has its grid and the fields of its particles, from which memory is estimated
-/// \param levelOf of the cells that are refined at the start; empty: none are
+/// \param isDivided of the cells that are refined at the start; empty: none are
 ///
 /// Throws std::invalid_argument, a line per error: a body that has no particle, leaves the domain or overlaps
 /// another, and a scene that is too large for the machine.
 template <int D>
 std::vector<PlacedBody<D>> placeBodies(const Teuchos::ParameterList& section, const State<D>& state,
-                                       const LevelOf<D>& levelOf);
+                                       const IsDivided<D>& isDivided);
 
 } // namespace Rhegma

@@ -131,13 +131,13 @@ std::vector<Effect<D>> Run<D>::makeEffects(const RunOptions& options, std::vecto
 }
 
 template <int D>
-void Run<D>::makeAll(const LevelOf<D>& levelOf)
+void Run<D>::makeAll(const IsDivided<D>& isDivided)
 {
   const RunOptions options = declaredOptions(*scene_);
   state_.method.mechanics = options.mechanics;
   std::vector<Field> extra;
   std::vector<Effect<D>> effects = makeEffects(options, extra);
-  makeParticles(extra, levelOf);
+  makeParticles(extra, isDivided);
   for (const Effect<D>& effect : effects)
     for (const NodalField& field : effect.addsNodal)
       state_.mesh.nodalFields.add(field);
@@ -156,7 +156,7 @@ void Run<D>::makeAll(const LevelOf<D>& levelOf)
   {
     if (effect.atStart && on)
       on = attempts.attempt([&] { effect.atStart(state_); }) || effect.name == boundariesName;
-    if (!levelOf && attempts.succeeded() && state_.mesh.tree.refined() && haveCutParticles(*scene_))
+    if (!isDivided && attempts.succeeded() && state_.mesh.tree.refined() && haveCutParticles(*scene_))
       return makeAllForRefinedCells();
   }
   if (state_.method.mechanics)
@@ -192,19 +192,19 @@ void Run<D>::makeAll(const LevelOf<D>& levelOf)
 template <int D>
 void Run<D>::makeAllForRefinedCells()
 {
-  const LevelOf<D> levelOf = levelsOfCells(state_);
+  const IsDivided<D> isDivided = dividedByCells(state_);
   const Ranks ranks = state_.ranks;
   state_ = State<D>();
   state_.ranks = ranks;
-  makeAll(levelOf);
+  makeAll(isDivided);
 }
 
 template <int D>
-void Run<D>::makeParticles(const std::vector<Field>& extra, const LevelOf<D>& levelOf)
+void Run<D>::makeParticles(const std::vector<Field>& extra, const IsDivided<D>& isDivided)
 {
   Attempts attempts, hidden;
   state_.mesh.grid.spacing = 0.0; // until there are cells
-  if (attempts.attempt([&] { makeState(*scene_, extra, state_, levelOf); }))
+  if (attempts.attempt([&] { makeState(*scene_, extra, state_, isDivided); }))
     return;
   if (state_.mesh.grid.spacing > 0.0)
     hidden.attempt([&] { judgeWithoutParticles(*scene_, state_); });

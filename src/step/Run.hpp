@@ -73,13 +73,13 @@ public:
   std::vector<std::string> effectNames() const;
 
 private:
-  /// \param levelOf for makeState
-  void makeAll(const LevelOf<D>& levelOf);
+  /// \param isDivided for makeState
+  void makeAll(const IsDivided<D>& isDivided);
 
   /// Makes all anew, with particles at the edges of bodies that suit the cells, which have been refined.
   void makeAllForRefinedCells();
   /// Throws std::invalid_argument with the warnings that need no particles.
-  void makeParticles(const std::vector<Field>& extra, const LevelOf<D>& levelOf);
+  void makeParticles(const std::vector<Field>& extra, const IsDivided<D>& isDivided);
   /// Adds warnings of wrong physics. \param step first stable step [s] \param driven whether effects may load
   /// or move bodies \param attempt gets each judgment and calls it
   template <class Attempt>

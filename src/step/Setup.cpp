@@ -292,13 +292,13 @@ void makeBoxes(State<D>& state)
 
 template <int D>
 void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state,
-               const LevelOf<D>& levelOf)
+               const IsDivided<D>& isDivided)
 {
   readMethod(scene, state);
   readMaterials(scene, state);
   addFields(state, extra);
   const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
-  addBodies(placeBodies<D>(bodies, state, levelOf), state);
+  addBodies(placeBodies<D>(bodies, state, isDivided), state);
   makeBodyAxes(state);
   if (state.method.shape == ShapeKind::Gimp)
     makeBoxes(state);
@@ -306,8 +306,8 @@ void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& ex
 }
 
 template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<2>&,
-                        const LevelOf<2>&);
+                        const IsDivided<2>&);
 template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<3>&,
-                        const LevelOf<3>&);
+                        const IsDivided<3>&);
 
 } // namespace Rhegma

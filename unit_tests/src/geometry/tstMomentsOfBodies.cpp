@@ -173,10 +173,10 @@ void divideBalls(int trials)
     }
     const double around = random(0.3, 1.5);
     const int levels = D == 2 ? 3 : 2;
-    const LevelOf<D> levelOf = [&](const Geometry::OrientedBox<D>& box, int)
+    const IsDivided<D> isDivided = [&](const Geometry::OrientedBox<D>& box, int level)
     {
       const double away = norm(box.centre - fine) - 0.5 * norm(box.edge);
-      return away < around ? levels : (away < 2.0 * around ? 1 : 0);
+      return level < (away < around ? levels : (away < 2.0 * around ? 1 : 0));
     };
     Moments<D> right{D == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r, centre, {}};
     for (int d = 0; d < D; ++d)
@@ -184,7 +184,7 @@ void divideBalls(int trials)
     ParameterList list = ball({0.0, 0.0}, r);
     list.set("Centre", Teuchos::Array<double>(centre.c, centre.c + D));
     const Shape<D> shape = makeShape<D>(list);
-    const Seeds<D> seeds = seedParticles(shape, 1.0, 2, "Ball", levelOf);
+    const Seeds<D> seeds = seedParticles(shape, 1.0, 2, "Ball", isDivided);
     expectMoments(seeds, right, 1e-3, "ball of radius " + std::to_string(r));
     double cell = 1.0;
     for (int d = 0; d < D; ++d)
