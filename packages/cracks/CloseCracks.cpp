@@ -2,7 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "geometry/NearBoxes.hpp"
-#include "grid/Branches.hpp"
+#include "grid/LeafEdge.hpp"
 #include "state/Subdomain.hpp"
 #include "surface/NearestOnSimplex.hpp"
 
@@ -20,22 +20,6 @@ namespace
 {
 
 constexpr double cellsApart = 3.0; ///< least distance of two cracks [cells]
-
-/// Edge of the cell at a position [m].
-template <int D>
-double edgeAt(const Branches<D>& refined, const Vector<D>& x)
-{
-  const Grid<D>& grid = refined.grid();
-  double edge = grid.spacing;
-  for (int level = 0;; ++level, edge *= 0.5)
-  {
-    typename Branches<D>::Cell cell;
-    for (int d = 0; d < D; ++d)
-      cell[d] = static_cast<int>(std::floor((x[d] - grid.origin[d]) / edge));
-    if (level >= refined.depth() || !refined.isInside(level, cell) || !refined.isRefined(level, cell))
-      return edge;
-  }
-}
 
 template <int D>
 using Corners = std::vector<std::array<Vector<D>, D>>;
@@ -64,11 +48,11 @@ void visitPositions(const std::array<Vector<D>, D>& corner, const Branches<D>& r
     Vector<D> middle[D];
     for (int i = 0; i < D; ++i)
     {
-      visit(corner[i], edgeAt(refined, corner[i]));
+      visit(corner[i], leafEdge(refined, corner[i]));
       const Vector<D>& next = corner[(i + 1) % D];
       longest = std::max(longest, norm(next - corner[i]));
       middle[i] = 0.5 * (corner[i] + next);
-      edge = std::min({edge, edgeAt(refined, corner[i]), edgeAt(refined, middle[i])});
+      edge = std::min({edge, leafEdge(refined, corner[i]), leafEdge(refined, middle[i])});
     }
     if (longest <= 2.0 * edge)
       return;
@@ -83,11 +67,11 @@ void visitPositions(const std::array<Vector<D>, D>& corner, const Branches<D>& r
     for (double at = 0.0; at < length;)
     {
       const Vector<D> x = corner[0] + (at / length) * along;
-      const double edge = edgeAt(refined, x);
+      const double edge = leafEdge(refined, x);
       visit(x, edge);
       at += 0.5 * edge;
     }
-    visit(corner[1], edgeAt(refined, corner[1]));
+    visit(corner[1], leafEdge(refined, corner[1]));
   }
 }
 

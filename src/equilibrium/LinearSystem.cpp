@@ -25,6 +25,9 @@ constexpr int mostDirectUnknowns = D == 2 ? 400000 : 12000;
 /// Floating-point operations of a factorisation that take as long as conjugate gradients: a second or two.
 constexpr double mostOperations = 3e9;
 
+/// The same where conjugate gradients have failed: minutes.
+constexpr double mostOperationsAtLast = 1e12;
+
 /// Unknowns from which the set-up of multigrid is shorter than the iterations that it saves.
 constexpr int leastMultigridUnknowns = 50000;
 
@@ -284,7 +287,13 @@ LinearAnswer LinearSystem<D>::solve(const StiffnessBlocks& stiffness, bool symme
   prepare();
   fill(stiffness);
   moveHeldToRight(stiffness, right, change);
-  const LinearAnswer answer = method_ == Method::Direct ? solveDirectly(symmetric) : iterate(enough);
+  LinearAnswer answer = method_ == Method::Direct ? solveDirectly(symmetric) : iterate(enough);
+  if (!answer.solved && method_ != Method::Direct && DirectSolver::available() &&
+      direct_.analyse(matrix_) <= mostOperationsAtLast)
+  {
+    method_ = Method::Direct;
+    answer = solveDirectly(symmetric);
+  }
   for (int k = 0; k < matrix_.rows(); ++k)
     if (held_(k) == 0)
       change(k) = x_(k);

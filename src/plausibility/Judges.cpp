@@ -66,7 +66,7 @@ void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven, S
   Messages all;
   for (const auto judge :
        {judgeQuantities<D>, judgeTimes<D>, judgeNeighbours<D>, judgePieces<D>, judgeLoads<D>, judgeMotion<D>,
-        judgeMirrors<D>, judgeHeld<D>, judgeFirstSteps<D>, judgeFlight<D>})
+        judgeMirrors<D>, judgeHeld<D>, judgeGrips<D>, judgeFirstSteps<D>, judgeFlight<D>})
     addFirstTen(judge(judged), all);
   state.warnings.insert(state.warnings.end(), all.begin(), all.end());
   state.warnings = withoutNonNumbers(state.warnings);

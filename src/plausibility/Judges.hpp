@@ -51,6 +51,9 @@ Messages judgeMirrors(const JudgedScene<D>& judged);
 /// Loads on bodies that a support holds everywhere.
 template <int D>
 Messages judgeHeld(const JudgedScene<D>& judged);
+/// Supports of which no node lies on the face that they hold.
+template <int D>
+Messages judgeGrips(const JudgedScene<D>& judged);
 /// Supports that are faster than waves, and forces that a cell cannot bear.
 template <int D>
 Messages judgeFirstSteps(const JudgedScene<D>& judged);
