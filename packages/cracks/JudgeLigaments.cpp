@@ -113,7 +113,7 @@ private:
     const Vector<D> normal = normalOf(mesh_, s), from = mesh_.vertices[mesh_.simplices[s][0]];
     const double cell = spacingAt(state_, from);
     for (const Vector<D>& x : pointsIn(mesh_, s, cell))
-      look(x, {normal, -1.0 * normal}, cell);
+      look(x, {normal, -1.0 * normal}, spacingAt(state_, x));
     for (int i = 0; i < D; ++i)
       if (mesh_.beyond[s][i] == facet::front)
         measureFront(s, i, normal);
