@@ -72,6 +72,7 @@ struct Parts
   bool touching; ///< contact keeps faces apart
   int pieces;    ///< of a cell, for edges of surfaces
   int levels;    ///< of finer cells at fronts
+  bool adaptive; ///< cells are refined after this effect has started
   Surroundings surroundings;
   Ghosts ghosts;
   CrackMotion<D> motion;
@@ -92,6 +93,7 @@ struct Parts
         touching(options.contact),
         pieces(piecesOfACell(options)),
         levels(options.frontLevels),
+        adaptive(options.adaptive),
         springs(releases),
         growth(mirrorPlanes(scene))
   {
@@ -139,6 +141,8 @@ void start(const Shared<D>& parts, State<D>& state)
   const double front = std::ldexp(state.mesh.grid.spacing, -parts->levels);
   parts->meshes =
       readCracks(parts->section, *parts->bodies, state, state.mesh.grid.spacing / parts->pieces, front);
+  if (!parts->adaptive) // else once cells are refined
+    refuseCloseCracks(state);
   judgeLengths(front, state);
   if (parts->hasSprings)
     parts->advected.start(state);
@@ -371,7 +375,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     if (!parts->meshes.empty()) // else bodies or cracks are wrong
       judgeLigaments(*parts->bodies, parts->mirrored, parts->meshes, state);
     parts->meshes.clear();
-    refuseCloseCracks(state);
+    if (parts->adaptive)
+      refuseCloseCracks(state);
   };
   effect.memory = [=](State<D>& state, Archive& archive)
   {

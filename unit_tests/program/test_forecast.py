@@ -135,7 +135,7 @@ class Forecast(ProgramTest):
         scene = os.path.join(SOURCE, "xml_inputs", "examples", "dcb.xml")
         answer = rhegma(scene, "--output", self.path("out"))
         self.assertEqual(answer.status, 0, answer)
-        said = re.search(r"settled at t = \S+ [mu]?s: .* may still change by ([\d.e-]+) %", answer.output)
+        said = re.search(r"settled at t = \S+ [mu]?s: .* may still change by at most ([\d.e-]+) %", answer.output)
         self.assertTrue(said, answer)
         with open(self.path("out", "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
