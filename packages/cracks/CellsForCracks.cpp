@@ -254,7 +254,7 @@ double clearOf(const Vector<2>& front, double most, const SceneBodies<2>& bodies
   return least < most ? least : CellNeeds::none;
 }
 
-/// Boxes along a crack where the body is narrow beside it: up to other cracks that are nearer than half the
+/// Boxes along a crack where the body is narrow next to it: up to other cracks that are nearer than half the
 /// length of both, and up to surfaces on both sides, as far as the part is an arm (slenderness) with respect
 /// to the nearest end of the crack.
 void addNarrow(const Line& line, const std::vector<const Line*>& others, const SceneBodies<2>& bodies,

@@ -234,27 +234,45 @@ PartsOfLevels<D> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& fr
   return std::move(division.parts);
 }
 
-/// Moves the parts of a level that are too small and have no neighbour of their size to the level of cells
-/// twice as large, where they may have one.
+/// Joins the parts that are too small and have no neighbour of their size with the nearest part of another
+/// level that is no farther away than a cell of the larger of the two.
 template <int D>
-void moveSlivers(std::vector<Part<D>>& from, std::vector<Part<D>>& to)
+void joinOverLevels(PartsOfLevels<D>& parts, const Vector<D>& edge, const Geometry::IsSeen<D>& isSeen)
 {
+  constexpr std::size_t most = 1000; // more are those of thin walls, which stay alone
+  std::size_t slivers = 0;
   const auto isSliver = [](const Part<D>& part) { return part.fraction < Geometry::joinedBelow; };
-  const std::size_t before = to.size();
-  for (Part<D> part : from)
-  {
-    if (!isSliver(part))
-      continue;
-    for (int d = 0; d < D; ++d)
-      part.cell[d] /= 2;
-    part.fraction /= 1 << D;
-    part.family = -1;
-    to.push_back(part);
-  }
-  if (to.size() == before)
+  for (const std::vector<Part<D>>& these : parts)
+    slivers += std::count_if(these.begin(), these.end(), isSliver);
+  if (parts.size() < 2 || slivers > most)
     return;
-  from.erase(std::remove_if(from.begin(), from.end(), isSliver), from.end());
-  Geometry::sortByCell<D>(to);
+  for (std::size_t level = 0; level < parts.size(); ++level)
+  {
+    const auto hosted = [&](Part<D> part)
+    {
+      Part<D>* host = nullptr;
+      std::size_t hostLevel = 0;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t other = 0; other < parts.size() && isSliver(part); ++other)
+        for (Part<D>& candidate : parts[other])
+        {
+          const double distance = norm(candidate.centroid - part.centroid);
+          const double within = std::ldexp(norm(edge), -static_cast<int>(std::min(level, other)));
+          if (other == level || isSliver(candidate) || distance >= std::min(nearest, within) ||
+              !isSeen(part.centroid, candidate.centroid))
+            continue;
+          host = &candidate;
+          hostLevel = other;
+          nearest = distance;
+        }
+      if (host == nullptr)
+        return false;
+      part.fraction = std::ldexp(part.fraction, D * (static_cast<int>(hostLevel) - static_cast<int>(level)));
+      Geometry::join(part, *host);
+      return true;
+    };
+    parts[level].erase(std::remove_if(parts[level].begin(), parts[level].end(), hosted), parts[level].end());
+  }
 }
 
 template <int D>
@@ -347,20 +365,19 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
       shape.parts().size() == 1 && std::holds_alternative<Geometry::Box<D>>(shape.base().primitive);
   PartsOfLevels<D> parts = partsOf(lattice, frame, region, isBox, isDivided);
   const double slack = -tiny * norm(lattice.edge);
-  bool any = false, stands = false;
-  for (std::size_t level = parts.size(); level-- > 0;)
+  const Geometry::IsSeen<D> isSeen = [&](const Vector<D>& a, const Vector<D>& b)
   {
-    std::vector<Part<D>>& these = parts[level];
-    Geometry::joinSlivers<D>(these, std::ldexp(1.0, -static_cast<int>(level)) * lattice.edge,
-                             [&](const Vector<D>& a, const Vector<D>& b)
-                             {
-                               bool seen = true;
-                               for (const double s : {0.25, 0.5, 0.75})
-                                 seen = seen && shape.depth(frame.toSpace(a + s * (b - a))) >= slack;
-                               return seen;
-                             });
-    if (level > 0)
-      moveSlivers(these, parts[level - 1]);
+    bool seen = true;
+    for (const double s : {0.25, 0.5, 0.75})
+      seen = seen && shape.depth(frame.toSpace(a + s * (b - a))) >= slack;
+    return seen;
+  };
+  for (std::size_t level = 0; level < parts.size(); ++level)
+    Geometry::joinSlivers<D>(parts[level], std::ldexp(1.0, -static_cast<int>(level)) * lattice.edge, isSeen);
+  joinOverLevels<D>(parts, lattice.edge, isSeen);
+  bool any = false, stands = false;
+  for (const std::vector<Part<D>>& these : parts)
+  {
     any = any || !these.empty();
     stands =
         stands || std::any_of(these.begin(), these.end(),

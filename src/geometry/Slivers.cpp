@@ -15,32 +15,6 @@ bool isBefore(const std::array<long long, D>& a, const std::array<long long, D>&
   return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
 }
 
-/// Adds one part to another.
-template <int D>
-void join(const LatticePart<D>& one, LatticePart<D>& to)
-{
-  const double all = one.fraction + to.fraction, a = one.fraction / all, b = to.fraction / all;
-  for (int d = 0; d < D; ++d)
-  {
-    const double apart = one.centroid[d] - to.centroid[d];
-    to.centroid[d] += a * apart;
-    to.variance[d] = a * one.variance[d] + b * to.variance[d] + a * b * apart * apart;
-  }
-  to.fraction = all;
-  to.family = -1;
-}
-
-/// Whether the box of a part is longer than a joined one may be.
-template <int D>
-bool isLong(const LatticePart<D>& part, const Vector<D>& edge)
-{
-  constexpr double rounding = 1.0 + 1e-6; // of two whole cells
-  bool found = false;
-  for (int d = 0; d < D; ++d)
-    found = found || 12.0 * part.variance[d] > std::pow(longestJoined * rounding * edge[d], 2);
-  return found;
-}
-
 /// Calls visit(index) for the parts in the cells around one.
 template <int D, class Visit>
 void forEachNeighbour(const std::vector<LatticePart<D>>& parts, const std::array<long long, D>& cell,
@@ -98,6 +72,31 @@ std::vector<int> hostsOf(const std::vector<LatticePart<D>>& parts, const std::ve
 } // namespace
 
 template <int D>
+void join(const LatticePart<D>& one, LatticePart<D>& to)
+{
+  const double all = one.fraction + to.fraction, a = one.fraction / all, b = to.fraction / all;
+  for (int d = 0; d < D; ++d)
+  {
+    const double apart = one.centroid[d] - to.centroid[d];
+    to.centroid[d] += a * apart;
+    to.variance[d] = a * one.variance[d] + b * to.variance[d] + a * b * apart * apart;
+  }
+  to.fraction = all;
+  to.family = -1;
+}
+
+/// Whether the box of a part is longer than a joined one may be.
+template <int D>
+bool isLong(const LatticePart<D>& part, const Vector<D>& edge)
+{
+  constexpr double rounding = 1.0 + 1e-6; // of two whole cells
+  bool found = false;
+  for (int d = 0; d < D; ++d)
+    found = found || 12.0 * part.variance[d] > std::pow(longestJoined * rounding * edge[d], 2);
+  return found;
+}
+
+template <int D>
 void sortByCell(std::vector<LatticePart<D>>& parts)
 {
   std::stable_sort(parts.begin(), parts.end(),
@@ -140,6 +139,8 @@ void joinSlivers(std::vector<LatticePart<D>>& parts, const Vector<D>& edge, cons
   parts.resize(kept);
 }
 
+template void join(const LatticePart<2>&, LatticePart<2>&);
+template void join(const LatticePart<3>&, LatticePart<3>&);
 template void sortByCell(std::vector<LatticePart<2>>&);
 template void sortByCell(std::vector<LatticePart<3>>&);
 template void joinSlivers(std::vector<LatticePart<2>>&, const Vector<2>&, const IsSeen<2>&);

@@ -25,6 +25,10 @@ struct LatticePart
 /// whole particles ([theory](../../docs/theory.md), particles at edges).
 constexpr double joinedBelow = 0.5;
 
+/// Adds one part of a lattice cell to another, whose family it ends. Volume, first and second moments stay.
+template <int D>
+void join(const LatticePart<D>& one, LatticePart<D>& to);
+
 /// Sorts parts as joinSlivers needs them; those of one cell stay in their order.
 template <int D>
 void sortByCell(std::vector<LatticePart<D>>& parts);

@@ -13,7 +13,7 @@
 namespace Rhegma
 {
 
-/// A box round a narrow part of a body: between a crack and a surface beside it, or another crack.
+/// A box round a narrow part of a body: between a crack and a surface next to it, or another crack.
 struct NarrowGap
 {
   std::vector<double> lower, upper; ///< corners [m]
@@ -47,7 +47,7 @@ struct CellNeeds
   bool heat = false;     ///< whether layers of heat need small cells far from fronts, too
   bool facesLoaded = false;        ///< whether faces of cracks may have pressure, contact, gas or heat
   bool equal = false;              ///< whether all effects of the scene need cells of equal size
-  std::vector<NarrowGap> narrow{}; ///< beside cracks, in 2D
+  std::vector<NarrowGap> narrow{}; ///< next to cracks, in 2D
   std::string shortestAcross, smallestSource; ///< sections that give these lengths
 
   bool fronts() const { return across < none; }
