@@ -173,7 +173,7 @@ void divideBalls(int trials)
     for (int d = 0; d < D; ++d)
     {
       centre[d] = random(-1.0, 1.0);
-      fine[d] = centre[d] + random(-r, r);
+      fine[d] = centre[d] + random(-r, r) / std::sqrt(double(D));
     }
     const double around = random(0.3, 1.5);
     const int levels = D == 2 ? 3 : 2;
