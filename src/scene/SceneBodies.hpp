@@ -35,8 +35,8 @@ public:
   double depth(const Vector<D>& x) const;
 
   /// The largest cell edge up to `most` for which all faces of the bodies' bounds lie on lines of a grid from
-  /// `corner`, unless that needs cells of less than half of `most` (two thirds in 3D). In cells that a face cuts, particles are
-  /// shifted, and displacements prescribed on the face are off by up to half a cell.
+  /// `corner`, unless that needs cells of less than half of `most` (two thirds in 3D). In cells that a face
+  /// cuts, particles are shifted, and displacements prescribed on the face are off by up to half a cell.
   double fit(double most, const Teuchos::Array<double>& corner) const;
 
   /// How far along a direction all positions are inside [m]. It is searched in 400 steps up to `most`;
