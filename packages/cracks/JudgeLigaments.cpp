@@ -71,6 +71,7 @@ std::vector<Vector<D>> pointsIn(const CrackMesh<D>& mesh, int s, double cell)
     return {(1.0 / 3.0) * (x(0) + x(1) + x(2))};
   std::vector<Vector<D>> points;
   const int pieces = std::max(1, static_cast<int>(std::ceil(norm(x(1) - x(0)) / cell)));
+  points.reserve(pieces);
   for (int k = 0; k < pieces; ++k)
     points.push_back(x(0) + ((k + 0.5) / pieces) * (x(1) - x(0)));
   return points;
