@@ -104,6 +104,22 @@ TooNear worstApproach(const Crack<D>& a, const Crack<D>& b, const Corners<D>& co
   return worst;
 }
 
+/// Cracks that cross do so at no cell size: positions are compared half a cell apart.
+std::string messageOf(const std::string& one, const std::string& other, const TooNear& near)
+{
+  const std::string where = "Cracks > " + one + ": it ";
+  if (near.distance < 0.25 * near.edge)
+    return where + "meets or crosses Cracks > " + other +
+           ", which is possible for cracks that grow but not at the start; let it end three cells (" +
+           readableLength(cellsApart * near.edge) +
+           ") before, or write both as one crack where one goes on "
+           "from the other";
+  return where + "comes as near as " + readableLength(near.distance) + " to Cracks > " + other +
+         ", closer than three cells (of " + readableLength(near.edge) +
+         " there), which cells can't separate; use smaller cells there (Domain > Cell Size, or a box in "
+         "Adaptivity)";
+}
+
 } // namespace
 
 template <int D>
@@ -127,11 +143,7 @@ void refuseCloseCracks(const State<D>& state)
     for (const int b : boxes.near(bounds[a], cellsApart * state.mesh.grid.spacing))
       if (static_cast<int>(a) != b)
         if (const TooNear near = worstApproach<D>(set.cracks[a], set.cracks[b], corners, refined); near.found)
-          throw std::invalid_argument("Cracks > " + set.cracks[a].name + ": it comes as near as " +
-                                      readableLength(near.distance) + " to Cracks > " + set.cracks[b].name +
-                                      ", closer than three cells (of " + readableLength(near.edge) +
-                                      " there), which cells can't separate; use smaller cells there (Domain "
-                                      "> Cell Size, or a box in Adaptivity)");
+          throw std::invalid_argument(messageOf(set.cracks[a].name, set.cracks[b].name, near));
 }
 
 template void refuseCloseCracks(const State<2>&);

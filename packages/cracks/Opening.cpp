@@ -23,7 +23,7 @@ double sizeOf(const Vector<3> (&corner)[3])
 } // namespace
 
 template <int D>
-Opening measureOpening(const CrackSet<D>& cracks, int crack)
+Opening measureOpening(const CrackSet<D>& cracks, int crack, double overlap)
 {
   const auto vertex = onHost(cracks.vertex);
   const auto face = onHost(cracks.face);
@@ -57,11 +57,12 @@ Opening measureOpening(const CrackSet<D>& cracks, int crack)
       }
     opening.volume += (D == 2 && atFront ? rootShape : 1.0) * mean * sizeOf(corner);
     opening.size += sizeOf(corner);
+    opening.closed += mean < -overlap ? sizeOf(corner) : 0.0;
   }
   return opening;
 }
 
-template Opening measureOpening(const CrackSet<2>&, int);
-template Opening measureOpening(const CrackSet<3>&, int);
+template Opening measureOpening(const CrackSet<2>&, int, double);
+template Opening measureOpening(const CrackSet<3>&, int, double);
 
 } // namespace Rhegma::cracks

@@ -1,8 +1,10 @@
 #include "cracks/Overlap.hpp"
 
 #include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 #include "cracks/Opening.hpp"
 #include "state/Subdomain.hpp"
+#include "transfer/LocalSpacing.hpp"
 
 #include <cmath>
 
@@ -40,23 +42,44 @@ double strainNextTo(const State<D>& state, int crack)
   return found[1] > 0.0 ? std::sqrt(found[0] / found[1]) : 0.0;
 }
 
+template <int D>
+Vector<D> firstVertex(const CrackSet<D>& cracks, int crack)
+{
+  const auto vertex = onHost(cracks.vertex);
+  Vector<D> x;
+  for (int d = 0; d < D; ++d)
+    x[d] = vertex(cracks.cracks[crack].firstVertex, d);
+  return x;
+}
+
 } // namespace
 
 template <int D>
 std::string warningOfOverlap(const State<D>& state, int crack)
 {
-  constexpr double fraction = 1.0; ///< of length times strain
+  // A crack of length a that a strain e closes everywhere overlaps by 2 a e. Single vertices follow single
+  // nodes, by as much as a cell is strained.
+  constexpr double fraction = 1.0, ofLength = 0.2;
+  const double least = 1e-9 * state.mesh.grid.spacing;
   const Opening opening = measureOpening(state.cracks, crack);
   const double length = D == 2 ? opening.size : std::sqrt(opening.size);
   const double overlap = -opening.smallest;
-  if (!state.ranks.many() && !(overlap > 1e-9 * state.mesh.grid.spacing))
+  if (!state.ranks.many() && !(overlap > least))
     return {}; // without a look at all particles
-  if (!(overlap > fraction * length * strainNextTo(state, crack)) ||
-      !(overlap > 1e-9 * state.mesh.grid.spacing))
+  const double strain = strainNextTo(state, crack);
+  const double noise =
+      strain * spacingAt(state, state.cracks.cracks[crack].numVertices > 0 ? firstVertex(state.cracks, crack)
+                                                                           : Vector<D>{});
+  const double closed = measureOpening(state.cracks, crack, noise).closed;
+  if (!(overlap > least) || !(overlap > fraction * length * strain || closed > ofLength * opening.size))
     return {};
   return "crack " + state.cracks.cracks[crack].name +
          ": its faces overlap at t = " + readableTime(state.clock.time) + " by up to " +
-         readableLength(overlap) + ", because the scene has no contact; G and K are wrong from then on; " +
+         readableLength(overlap) +
+         (closed < 0.9 * opening.size
+              ? " over " + formatShort(std::round(100.0 * closed / opening.size)) + " % of the crack"
+              : "") +
+         ", because the scene has no contact; G and K are wrong from then on; " +
          (state.method.equilibrium()
               ? "add a section Contact, or run it with Time > Analysis = Dynamic and Contact"
               : "add a section Contact");

@@ -26,15 +26,28 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
                               advice + ", or use smaller cells (Domain > Cell Size)");
 }
 
+/// Refuses radii of the scene between which no cell fits. \param cell at the front [m]
+void refuseThinRing(const GivenRadii& given, double cell)
+{
+  const auto [inner, outer] = usualRadii(given, cell);
+  if (outer < inner + (1.0 - slack) * cell)
+    throw std::invalid_argument("Energy Release > Outer Radius: it must exceed Inner Radius by at least one "
+                                "cell of " +
+                                formatReal(cell) + " m; write at least " + formatReal(inner + cell) +
+                                ", or a smaller Inner Radius");
+}
+
 /// Warns of a contour of the scene that meets a crack.
 void warnOfCracks(State<2>& state, const CrackFront<2>& front, double outer, double cell)
 {
   const double clear = clearOfCracks(state.cracks, front, outer, cell);
   if (clear < outer - slack * cell)
-    state.warnings.push_back("Energy Release > Outer Radius: the contour of " + formatReal(outer) +
-                             " m around " + frontName(state.cracks, front) +
-                             " meets another crack or another part of its own, " + readableLength(clear) +
-                             " away, so G and K can have any value; write at most " + formatReal(clear));
+    state.warnings.push_back(
+        "Energy Release > Outer Radius: the contour of " + formatReal(outer) + " m around " +
+        frontName(state.cracks, front) +
+        " reaches the cells of another crack or of another part of its own, so G and K can have "
+        "any value; write at most " +
+        formatReal(clear));
 }
 
 /// Refuses radii of the scene that do not fit; reports the radii used where the default ones do not.
@@ -44,6 +57,7 @@ void checkTube(State<2>& state, const CrackFront<2>& front, const Options& optio
   const GivenRadii& given = options.radii;
   if (given.outer > 0.0)
   {
+    refuseThinRing(given, cell);
     const double clear = largestContour(state, front, given.outer);
     if (clear < given.outer - slack * cell)
       refuseContour(state, front, "Outer Radius", formatReal(given.outer),
@@ -91,6 +105,7 @@ void checkTube(State<3>& state, const CrackFront<3>& front, const Options& optio
     return;
   if (options.radii.outer == 0.0)
     return warnOfSmallestTube(state, front, options);
+  refuseThinRing(options.radii, spacingAt(state, front.position));
   const double clear = clearAround(state, front, options.radii.outer);
   if (clear < options.radii.outer - slack * spacingAt(state, front.position))
     throw std::invalid_argument(

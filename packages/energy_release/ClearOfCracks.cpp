@@ -64,12 +64,18 @@ bool isNear(const CrackSet<D>& cracks, const Crack<D>& crack, const Geometry::Bo
   return near;
 }
 
+/// Nodes nearer than a cell to a crack are split by it, and particles of both of its sides strain by them.
+constexpr double marginCells = 1.0;
+/// The smallest radius may reach into them: better than none.
+constexpr double smallestCells = 2.0;
+
 } // namespace
 
 template <int D>
 double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, double radius, double cell)
 {
   constexpr double slack = 1.5; // cells
+  const double margin = marginCells * cell;
   const std::vector<Vector<D>> points = positionsOf(front);
   if (points.empty() || front.numFacets == 0)
     return radius;
@@ -84,10 +90,11 @@ double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, doub
     if (c == front.crack && crack.numSimplices > 1)
       for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
         start.push_back(frontFacet(f, 0) - crack.firstSimplex);
-    if ((c == front.crack && start.empty()) || !isNear(cracks, crack, bounds, radius))
+    if ((c == front.crack && start.empty()) || !isNear(cracks, crack, bounds, radius + margin))
       continue;
     const surface::CrackMesh<D> mesh = meshOf(cracks, crack);
-    radius = surface::Returns<D>(mesh).find(start, points, radius, slack * cell);
+    const double found = surface::Returns<D>(mesh).find(start, points, radius + margin, slack * cell);
+    radius = std::min(radius, std::max(found - margin, std::min(found, smallestCells * cell)));
   }
   return radius;
 }

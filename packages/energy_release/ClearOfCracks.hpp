@@ -6,8 +6,9 @@
 namespace Rhegma::energy_release
 {
 
-/// Largest radius round a front in which there is no other crack, and of its own crack only what is connected
-/// to the front inside the radius: a crack that turns back is as a surface where it comes near again.
+/// Largest radius round a front that stays a cell away from other cracks, and from what of its own crack is
+/// not connected to the front inside the radius: a crack that turns back is as another one where it comes
+/// near again. Up to two cells the radius may reach them.
 ///
 /// In 3D distances are those from the nodes of the front, each to the simplices that are nearest to it.
 /// \param radius the largest that is of interest, which is returned where nothing is nearer [m]

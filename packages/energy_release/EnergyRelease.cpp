@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "energy_release/CheckTubes.hpp"
+#include "energy_release/Disagreement.hpp"
 #include "energy_release/DomainIntegral.hpp"
 #include "energy_release/DrivingForces.hpp"
 #include "energy_release/FrontIntegral.hpp"
@@ -274,8 +275,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
     addAnswers(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);
-    for (const std::string& warning : warningsOfNegativeRelease(state, samples->last, samples->time))
-      summary["warnings"].push_back(warning);
+    for (const auto find : {warningsOfNegativeRelease<D>, warningsOfDisagreement<D>})
+      for (const std::string& warning : find(state, samples->last, samples->time))
+        summary["warnings"].push_back(warning);
   };
   return effect;
 }

@@ -100,21 +100,11 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
   const bool contour = !refused("Contour Integral");
   if (!contour && refused("Crack Closure"))
     errors.push_back({"Energy Release > Contour Integral", nothingLeft});
-  if (!scene.isSublist("Domain"))
-    return;
-  const Teuchos::ParameterList& domain = scene.sublist("Domain");
-  if (!contour || !domain.isType<double>("Cell Size"))
-    return;
-  for (const SceneError& error : errors)
-    if (error.where == "Domain > Cell Size") // results of a wrong cell size are meaningless
-      return;
-  const double cell = domain.get<double>("Cell Size");
   const GivenRadii given = readRadii(scene);
-  const auto [inner, outer] = usualRadii(given, cell);
-  if (outer < inner + cell)
+  if (contour && given.outer > 0.0 && given.outer <= given.inner)
     errors.push_back({"Energy Release > Outer Radius",
-                      "it must exceed Inner Radius by at least one cell of " + formatReal(cell) +
-                          " m; write at least " + formatReal(inner + cell) + ", or a smaller Inner Radius"});
+                      "it must exceed Inner Radius = " + formatReal(given.inner) +
+                          " by at least one cell; write a larger one, or a smaller Inner Radius"});
 }
 
 namespace

@@ -2,6 +2,7 @@
 /// Whether a toughness fits the loads, the material and the body (docs/plausibility.md).
 
 #include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "plausibility/CrackExtent.hpp"
 #include "plausibility/LoadEstimate.hpp"
@@ -195,6 +196,38 @@ void judgeLoads(const JudgedToughness<D>& judged, const std::vector<LoadEstimate
   }
 }
 
+/// A body that its own weight would break, in a scene without gravity: its lengths are hardly meant in
+/// metres.
+template <int D>
+void judgeWeight(const JudgedToughness<D>& judged, std::vector<std::string>& messages)
+{
+  constexpr double g = 9.81;
+  for (const BodyMeasure<D>& body : judged.bodies)
+  {
+    const double weight = body.density * g * body.longest, needed = judged.griffith(body, judged.most);
+    if (weight <= needed)
+      continue;
+    messages.push_back(judged.where + "a crack of " + readableLength(judged.crack) +
+                       " runs at a stress of about " + formatShort(needed) +
+                       " Pa (sqrt(E' Gc / (pi a))), but the weight of Bodies > " + body.name + ", which is " +
+                       readableLength(body.longest) + " long, would stress it with " + formatShort(weight) +
+                       " Pa, and the scene has no gravity: are lengths in metres?");
+    return;
+  }
+}
+
+/// Whether a scene has gravity. \param scene its core
+inline bool hasGravity(const Teuchos::ParameterList& scene)
+{
+  if (!scene.isSublist("Boundaries"))
+    return false;
+  const Teuchos::ParameterList& boundaries = scene.sublist("Boundaries");
+  const std::vector<std::string> names = sublistNames(boundaries);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name)
+                     { return boundaries.sublist(name).template get<std::string>("Type") == "Gravity"; });
+}
+
 /// Compares the toughness with bonds, the law and the loads. \param scene its core \param run what other
 /// effects declare
 template <int D>
@@ -207,6 +240,8 @@ void judgeToughness(const Teuchos::ParameterList& scene, const RunOptions& run, 
   const JudgedToughness<D> judged(options, state);
   judgeBonds(judged, state.warnings);
   judgeZones(judged, state.warnings);
+  if (!hasGravity(scene))
+    judgeWeight(judged, state.warnings);
   if (options.equilibrium && run.loadFactor) // which is found
     return;
   const bool others = run.heat() || !run.pressedCracks.empty(); // load the crack, too

@@ -33,8 +33,10 @@ void warnOfCold(std::vector<std::string>& warnings, const std::string& what, dou
 {
   constexpr double coldest = 77.0;
   if (T < coldest)
-    warnings.push_back(what + " " + formatShort(T) + " K, which is " + formatShort(T - 273.15) +
-                       " degrees Celsius; temperatures are absolute");
+    warnings.push_back(
+        what + " " + formatShort(T) + " K, which is " + formatShort(T - 273.15) +
+        " degrees Celsius, colder than liquid nitrogen (77 K): is it meant in degrees Celsius? "
+        "Temperatures are absolute");
   else if (T > 6000.0)
     warnings.push_back(what + " " + formatShort(T) + " K, at which no solid exists; check the exponent");
 }

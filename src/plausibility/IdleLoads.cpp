@@ -14,8 +14,8 @@ namespace Rhegma
 namespace
 {
 
-/// Part of the full load below which a load does next to nothing.
-constexpr double nextToNothing = 1e-3;
+/// Part of the full load below which a load does next to nothing, and below which it hardly acts.
+constexpr double nextToNothing = 1e-3, hardlyAny = 0.2;
 
 bool isZero(const Teuchos::ParameterList& list, const std::string& name)
 {
@@ -53,11 +53,15 @@ std::vector<std::string> idleMessages(const GivenLoad& load, const Teuchos::Para
       messages.push_back(load.where + " > " + value + " is zero, so this " + load.noun + " does nothing");
   if (!list.isParameter("History"))
     return messages;
-  const double largest = rangeOf(list.get<std::string>("History"), end).largest;
+  const std::string history = list.get<std::string>("History");
+  const double largest = rangeOf(history, end).largest, ever = largestEver(history, end);
+  const std::string upTo = load.where + " > History: up to Time > Final Time = " + readableTime(end) +
+                           " its factor is at most " + formatShort(largest);
   if (largest < nextToNothing)
-    messages.push_back(load.where + " > History: up to Time > Final Time = " + readableTime(end) +
-                       " its factor is at most " + formatShort(largest) + ", so this " + load.noun +
-                       " does next to nothing; times are in seconds");
+    messages.push_back(upTo + ", so this " + load.noun + " does next to nothing; times are in seconds");
+  else if (largest < hardlyAny * ever)
+    messages.push_back(upTo + ", and it reaches " + formatShort(ever) +
+                       " later: does the run end too early? Times are in seconds");
   return messages;
 }
 

@@ -19,14 +19,12 @@ using Teuchos::ParameterList;
 constexpr double most = 0.5;
 
 /// A support of speed v strains the body next to it by v / c until the wave from it is away, whatever the
-/// body's length.
+/// body's length. \param speed of the fastest waves [m/s]
 template <int D>
-void judgeSpeed(const JudgedScene<D>& judged, const ParameterList& list, double factor,
-                const std::string& where, Messages& messages)
+void judgeSpeed(double speed, const ParameterList& list, double factor, const std::string& where,
+                Messages& messages)
 {
-  double speed = 0.0, moved = 0.0;
-  for (const BodyMeasure<D>& body : judged.bodies)
-    speed = std::max(speed, body.speed);
+  double moved = 0.0;
   const Vector<D> value = readVector<D>(list, "Value");
   for (const char axis : list.get<std::string>("Components"))
     moved = std::max(moved, factor * std::fabs(value[axis - 'x']));
@@ -71,8 +69,12 @@ Messages judgeFirstSteps(const JudgedScene<D>& judged)
   if (!judged.state.method.mechanics || !judged.scene.isSublist("Boundaries") || judged.bodies.empty())
     return messages;
   std::unordered_map<std::string, const BodyMeasure<D>*> bodies;
+  double speed = 0.0;
   for (const BodyMeasure<D>& body : judged.bodies)
+  {
     bodies.emplace(body.name, &body);
+    speed = std::max(speed, body.speed);
+  }
   const ParameterList& section = judged.scene.sublist("Boundaries");
   const double end = judged.scene.sublist("Time").template get<double>("Final Time");
   for (const std::string& name : sublistNames(section))
@@ -84,7 +86,7 @@ Messages judgeFirstSteps(const JudgedScene<D>& judged)
       continue;
     const double factor = rangeOf(list.get<std::string>("History"), end).largest;
     if (moves)
-      judgeSpeed(judged, list, factor, where, messages);
+      judgeSpeed<D>(speed, list, factor, where, messages);
     else if (const auto body = bodies.find(list.get<std::string>("Body")); body != bodies.end())
       judgeForce(judged, list, factor, *body->second, where, messages);
   }

@@ -1,5 +1,6 @@
 #include "base/ReadList.hpp"
 #include "boundary/TouchedNodes.hpp"
+#include "geometry/NearBoxes.hpp"
 #include "plan/BoundaryType.hpp"
 #include "plausibility/Judges.hpp"
 
@@ -22,6 +23,7 @@ struct Loaded
   std::string where;
   int body;
   bool along[D];
+  std::vector<Vector<D>> ends; ///< corners of the line or surface on which it acts; none of gravity [m]
 };
 
 /// Whether a support prescribes the motion of a position.
@@ -37,16 +39,38 @@ bool holdsAt(const BoundaryRegion& support, const Vector<D>& x, double slack)
   return support.kind == BoundaryRegion::Kind::HeldOutside ? !strictly : inside;
 }
 
+/// Whether a support prescribes the motion of all of a box.
+template <int D>
+bool holdsBox(const BoundaryRegion& support, const Geometry::Bounds<D>& box, double slack)
+{
+  if (support.kind == BoundaryRegion::Kind::Held)
+    return holdsAt<D>(support, box.lower, slack) && holdsAt<D>(support, box.upper, slack);
+  bool apart = false; // from the box that is free
+  for (int d = 0; d < D; ++d)
+    apart = apart || box.upper[d] <= support.from[d] + slack || box.lower[d] >= support.to[d] - slack;
+  return apart;
+}
+
 /// Whether a support prescribes the motion of all of a body.
 template <int D>
 bool holdsAll(const BoundaryRegion& support, const BodyMeasure<D>& body, double slack)
 {
-  if (support.kind == BoundaryRegion::Kind::Held)
-    return holdsAt<D>(support, body.lower, slack) && holdsAt<D>(support, body.upper, slack);
-  bool apart = false; // from the box that is free
-  for (int d = 0; d < D; ++d)
-    apart = apart || body.upper[d] <= support.from[d] + slack || body.lower[d] >= support.to[d] - slack;
-  return apart;
+  return holdsBox<D>(support, {body.lower, body.upper}, slack);
+}
+
+/// Corners of the line or surface on which a load acts.
+template <int D>
+std::vector<Vector<D>> endsOf(const ParameterList& list)
+{
+  if (list.isParameter("Point"))
+    return {readVector<D>(list, "Point")};
+  if (list.isParameter("From"))
+    return {readVector<D>(list, "From"), readVector<D>(list, "To")};
+  if (!list.isParameter("Edge 1"))
+    return {};
+  const Vector<D> corner = readVector<D>(list, "Corner"), one = readVector<D>(list, "Edge 1"),
+                  other = readVector<D>(list, "Edge 2");
+  return {corner, corner + one, corner + other, corner + one + other};
 }
 
 /// Loads with an axis, those of gravity only where it acts on one body: another may be held on purpose.
@@ -69,7 +93,9 @@ std::vector<Loaded<D>> readLoaded(const JudgedScene<D>& judged)
     const auto body = gravity ? numbers.begin() : numbers.find(list.get<std::string>("Body"));
     if (body == numbers.end())
       continue;
-    Loaded<D> load{"Boundaries > " + name, body->second, {}};
+    Loaded<D> load{"Boundaries > " + name, body->second, {}, {}};
+    if (!gravity)
+      load.ends = endsOf<D>(list);
     for (int d = 0; d < D; ++d)
       load.along[d] = std::fabs(force[d]) > 1e-6 * norm(force);
     loads.push_back(load);
@@ -96,8 +122,14 @@ class Holders
 {
 public:
   explicit Holders(const JudgedScene<D>& judged)
-      : judged_(judged), supports_(boxesOf(judged.scene)), slack_(1e-6 * judged.state.mesh.grid.spacing)
+      : judged_(judged),
+        supports_(boxesOf(judged.scene)),
+        slack_(1e-6 * judged.state.mesh.grid.spacing),
+        inside_(insidesOf(supports_))
   {
+    for (const BoundaryRegion& support : supports_)
+      if (support.kind == BoundaryRegion::Kind::HeldOutside)
+        outside_.push_back(static_cast<int>(&support - supports_.data()));
   }
 
   bool any() const { return !supports_.empty(); }
@@ -109,9 +141,9 @@ public:
     const BodyMeasure<D>& body = judged_.bodies[number];
     const auto has = [axis](const BoundaryRegion& support)
     { return support.axes.find(static_cast<char>('x' + axis)) != std::string::npos; };
-    for (const BoundaryRegion& support : supports_)
-      if (has(support) && holdsAll(support, body, slack_))
-        return support.name;
+    for (const BoundaryRegion* support : near({body.lower, body.upper}))
+      if (has(*support) && holdsAll(*support, body, slack_))
+        return support->name;
     if (judged_.bodies.size() != 1 || std::count_if(supports_.begin(), supports_.end(), has) < 2)
       return {};
     if (nodes_.empty())
@@ -134,12 +166,74 @@ public:
     return last;
   }
 
+  /// Name of a support that holds along an axis what lies between points of a body; empty: none does.
+  std::string of(const std::vector<Vector<D>>& ends, int axis) const
+  {
+    Geometry::Bounds<D> bounds = Geometry::emptyBounds<D>();
+    for (const Vector<D>& x : ends)
+      bounds.include(x);
+    for (const BoundaryRegion* support : near(bounds))
+      if (!ends.empty() && support->axes.find(static_cast<char>('x' + axis)) != std::string::npos &&
+          holdsBox<D>(*support, bounds, slack_))
+        return support->name;
+    return {};
+  }
+
 private:
+  /// The boxes in which supports hold nodes; nowhere of those that hold the outside.
+  static std::vector<Geometry::Bounds<D>> insidesOf(const std::vector<BoundaryRegion>& supports)
+  {
+    std::vector<Geometry::Bounds<D>> boxes;
+    for (const BoundaryRegion& support : supports)
+    {
+      boxes.push_back(Geometry::emptyBounds<D>());
+      for (int d = 0; d < D && support.kind == BoundaryRegion::Kind::Held; ++d)
+      {
+        boxes.back().lower[d] = support.from[d];
+        boxes.back().upper[d] = support.to[d];
+      }
+    }
+    return boxes;
+  }
+
+  /// Supports that may hold a part of a box.
+  std::vector<const BoundaryRegion*> near(const Geometry::Bounds<D>& box) const
+  {
+    std::vector<const BoundaryRegion*> found;
+    for (const int k : inside_.near(box, slack_))
+      found.push_back(&supports_[k]);
+    for (const int k : outside_)
+      found.push_back(&supports_[k]);
+    return found;
+  }
+
   const JudgedScene<D>& judged_;
   std::vector<BoundaryRegion> supports_;
-  double slack_; ///< [m]
+  double slack_;                  ///< [m]
+  Geometry::NearBoxes<D> inside_; ///< of the supports
+  std::vector<int> outside_;      ///< numbers of those that hold the outside of a box
   std::vector<Vector<D>> nodes_;
 };
+
+/// What holds a load, and along which of its axes; axes are empty where nothing does.
+struct Holder
+{
+  std::string axes, support;
+};
+
+/// \param nameOf name of what holds it along an axis, or empty
+template <int D, class NameOf>
+Holder holderOf(const Loaded<D>& load, const NameOf& nameOf)
+{
+  Holder holder;
+  for (int d = 0; d < D; ++d)
+    if (const std::string name = load.along[d] ? nameOf(d) : std::string(); !name.empty())
+    {
+      holder.axes += std::string(holder.axes.empty() ? "" : ", ") + "xyz"[d];
+      holder.support = name;
+    }
+  return holder;
+}
 
 } // namespace
 
@@ -155,20 +249,22 @@ Messages judgeHeld(const JudgedScene<D>& judged)
   std::vector<char> said(judged.bodies.size(), 0);
   for (const Loaded<D>& load : readLoaded(judged))
   {
-    std::string axes, holder;
-    for (int d = 0; d < D && said[load.body] == 0; ++d)
-      if (const std::string name = load.along[d] ? holders.of(load.body, d) : std::string(); !name.empty())
-      {
-        axes += std::string(axes.empty() ? "" : ", ") + "xyz"[d];
-        holder = name;
-      }
-    if (axes.empty())
-      continue;
-    said[load.body] = 1;
-    messages.push_back("Boundaries > " + holder + ": it prescribes the motion of all of Bodies > " +
-                       judged.bodies[load.body].name + " along " + axes + ", so that " + load.where +
-                       " does not strain it; hold a part of the body only (Lower Corner, Upper Corner), or "
-                       "fewer Components");
+    const std::string body = "Bodies > " + judged.bodies[load.body].name;
+    const auto byBody = [&](int d) { return holders.of(load.body, d); };
+    const auto byEnds = [&](int d) { return holders.of(load.ends, d); };
+    if (const Holder all = said[load.body] == 0 ? holderOf(load, byBody) : Holder{}; !all.axes.empty())
+    {
+      said[load.body] = 1;
+      messages.push_back("Boundaries > " + all.support + ": it prescribes the motion of all of " + body +
+                         " along " + all.axes + ", so that " + load.where +
+                         " does not strain the body along " + all.axes +
+                         "; hold a part of it only (Lower Corner, Upper Corner), or fewer Components");
+    }
+    else if (const Holder part = said[load.body] == 0 ? holderOf(load, byEnds) : Holder{}; !part.axes.empty())
+      messages.push_back(load.where + ": it acts where Boundaries > " + part.support +
+                         " prescribes the motion along " + part.axes + ", so that the support takes it and " +
+                         body + " is hardly strained by it along " + part.axes +
+                         "; load another part, or hold a smaller one");
   }
   return messages;
 }

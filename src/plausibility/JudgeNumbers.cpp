@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace Rhegma
 {
@@ -100,6 +101,35 @@ void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
       "it is in metres, and 1 mm is 0.001 m");
 }
 
+/// Bodies with cracks that hardly change their volume: cells lock, which makes parts that bend too stiff.
+template <int D>
+void judgeLocking(const JudgedScene<D>& judged, Messages& messages)
+{
+  // A double cantilever beam in plane strain, 4 to 16 cells an arm, Poisson ratios of 0.3 to 0.495: G is too
+  // small by 16 % times K / G over the square of the number of cells.
+  constexpr double measured = 0.16, most = 0.02, ofModuli = 8.0; // 0.445 of Poisson's ratio
+  if (judged.state.cracks.cracks.empty() || (D == 2 && judged.state.method.plane == Plane::Stress))
+    return;
+  std::set<std::string> said;
+  for (const BodyMeasure<D>& body : judged.bodies)
+  {
+    const Elasticity& e = body.moduli;
+    const double ratio = (e.lambda + 2.0 / 3.0 * e.shear) / e.shear;
+    const double cells = 0.5 * body.shortest / judged.state.mesh.smallestSpacing();
+    const double error = measured * ratio / (cells * cells);
+    if (!(ratio > ofModuli) || !(error > most) || !said.insert(body.material).second)
+      continue;
+    messages.push_back("Materials > " + body.material + ": its bulk modulus is " + formatShort(ratio) +
+                       " times its shear modulus (Poisson ratio " + formatShort(e.poisson) +
+                       "), and cells resist such bending: parts of Bodies > " + body.name +
+                       " half as thick as it, " + formatShort(cells) + " cells, bend by some " +
+                       formatShort(100.0 * error / (1.0 + error)) +
+                       " % too little, and G is too small by as much; use " +
+                       formatShort(std::ceil(cells * std::sqrt(error / most))) +
+                       " cells or more for half of the thickness, or plane stress if the body is thin");
+  }
+}
+
 } // namespace
 
 Messages judgeNumbers(const ParameterList& scene)
@@ -116,6 +146,7 @@ Messages judgeQuantities(const JudgedScene<D>& judged)
   Messages messages;
   judgeDensities(judged, messages);
   judgeThicknessOfPlane(judged, messages);
+  judgeLocking(judged, messages);
   return messages;
 }
 

@@ -23,7 +23,7 @@ using Messages = std::vector<std::string>;
 
 /// Numbers that no quantity has: of the whole scene.
 Messages judgeNumbers(const Teuchos::ParameterList& scene);
-/// Densities, and thickness of a plane scene.
+/// Densities, thickness of a plane scene, and materials that make cells lock.
 template <int D>
 Messages judgeQuantities(const JudgedScene<D>& judged);
 /// Fewer than one step or more than 1e8; waves that do not cross a body; weight above all loads.

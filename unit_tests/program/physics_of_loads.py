@@ -198,6 +198,22 @@ def held_everywhere(scene, rng):
     return where("Boundaries", "Everywhere") + "(: it prescribes the motion of all| both prescribe)"
 
 
+def held_at_the_load(scene, rng):
+    """a support holds what a load pulls"""
+    names = [n for n in scene.boundaries("Traction", "Point Load", "Line Load")
+             if scene.has(f"Boundaries > {n} > From") or scene.has(f"Boundaries > {n} > Point")]
+    if not names or not scene.moves() or not scene.cell:
+        return None
+    name = rng.choice(names)
+    ends = [scene.get(f"Boundaries > {name} > {end}") for end in ("From", "To", "Point")
+            if scene.has(f"Boundaries > {name} > {end}")]
+    gap = rng.uniform(0.1, 2.0) * scene.cell
+    corners = [[side(x) + sign * gap for x in zip(*ends)] for side, sign in ((min, -1), (max, 1))]
+    scene.set("Boundaries > There", {"Type": "Velocity", "Components": "xyz"[: scene.dimension], "Lower Corner": corners[0],
+                                     "Upper Corner": corners[1], "Value": [0.0] * scene.dimension})
+    return where("Boundaries", name) + ": it acts where|both prescribe|prescribes the motion of all"
+
+
 def fast_support(scene, rng):
     """a support is faster than waves"""
     names = [n for n in scene.boundaries("Velocity") if any(scene.get(f"Boundaries > {n} > Value", [0.0]))]

@@ -62,6 +62,17 @@ def modulus_in_megapascal(scene, rng):
     return where("Materials", name)
 
 
+def nearly_incompressible(scene, rng):
+    """the material hardly changes its volume, in a cracked body of few cells"""
+    names = [n for n in scene.lists("Materials") if scene.get(f"Materials > {n} > Model") == "Linear Elastic"]
+    if not names or len(names) != len(scene.lists("Materials")) or not scene.has("Cracks") or not scene.cell or (
+            scene.dimension == 2 and scene.get("Domain > Plane") == "Stress") or scene.get("Thermal > Mechanics") == "false":
+        return None
+    for name in names:
+        scene.set(f"Materials > {name} > Poisson Ratio", rng.uniform(0.4999, 0.499999))
+    return r"Materials > .*: its bulk modulus is"
+
+
 def density_in_grams(scene, rng):
     """the density is in g/cm3"""
     name = rng.choice(scene.lists("Materials"))

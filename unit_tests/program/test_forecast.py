@@ -110,8 +110,10 @@ class Forecast(ProgramTest):
         text = text.replace(cell, accurate)
         radius = '<Parameter name="Outer Radius" type="double" value="8e-3"/>'
         self.assertIn(radius, text)
-        self.scene = self.write("scene.xml", text.replace(radius, radius.replace("8e-3", "7e-3")))
-        self.assertIn("\n  with 10 %: not possible: Energy Release > Outer Radius: ", self.check())
+        # A cell fits between 5 mm and 5.8 mm where 1 % is asked, which has the smallest cells.
+        thin = text.replace(radius, radius.replace("8e-3", "5.8e-3")).replace("3 %", "1 %")
+        self.scene = self.write("scene.xml", thin)
+        self.assertIn("\n  with 3 %: not possible: Energy Release > Outer Radius: ", self.check())
         self.scene = self.write("scene.xml", text)
         told = self.check()
         own = re.search(r"\nAccuracy 3 %: (\d+) particles, .*\n  with 10 %: (\d+) particles, ", told)

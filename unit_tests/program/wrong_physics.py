@@ -6,7 +6,7 @@ nothing to which it applies. Its docstring is the error that it makes, for the t
 from physics_of_loads import (
     support_away, mirror_away, load_away, no_load, late_load, heavy_loads, nothing_acts,
     gravity_in_millimetres, opposite_load_forgotten, hot_source_away, held_temperature_away, mirror_in_material, wrong_side,
-    held_everywhere, fast_support,
+    held_everywhere, held_at_the_load, fast_support,
 )
 from physics_of_bodies import (
     thin_body, thin_hole, thin_hole_in_a_held_body, hole_beside, fast_bodies, touching_twin, short_crack,
@@ -14,7 +14,7 @@ from physics_of_bodies import (
 )
 from physics_of_units import (
     all_in_millimetres, one_body_in_millimetres, crack_in_millimetres, cells_in_millimetres,
-    thickness_in_millimetres, modulus_in_megapascal, density_in_grams, yield_in_megapascal,
+    thickness_in_millimetres, modulus_in_megapascal, density_in_grams, yield_in_megapascal, nearly_incompressible,
     toughness_in_megajoule, toughness_in_pascal, toughness_in_megapascal,
 )
 from physics_of_numbers import (
@@ -38,4 +38,4 @@ TEMPLATES = [support_away, mirror_away, load_away, no_load, late_load, thin_body
              thin_wall, thin_ring, cut_apart, crack_below_a_surface, crack_that_comes_back,
              mirror_in_material, wrong_side, held_everywhere, fast_support, rare_samples, limit_above_waves,
              limit_below_a_cell, speeds_in_kilometres, no_pressure, late_pressure, source_of_nothing, source_too_strong,
-             probe_away, reference_in_celsius, table_in_celsius, strained_by_heat]
+             probe_away, reference_in_celsius, table_in_celsius, strained_by_heat, held_at_the_load, nearly_incompressible]

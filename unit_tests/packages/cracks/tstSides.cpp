@@ -152,3 +152,32 @@ TEST(Overlap, OfFacesIsReported)
   EXPECT_EQ(shift(0.0), "");
   EXPECT_NE(shift(-0.1 * cell).find("Cut"), std::string::npos);
 }
+
+/// Where the crack is open at one end and its faces overlap at the other, as in bending, the part that
+/// overlaps is named.
+TEST(Overlap, OfAPartOfTheFacesIsReported)
+{
+  const auto run = crackedBlock();
+  State<2>& state = run->state();
+  const auto face = onHost(state.cracks.face);
+  const auto F = onHost(state.particles.real<gradientSize<2>>(fields::deformation));
+  const auto vertices = face.extent(0);
+  for (std::size_t p = 0; p < F.extent(0); ++p)
+    F(p, 3) = 1.01; // so that single vertices may overlap by 0.01 cells
+  Kokkos::deep_copy(state.particles.real<gradientSize<2>>(fields::deformation), F);
+  const auto bend = [&](double closed, double by)
+  {
+    for (std::size_t v = 0; v < vertices; ++v)
+    {
+      const double opening = v < closed * vertices ? -by : by;
+      face(v, 0, 1) = height * cell - 0.5 * opening;
+      face(v, 1, 1) = height * cell + 0.5 * opening;
+    }
+    Kokkos::deep_copy(state.cracks.face, face);
+    return warningOfOverlap(state, 0);
+  };
+  EXPECT_NE(bend(0.5, 0.03 * cell).find(" % of the crack, because the scene has no contact"),
+            std::string::npos);
+  EXPECT_EQ(bend(0.5, 0.003 * cell), "");
+  EXPECT_EQ(bend(0.0, 0.03 * cell), "");
+}

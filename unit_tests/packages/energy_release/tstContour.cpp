@@ -76,20 +76,20 @@ TEST(Contour, StaysClearOfOtherCracks)
   state.cracks.vertex = View<double* [2]>("rhegma::vertex", 2);
   state.cracks.vertex(0, 0) = -2e-3;
   state.cracks.vertex(1, 0) = 2e-3;
-  state.cracks.vertex(0, 1) = state.cracks.vertex(1, 1) = 4e-3;
+  state.cracks.vertex(0, 1) = state.cracks.vertex(1, 1) = 5e-3;
   state.cracks.simplex = View<int* [2]>("rhegma::simplex", 1);
   state.cracks.simplex(0, 1) = 1;
   expectRadii(fittingTube(state, front, {}).radii, 2e-3, 4e-3);
 }
 
-/// A crack whose front looks back along its own other leg, 4 mm away; with legs of 1 mm it has only turned.
+/// A crack whose front looks back along its own other leg, 5 mm away; with legs of 1 mm it has only turned.
 TEST(Contour, StaysClearOfItsOwnCrack)
 {
   for (const double leg : {6e-3, 1e-3})
   {
     State<2> state = makeBody(0.01, cell, Plane::Strain, ShapeKind::Gimp);
     const CrackFront<2> front = addFront(state, {{0.0, 0.0}}, std::acos(-1.0));
-    const double points[4][2] = {{-5e-3, 4e-3}, {leg, 4e-3}, {leg, 0.0}, {0.0, 0.0}};
+    const double points[4][2] = {{-5e-3, 5e-3}, {leg, 5e-3}, {leg, 0.0}, {0.0, 0.0}};
     CrackSet<2>& cracks = state.cracks;
     cracks.cracks[0].numVertices = 4;
     cracks.cracks[0].numSimplices = 3;

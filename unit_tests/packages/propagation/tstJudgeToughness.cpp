@@ -61,6 +61,23 @@ TEST(ToughnessOfBonds, AsStressIntensityOfGlassIsSaid)
       say(warningsOf(crackedPlate(7e10, 1e5, "0.75")), "less than an atom's distance; " + asK + "0.75"));
 }
 
+/// Acrylic 1 m long weighs 12 kPa and a crack of 0.5 m runs at 0.9 MPa; of 1 J/m2 at 45 kPa.
+TEST(ToughnessAndWeight, OfABodyInMillimetresIsSaid)
+{
+  const auto scene = [](double scale)
+  {
+    const auto plate = crackedPlate(3e9, 1e6, "350");
+    plate->sublist("Materials").sublist("Steel").set("Density", 1200.0 * scale);
+    return plate;
+  };
+  EXPECT_FALSE(say(warningsOf(scene(1.0)), "would stress it with"));
+  const auto large = scene(100.0); // as if 100 times as long
+  EXPECT_TRUE(
+      say(warningsOf(large), "but the weight of Bodies > Plate, which is 1 m long, would stress it with"));
+  boundary(*large, "Weight", "Gravity").set("Acceleration", pair(0.0, -9.81));
+  EXPECT_FALSE(say(warningsOf(large), "would stress it with"));
+}
+
 /// One that rises with speed is judged by its largest value, and soft solids are not.
 TEST(ToughnessOfBonds, OfARunningCrackOrASoftSolidIsRight)
 {

@@ -79,6 +79,12 @@ TEST(IdleLoad, OfZeroOrALateHistoryIsSaid)
   EXPECT_TRUE(say(said, "its factor is at most 1e-05, so this source does next to nothing"));
   list.set("Power", 1.0);
   list.set("Force", pair(0.0, 1.0));
+  list.set<std::string>("History", "0:0, 1e-2:2");
+  EXPECT_TRUE(
+      say(idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power"}, 1e-3),
+          "Torch > History: up to Time > Final Time = 1 ms its factor is at most 0.2, and it reaches 2 "
+          "later: does the run end too early?"));
+  EXPECT_TRUE(idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power"}, 3e-3).empty());
   list.set<std::string>("History", "1");
   EXPECT_TRUE(idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power", "Force"}, 1e-3).empty());
 }

@@ -76,12 +76,28 @@ TEST(Held, EverywhereUnderALoadIsSaid)
   const auto scene = freePlate();
   pull(*scene, 1e6);
   hold(*scene, "Grip", pair(-0.4, -0.4), pair(1.4, 1.4));
-  EXPECT_TRUE(
-      say(warningsOf(scene), "Boundaries > Grip: " + all + "x, so that Boundaries > Pull does not strain"));
+  EXPECT_TRUE(say(warningsOf(scene), "Boundaries > Grip: " + all +
+                                         "x, so that Boundaries > Pull does not strain the body along x"));
   const auto outside = freePlate();
   pull(*outside, 1e6);
   hold(*outside, "Grip", pair(1.2, 1.2), pair(1.3, 1.3)).set<std::string>("Nodes", "Outside");
   EXPECT_TRUE(say(warningsOf(outside), all));
+}
+
+/// A load whose ends lie in the box of a support.
+TEST(Held, WhereALoadActsIsSaid)
+{
+  const std::string held = "Boundaries > Pull: it acts where Boundaries > Grip prescribes the motion along x";
+  const auto scene = freePlate(), partly = freePlate(), outside = freePlate();
+  pull(*scene, 1e6);
+  hold(*scene, "Grip", pair(0.85, -0.4), pair(1.4, 1.4));
+  EXPECT_TRUE(say(warningsOf(scene), held));
+  pull(*partly, 1e6);
+  hold(*partly, "Grip", pair(0.85, -0.4), pair(1.4, 0.5));
+  EXPECT_FALSE(say(warningsOf(partly), "it acts where"));
+  pull(*outside, 1e6);
+  hold(*outside, "Grip", pair(-0.4, -0.4), pair(0.85, 1.4)).set<std::string>("Nodes", "Outside");
+  EXPECT_TRUE(say(warningsOf(outside), held));
 }
 
 /// The halves of two supports meet.

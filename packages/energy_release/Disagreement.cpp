@@ -1,0 +1,58 @@
+#include "energy_release/Disagreement.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+#include "material/Laws.hpp"
+#include "material/MaterialTable.hpp"
+#include "transfer/NearestMaterial.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Rhegma::energy_release
+{
+
+template <>
+std::vector<std::string> warningsOfDisagreement(const State<3>&, const std::vector<FrontSample<3>>&, double)
+{
+  return {};
+}
+
+template <>
+std::vector<std::string> warningsOfDisagreement(const State<2>& state,
+                                                const std::vector<FrontSample<2>>& samples, double time)
+{
+  constexpr double most = 0.05;  // of G
+  constexpr double small = 0.05; // of the largest G: less is noise
+  double largest = 0.0;
+  for (const FrontSample<2>& sample : samples)
+    if (!sample.J.empty() && std::isfinite(sample.J[0]))
+      largest = std::max(largest, sample.J[0]);
+  std::vector<std::string> warnings;
+  for (const FrontSample<2>& sample : samples)
+  {
+    if (sample.front.ended || sample.J.empty() || sample.modeI.empty() || sample.front.speed() > 0.0)
+      continue;
+    const double K2 = sample.modeI[0] * sample.modeI[0] + sample.modeII[0] * sample.modeII[0];
+    const double J = sample.J[0];
+    if (!std::isfinite(K2) || !(J > small * largest))
+      continue;
+    const Properties& material = state.materials.properties[materialAt(state, sample.front.position)];
+    const double release = K2 / elasticity(material).effectiveModulus;
+    if (material.law != lawIndex<LinearElastic> || !(std::fabs(release - J) > most * J))
+      continue;
+    warnings.push_back("Energy Release: K_I and K_II of " + frontName(state.cracks, sample.front) +
+                       " at t = " + readableTime(time) + " give G = K^2 / E' = " + formatShort(release) +
+                       " J/m2, " + formatShort(std::round(100.0 * std::fabs(release / J - 1.0))) + " % " +
+                       (release > J ? "more" : "less") + " than the " + formatShort(J) +
+                       " J/m2 of G_J: at least one of them is wrong by as much, because the domain integral "
+                       "from " +
+                       readableLength(sample.tube.radii.inner) + " to " +
+                       readableLength(sample.tube.radii.outer) +
+                       " has few cells or is next to a surface, a load or another crack: use smaller cells "
+                       "(Domain > Cell Size), and compare with --twice");
+  }
+  return warnings;
+}
+
+} // namespace Rhegma::energy_release
