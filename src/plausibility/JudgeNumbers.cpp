@@ -123,7 +123,7 @@ void judgeLocking(const JudgedScene<D>& judged, Messages& messages)
                        " times its shear modulus (Poisson ratio " + formatShort(e.poisson) +
                        "), and cells resist such bending: parts of Bodies > " + body.name +
                        " half as thick as it, " + formatShort(cells) + " cells, bend by some " +
-                       formatShort(100.0 * error / (1.0 + error)) +
+                       formatShort(std::round(100.0 * error / (1.0 + error))) +
                        " % too little, and G is too small by as much; use " +
                        formatShort(std::ceil(cells * std::sqrt(error / most))) +
                        " cells or more for half of the thickness, or plane stress if the body is thin");

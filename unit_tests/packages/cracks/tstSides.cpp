@@ -13,11 +13,12 @@ namespace
 
 constexpr double height = 2.5, front = 4.0; ///< of the crack, from the left edge on [cells]
 
-/// A block of 8 x 6 cells with a crack midway between two rows of nodes, after one very small step.
-std::unique_ptr<Run<2>> crackedBlock()
+/// A block of 6 cells in height with a crack midway between two rows of nodes, after one very small step.
+/// \param length of the crack, half that of the block [cells]
+std::unique_ptr<Run<2>> crackedBlock(double length = front)
 {
-  Teuchos::ParameterList scene = blockScene({8.0 * cell, 6.0 * cell});
-  setCrack(scene, {0.0, height * cell, front * cell, height * cell});
+  Teuchos::ParameterList scene = blockScene({2.0 * length * cell, 6.0 * cell});
+  setCrack(scene, {0.0, height * cell, length * cell, height * cell});
   auto run = start<2>(scene);
   run->step(1e-15, false);
   return run;
@@ -157,7 +158,7 @@ TEST(Overlap, OfFacesIsReported)
 /// overlaps is named.
 TEST(Overlap, OfAPartOfTheFacesIsReported)
 {
-  const auto run = crackedBlock();
+  const auto run = crackedBlock(16.0);
   State<2>& state = run->state();
   const auto face = onHost(state.cracks.face);
   const auto F = onHost(state.particles.real<gradientSize<2>>(fields::deformation));
