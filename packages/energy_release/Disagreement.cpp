@@ -22,7 +22,7 @@ template <>
 std::vector<std::string> warningsOfDisagreement(const State<2>& state,
                                                 const std::vector<FrontSample<2>>& samples, double time)
 {
-  constexpr double most = 0.05;  // of G
+  constexpr double most = 0.1;   // of G: 5 % of K
   constexpr double small = 0.05; // of the largest G: less is noise
   double largest = 0.0;
   for (const FrontSample<2>& sample : samples)
@@ -31,7 +31,7 @@ std::vector<std::string> warningsOfDisagreement(const State<2>& state,
   std::vector<std::string> warnings;
   for (const FrontSample<2>& sample : samples)
   {
-    if (sample.front.ended || sample.J.empty() || sample.modeI.empty() || sample.front.speed() > 0.0)
+    if (sample.front.ended || sample.front.grown || sample.J.empty() || sample.modeI.empty())
       continue;
     const double K2 = sample.modeI[0] * sample.modeI[0] + sample.modeII[0] * sample.modeII[0];
     const double J = sample.J[0];

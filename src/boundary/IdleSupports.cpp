@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
+#include "boundary/NodesInBoxes.hpp"
 #include "boundary/TouchedNodes.hpp"
 
 #include <algorithm>
@@ -57,13 +58,16 @@ void warnOfIdleSupports(const Teuchos::ParameterList& scene,
   if (constraints.empty())
     return;
   const std::vector<Vector<D>> nodes = touchedNodes(state);
+  const NodesInBoxes<D> found(nodes, constraints.size());
   std::vector<double> distances;
   for (const TimedConstraint<D>& timed : constraints)
   {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Vector<D>& x : nodes)
-      if (nearest = std::min(nearest, distanceTo(timed.constraint, x)); nearest == 0.0)
-        break;
+    found.visit({timed.constraint.lower, timed.constraint.upper}, timed.constraint.outside,
+                [&](const Vector<D>&) { nearest = 0.0; });
+    if (nearest > 0.0)
+      for (const Vector<D>& x : nodes)
+        nearest = std::min(nearest, distanceTo(timed.constraint, x));
     distances.push_back(nearest);
   }
   // A support that bodies come to may move them on to another.

@@ -1,6 +1,7 @@
 #include "plausibility/LoadEstimate.hpp"
 
 #include "base/ReadList.hpp"
+#include "boundary/NodesInBoxes.hpp"
 #include "boundary/TouchedNodes.hpp"
 #include "geometry/Cross.hpp"
 #include "scene/PositionFunction.hpp"
@@ -110,7 +111,10 @@ public:
         boundaries_(scene.isSublist("Boundaries") ? scene.sublist("Boundaries") : ParameterList())
   {
     for (const BodyMeasure<D>& body : bodies)
+    {
       byName_.emplace(body.name, &body);
+      stiffest_ = std::max(stiffest_, body.density * body.speed);
+    }
   }
 
   std::vector<LoadEstimate> all()
@@ -171,7 +175,8 @@ private:
   /// How far supports move apart along each axis, and how fast they push.
   void supports()
   {
-    const std::vector<Vector<D>> nodes = touchedNodes(state_);
+    const std::vector<Vector<D>> positions = touchedNodes(state_);
+    const NodesInBoxes<D> nodes(positions, supports_.size());
     for (int d = 0; d < D; ++d)
     {
       const Moved none{0.0, {}};
@@ -194,17 +199,21 @@ private:
 
   /// Calls see(Moved) for every node that a support holds along an axis.
   template <class See>
-  void moves(const std::string& name, int axis, const std::vector<Vector<D>>& nodes, const See& see)
+  void moves(const std::string& name, int axis, const NodesInBoxes<D>& nodes, const See& see)
   {
     const ParameterList& list = boundaries_.sublist(name);
     const std::string where = "Boundaries > " + name;
     if (list.get<std::string>("Type") == "Symmetry")
     {
       const double position = list.get<double>("Position");
+      constexpr double far = std::numeric_limits<double>::max();
+      Geometry::Bounds<D> plane;
+      std::fill_n(plane.lower.c, D, -far);
+      std::fill_n(plane.upper.c, D, far);
+      plane.lower[axis] = position - 0.5 * state_.mesh.grid.spacing;
+      plane.upper[axis] = position + 0.5 * state_.mesh.grid.spacing;
       if (list.get<std::string>("Axis")[0] == 'x' + axis)
-        for (const Vector<D>& x : nodes)
-          if (std::fabs(x[axis] - position) < 0.5 * state_.mesh.grid.spacing)
-            see({0.0, where});
+        nodes.visit(plane, false, [&](const Vector<D>&) { see({0.0, where}); });
       return;
     }
     if (list.get<std::string>("Components").find(static_cast<char>('x' + axis)) == std::string::npos)
@@ -217,19 +226,15 @@ private:
     const double value = varies ? 0.0 : readVector<D>(list, "Value")[axis];
     const bool outside = list.get<std::string>("Nodes") == "Outside";
     fastest_ = 0.0;
-    for (const Vector<D>& x : nodes)
-    {
-      bool in = true;
-      for (int d = 0; d < D; ++d)
-        in = in && x[d] >= lower[d] && x[d] <= upper[d];
-      if (in == outside)
-        continue;
-      const double v = varies ? field(x)[axis] : value;
-      if (!std::isfinite(v))
-        continue;
-      fastest_ = std::max(fastest_, std::fabs(v) * range.largest);
-      see({v * range.integral, where});
-    }
+    nodes.visit({lower, upper}, outside,
+                [&](const Vector<D>& x)
+                {
+                  const double v = varies ? field(x)[axis] : value;
+                  if (!std::isfinite(v))
+                    return;
+                  fastest_ = std::max(fastest_, std::fabs(v) * range.largest);
+                  see({v * range.integral, where});
+                });
     rise_ = steepest(list.get<std::string>("History"), end_);
     largest_ = range.largest;
     impact(where, false);
@@ -241,11 +246,13 @@ private:
   {
     if (fastest_ == 0.0)
       return;
+    if (!freely)
+      return add({where, 0.0, 0.0, stiffest_ * fastest_});
     for (const BodyMeasure<D>& body : bodies_)
     {
       const double wave = body.density * body.speed * fastest_;
       const double slow = body.density * body.longest * fastest_ * rise_ / largest_;
-      const double nominal = freely ? 0.5 * std::min(wave, slow) : 0.0;
+      const double nominal = 0.5 * std::min(wave, slow);
       add({where, nominal / body.moduli.young, nominal, wave});
     }
   }
@@ -268,6 +275,7 @@ private:
   std::unordered_map<std::string, const BodyMeasure<D>*> byName_;
   std::vector<std::string> supports_;
   std::vector<LoadEstimate> found_;
+  double stiffest_ = 0.0;                             ///< largest impedance of the bodies [Pa s/m]
   double fastest_ = 0.0, rise_ = 0.0, largest_ = 0.0; ///< of the last support that was looked at
 };
 
