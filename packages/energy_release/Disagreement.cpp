@@ -12,6 +12,22 @@
 namespace Rhegma::energy_release
 {
 
+namespace
+{
+
+std::string reasonOf(const FrontSample<2>& sample)
+{
+  if (sample.front.grown)
+    return "the front has grown, and waves and its new faces, which still hold together, disturb K more than "
+           "G_J: do not use K of this front";
+  return "at least one of them is wrong by as much, because the domain integral from " +
+         readableLength(sample.tube.radii.inner) + " to " + readableLength(sample.tube.radii.outer) +
+         " has few cells or is next to a surface, a load or another crack: use smaller cells (Domain > Cell "
+         "Size), and compare with --twice";
+}
+
+} // namespace
+
 template <>
 std::vector<std::string> warningsOfDisagreement(const State<3>&, const std::vector<FrontSample<3>>&, double)
 {
@@ -31,7 +47,7 @@ std::vector<std::string> warningsOfDisagreement(const State<2>& state,
   std::vector<std::string> warnings;
   for (const FrontSample<2>& sample : samples)
   {
-    if (sample.front.ended || sample.front.grown || sample.J.empty() || sample.modeI.empty())
+    if (sample.front.ended || sample.front.speed() > 0.0 || sample.J.empty() || sample.modeI.empty())
       continue;
     const double K2 = sample.modeI[0] * sample.modeI[0] + sample.modeII[0] * sample.modeII[0];
     const double J = sample.J[0];
@@ -45,12 +61,7 @@ std::vector<std::string> warningsOfDisagreement(const State<2>& state,
                        " at t = " + readableTime(time) + " give G = K^2 / E' = " + formatShort(release) +
                        " J/m2, " + formatShort(std::round(100.0 * std::fabs(release / J - 1.0))) + " % " +
                        (release > J ? "more" : "less") + " than the " + formatShort(J) +
-                       " J/m2 of G_J: at least one of them is wrong by as much, because the domain integral "
-                       "from " +
-                       readableLength(sample.tube.radii.inner) + " to " +
-                       readableLength(sample.tube.radii.outer) +
-                       " has few cells or is next to a surface, a load or another crack: use smaller cells "
-                       "(Domain > Cell Size), and compare with --twice");
+                       " J/m2 of G_J: " + reasonOf(sample));
   }
   return warnings;
 }

@@ -9,12 +9,14 @@
 namespace Rhegma::energy_release
 {
 
-/// A warning for each front that has not grown in a linear elastic material whose K_I and K_II give another G
-/// than the domain integral, by more than 10 % of it: (K_I^2 + K_II^2) / E' = J (Irwin 1957) holds for every
-/// load. Both are integrals over the same particles, and where these are few, or next to a surface or another
-/// crack, their errors differ. Behind a front that has grown, new faces still hold together, which J and K
-/// see differently. In 3D K is scaled to J, so nothing is said. \param samples the last ones \param time of
-/// them [s]
+/// A warning for each front at rest in a linear elastic material whose K_I and K_II give another G than the
+/// domain integral, by more than 10 % of it: (K_I^2 + K_II^2) / E' = J (Irwin 1957) holds for every load.
+/// Both are integrals over the same particles, and where these are few, or next to a surface or another
+/// crack, their errors differ. Fronts that have grown have waves and cohesive faces inside the integral,
+/// which K sees otherwise than J. In 3D K is scaled to J, so nothing is said.
+///
+/// \param samples the last ones
+/// \param time of them [s]
 template <int D>
 std::vector<std::string> warningsOfDisagreement(const State<D>& state,
                                                 const std::vector<FrontSample<D>>& samples, double time);
