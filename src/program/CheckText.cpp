@@ -4,6 +4,7 @@
 #include "base/ReadList.hpp"
 #include "plan/EffectSchema.hpp"
 #include "scene/Compatibility.hpp"
+#include "scene/SceneBodies.hpp"
 #include "scene/SceneError.hpp"
 
 #include <algorithm>
@@ -107,6 +108,26 @@ std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecas
     return {};
   return "  Time > Analysis = Static, without " + errors.front().where +
          ", solves for the static equilibrium directly\n";
+}
+
+std::string sizeAsText(const Teuchos::ParameterList& scene)
+{
+  constexpr double bytes = 1.2e3; // of a particle with its nodes and output (docs/performance.md)
+  const double particles = estimateParticles(scene);
+  if (particles < manyParticles)
+    return {};
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "about %.2g million particles, which take some %.2g GB and a minute or more "
+                "to set up\n",
+                1e-6 * particles, 1e-9 * bytes * particles);
+  return "Bodies: " +
+         (text +
+          std::string(scene.sublist("Domain").isType<std::string>("Accuracy")
+                          ? "  Domain > Accuracy = " + scene.sublist("Domain").get<std::string>("Accuracy") +
+                                " chooses cells of " +
+                                readableLength(scene.sublist("Domain").get<double>("Cell Size")) + "\n"
+                          : ""));
 }
 
 } // namespace Rhegma::program

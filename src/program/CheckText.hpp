@@ -35,4 +35,11 @@ std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterLi
 std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecast& forecast,
                               const Ranks& ranks);
 
+/// Of a scene that takes long to set up, a line with its end that says so: its estimated number of particles
+/// and their memory. Empty for others. \param scene validated
+std::string sizeAsText(const Teuchos::ParameterList& scene);
+
+/// Particles beyond which a scene is large: setting them up takes a minute and more.
+constexpr double manyParticles = 4e6;
+
 } // namespace Rhegma::program

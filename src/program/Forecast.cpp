@@ -4,9 +4,11 @@
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
 #include "program/Budget.hpp"
+#include "program/CheckText.hpp"
 #include "program/Intervals.hpp"
 #include "program/RateCache.hpp"
 #include "scene/Scene.hpp"
+#include "scene/SceneBodies.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -193,6 +195,15 @@ std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList&
       if (!result.errors.empty())
       {
         text += "  with " + name + ": not possible: " + toString(result.errors.front()) + "\n";
+        continue;
+      }
+      if (const double number = estimateParticles(*result.list);
+          number > manyParticles && (own == nullptr || name != chosen))
+      {
+        char line[160];
+        std::snprintf(line, sizeof line, "%s%s: about %.2g million particles, too many to be timed first\n",
+                      name == chosen ? "Accuracy " : "  with ", name.c_str(), 1e-6 * number);
+        text += line;
         continue;
       }
       Forecast forecast;

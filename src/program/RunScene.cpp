@@ -186,6 +186,8 @@ bool mayRun(const Options& options, const nlohmann::json& summary, std::set<std:
 int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
                std::ostream& out, std::ostream& err)
 {
+  if (!options.quiet)
+    out << sizeAsText(*scene) << std::flush;
   Simulation& simulation = keepToTheEnd(new Simulation(world(), scene, true));
   initialize(simulation, *scene, options, err);
   const double setup = processorSeconds();
@@ -224,7 +226,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   if (options.action == Options::Action::Run) // before the work of making all
     onFirstRank<std::invalid_argument>(ranks, [&] { refuseFolderInUse(folder); });
   if (options.action == Options::Action::Run && !options.quiet && options.restart.empty())
-    out << costOfAccuracy(options, *scene, ranks, nullptr, start) << std::flush;
+    out << sizeAsText(*scene) << std::flush << costOfAccuracy(options, *scene, ranks, nullptr, start)
+        << std::flush;
   Simulation simulation(world(), scene, !options.twice);
   const EarlierPart earlier = initialize(simulation, *scene, options, err);
   if (options.action == Options::Action::PrintPlan)

@@ -1,6 +1,7 @@
 #include "scene/SceneBodies.hpp"
 
 #include "base/ReadList.hpp"
+#include "geometry/Seeds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -145,6 +146,31 @@ double SceneBodies<D>::fit(double most, const Teuchos::Array<double>& corner) co
       return cell;
   }
   return most;
+}
+
+namespace
+{
+
+template <int D>
+double estimateParticlesIn(const Teuchos::ParameterList& bodies, double cell)
+{
+  double sum = 0.0;
+  for (const std::string& name : sublistNames(bodies))
+  {
+    const Teuchos::ParameterList& body = bodies.sublist(name);
+    sum += estimateSeeds(makeShape<D>(body), cell, body.get<int>("Particles Per Cell"));
+  }
+  return sum;
+}
+
+} // namespace
+
+double estimateParticles(const Teuchos::ParameterList& scene)
+{
+  const double cell = scene.sublist("Domain").get<double>("Cell Size");
+  const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
+  return scene.sublist("Domain").get<int>("Dimension") == 3 ? estimateParticlesIn<3>(bodies, cell)
+                                                            : estimateParticlesIn<2>(bodies, cell);
 }
 
 template class SceneBodies<2>;

@@ -60,4 +60,8 @@ private:
   double extent_ = 0.0;
 };
 
+/// Estimated number of particles of all bodies, without refined cells: from a sample of positions, without
+/// making them. \param scene validated, with a Cell Size
+double estimateParticles(const Teuchos::ParameterList& scene);
+
 } // namespace Rhegma

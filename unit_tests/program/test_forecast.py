@@ -5,13 +5,14 @@ import glob
 import json
 import os
 import re
+import subprocess
 import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import SOURCE, ProgramTest, rhegma  # noqa: E402
+from program import PROGRAM, SOURCE, ProgramTest, rhegma  # noqa: E402
 from scenes import plate  # noqa: E402
 
 LINE = re.compile(r"Forecast: (?:([\d.]+) min )?([\d.]+) (s|h)(.*) \(([\d.e+-]+) ms a step, (\w+), (\d+) threads?\), "
@@ -122,6 +123,19 @@ class Forecast(ProgramTest):
         answer = rhegma(self.scene, "--set", "Time:Maximum Steps=2", "--set", "Output:Fields=false",
                         XDG_CACHE_HOME=self.path("cache"))
         self.assertTrue(answer.output.startswith("Accuracy 3 %: "), answer)
+
+    def test_a_large_scene_is_announced(self):
+        """1 m by 1 m in cells of 0.5 mm, 2 x 2 particles each."""
+        path = self.write("large.xml", plate().set("Domain > Cell Size", 5e-4).text())
+        child = subprocess.Popen([PROGRAM, path, "--check"], stdout=subprocess.PIPE, text=True)
+        try:
+            self.assertEqual(child.stdout.readline(), "Bodies: about 16 million particles, which take some 19 GB and a minute or "
+                                                      "more to set up\n")
+        finally:
+            child.kill()
+            child.wait()
+            child.stdout.close()
+        self.assertNotIn("million particles", self.check())
 
     def test_a_rest_that_equilibrium_solves_for_is_named(self):
         hint = "\n  Time > Analysis = Static, without Damping, solves for the static equilibrium directly\n"
