@@ -22,9 +22,9 @@ namespace
 /// Pressure as a fraction of the modulus below which a touch is only round-off.
 constexpr double noticeable = 1e-9;
 
-/// Traction of the face points on their faces, as forces.
-template <int D>
-void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const View<double*>& pressure,
+/// Adds the tractions of the face points to forces of nodes. \param forces for addFaceForces
+template <int D, class Forces>
+void scatterTractions(const Forces& forces, const FacePoints<D>& points, const View<double*>& pressure,
                       const View<double * [D - 1]>& shear, double thickness)
 {
   forEachPushing(
@@ -32,8 +32,7 @@ void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const 
         if (pressure(k) == 0.0)
           return;
         const Vector<D> onUpper = (points.size(k) * thickness) * tractionAt(points, pressure, shear, k);
-        addFaceForce(nodes, points.above, k, onUpper);
-        addFaceForce(nodes, points.below, k, -1.0 * onUpper);
+        addFaceForces<D>(forces, points.below, points.above, k, onUpper);
       });
 }
 
@@ -131,29 +130,13 @@ void FaceContact<D>::findStiffness(const State<D>& state)
 template <int D>
 void FaceContact<D>::addForces(const State<D>& state) const
 {
-  scatterTractions(state.mesh.nodes, points_, pressure_, shear_, thickness_);
+  scatterTractions(StepForces<D>{state.mesh.nodes}, points_, pressure_, shear_, thickness_);
 }
 
 template <int D>
 void FaceContact<D>::addForces(const View<double * [D + 1]>& force) const
 {
-  const FacePoints<D> points = points_;
-  const View<double*> pressure = pressure_;
-  const View<double * [D - 1]> shear = shear_;
-  const double thickness = thickness_;
-  forEachPushing(
-      "rhegma::contact::addTractions", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (pressure(k) == 0.0)
-          return;
-        const Vector<D> onUpper = (points.size(k) * thickness) * tractionAt(points, pressure, shear, k);
-        for (int d = 0; d < D; ++d)
-        {
-          for (int e = 0; e < points.above.count(k); ++e)
-            Kokkos::atomic_add(&force(points.above.node(k, e), d), points.above.weight(k, e) * onUpper[d]);
-          for (int e = 0; e < points.below.count(k); ++e)
-            Kokkos::atomic_add(&force(points.below.node(k, e), d), -points.below.weight(k, e) * onUpper[d]);
-        }
-      });
+  scatterTractions(force, points_, pressure_, shear_, thickness_);
 }
 
 template <int D>
@@ -170,16 +153,16 @@ std::vector<FaceTraction<D>> FaceContact<D>::tractions(int crack) const
     if (of(k) == crack)
     {
       FaceTraction<D> one;
-      Vector<D> n, along;
+      Vector<D> n;
       for (int d = 0; d < D; ++d)
       {
         one.position[d] = position(k, d);
+        one.edge[d] = edge(k, d);
         n[d] = normal(k, d);
-        along[d] = edge(k, d);
       }
       one.traction = pressure(k) * n;
       for (int t = 0; t < D - 1; ++t)
-        one.traction = one.traction - shear(k, t) * faceTangent(n, along, t);
+        one.traction = one.traction - shear(k, t) * faceTangent(n, one.edge, t);
       one.size = size(k);
       all.push_back(one);
     }

@@ -21,12 +21,12 @@ std::vector<Vector<D>> positionsOf(const CrackFront<D>& front)
   return positions;
 }
 
-/// A crack of a set, its vertices and simplices counted from 0.
-template <int D>
-surface::CrackMesh<D> meshOf(const CrackSet<D>& cracks, const Crack<D>& crack)
+/// A crack of a set, its vertices and simplices counted from 0. \param vertex and the others are the set's,
+/// on the host
+template <int D, class Vertices, class Simplices>
+surface::CrackMesh<D> meshOf(const Crack<D>& crack, const Vertices& vertex, const Simplices& simplex,
+                             const Simplices& neighbour)
 {
-  const auto vertex = onHost(cracks.vertex);
-  const auto simplex = onHost(cracks.simplex), neighbour = onHost(cracks.neighbour);
   surface::CrackMesh<D> mesh;
   mesh.vertices.resize(crack.numVertices);
   for (int v = 0; v < crack.numVertices; ++v)
@@ -46,10 +46,9 @@ surface::CrackMesh<D> meshOf(const CrackSet<D>& cracks, const Crack<D>& crack)
 }
 
 /// Whether the bounds of a crack come within a distance of those of points.
-template <int D>
-bool isNear(const CrackSet<D>& cracks, const Crack<D>& crack, const Geometry::Bounds<D>& points, double reach)
+template <int D, class Vertices>
+bool isNear(const Crack<D>& crack, const Vertices& vertex, const Geometry::Bounds<D>& points, double reach)
 {
-  const auto vertex = onHost(cracks.vertex);
   bool near = crack.numVertices > 0;
   for (int d = 0; d < D && near; ++d)
   {
@@ -79,7 +78,9 @@ double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, doub
   const std::vector<Vector<D>> points = positionsOf(front);
   if (points.empty() || front.numFacets == 0)
     return radius;
-  const auto frontFacet = onHost(cracks.frontFacet);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex), neighbour = onHost(cracks.neighbour),
+             frontFacet = onHost(cracks.frontFacet);
   Geometry::Bounds<D> bounds = Geometry::emptyBounds<D>();
   for (const Vector<D>& x : points)
     bounds.include(x);
@@ -90,9 +91,9 @@ double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, doub
     if (c == front.crack && crack.numSimplices > 1)
       for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
         start.push_back(frontFacet(f, 0) - crack.firstSimplex);
-    if ((c == front.crack && start.empty()) || !isNear(cracks, crack, bounds, radius + margin))
+    if ((c == front.crack && start.empty()) || !isNear(crack, vertex, bounds, radius + margin))
       continue;
-    const surface::CrackMesh<D> mesh = meshOf(cracks, crack);
+    const surface::CrackMesh<D> mesh = meshOf(crack, vertex, simplex, neighbour);
     const double found = surface::Returns<D>(mesh).find(start, points, radius + margin, slack * cell);
     radius = std::min(radius, std::max(found - margin, std::min(found, smallestCells * cell)));
   }

@@ -2,11 +2,10 @@
 
 #include "energy_release/CrackPath.hpp"
 #include "energy_release/CrackTipFields.hpp"
-#include "energy_release/FaceTractionNearTip.hpp"
+#include "energy_release/FaceTractions.hpp"
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
-#include "energy_release/PressedPath.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
 #include "state/Subdomain.hpp"
@@ -266,10 +265,13 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
 /// Intensities by Williams' field about the tip of the crack in the cells. Each iteration finds the remaining
 /// offset, which falls by a factor of 50 or so.
 template <class Work>
-DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, const PressedPath& faces,
-                                 Work& work)
+DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, Work& work)
 {
-  const FaceTractions contact(state, front, work.weight.radii);
+  const FaceTractions pressure(state, front, work.weight, pressedPieces(state, front), OpeningBy::Nodes);
+  FaceTractions contact(state, front, work.weight, touchingPieces(state, front), OpeningBy::Faces);
+  const bool closed = contact.closed();
+  if (closed)
+    contact.takeMean();
   constexpr int turns = 4;
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
   const double thickness = state.method.thickness, scale = 0.5 * work.disk.effectiveModulus / thickness;
@@ -283,23 +285,23 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
                             Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, sums[0], sums[1],
                             sums[2], sums[3], sums[4]);
     sumParts(state, sums, 5);
-    const Vector<2> tractions = contact.intensities(sum.tipOffset),
-                    reciprocals = contact.reciprocals(sum.tipOffset, work.disk.effectiveModulus);
-    // Of closed faces the tractions are those with which M has the K_I of their opening: the integral over
-    // the particles scatters less than the tractions.
-    const double opening =
-        contact.closed() ? contact.intensityOfOpening(sum.tipOffset, work.disk.effectiveModulus) : 0.0;
-    const double corrected =
-        contact.closed() && tractions[0] > 0.0 ? (opening - scale * sums[1]) / tractions[0] : 1.0;
-    sum.J = sums[0] / thickness + corrected * contact.release();
+    const FaceTractions::Interaction pressed = pressure.interaction(sum.tipOffset, work.disk.moduli),
+                                     touching = contact.interaction(sum.tipOffset, work.disk.moduli);
+    // The tractions of closed faces are those with which K_I is that of their opening: the integral over the
+    // particles scatters less than the tractions.
+    double corrected = 1.0;
+    if (closed && touching.M[0] > 0.0)
+      corrected = (contact.intensityOfOpening(sum.tipOffset, work.disk.effectiveModulus) / scale - sums[1]) /
+                  (thickness * touching.M[0]);
+    sum.J = sums[0] / thickness + pressure.release() + corrected * contact.release();
     if (!work.intensities)
       return sum;
-    double pressed[2] = {}, reciprocalPressed[2] = {};
-    faces.addInteraction(sum.tipOffset, work.disk.moduli, pressed, reciprocalPressed);
-    const double modeI = sums[1] + thickness * pressed[0] + corrected * tractions[0] / scale,
-                 modeII = sums[2] + thickness * pressed[1] + corrected * tractions[1] / scale;
-    const double reciprocalI = sums[3] + thickness * (reciprocalPressed[0] + reciprocals[0]),
-                 reciprocalII = sums[4] + thickness * (reciprocalPressed[1] + reciprocals[1]);
+    const auto all = [&](double ofParticles, double ofPressure, double ofContact)
+    { return ofParticles + thickness * (ofPressure + ofContact); };
+    const double modeI = all(sums[1], pressed.M[0], corrected * touching.M[0]),
+                 modeII = all(sums[2], pressed.M[1], corrected * touching.M[1]),
+                 reciprocalI = all(sums[3], pressed.R[0], touching.R[0]),
+                 reciprocalII = all(sums[4], pressed.R[1], touching.R[1]);
     sum.modeI = scale * modeI;
     sum.modeII = scale * modeII;
     const double square = modeI * modeI + modeII * modeII;
@@ -351,9 +353,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
       state.clock.step > 0 && state.mesh.nodes.motion.extent(0) > 0; // nodes are empty before the first step
   // What closed faces press with follows from their opening (integrateAboutTip).
   work.intensities = intensities || state.cracks.tractions;
-  const PressedPath faces(state, front, work.weight);
-  DomainIntegral sum = integrateAboutTip(state, front, faces, work);
-  sum.J += faces.release(state);
+  DomainIntegral sum = integrateAboutTip(state, front, work);
   sum.lost = work.disk.empty;
   return sum;
 }
@@ -384,10 +384,11 @@ double accelerationReach(const State<2>& state, const ContourRadii& radii)
   return radii.outer + 6.0 * state.mesh.grid.spacing;
 }
 
-DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii)
+DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                               InternalAcceleration<2>& acceleration)
 {
   return integrateDomain(state, front, radii,
-                         internalAcceleration(state, front.position, accelerationReach(state, radii)));
+                         acceleration.around(state, {front.position, accelerationReach(state, radii)}));
 }
 
 } // namespace Rhegma::energy_release

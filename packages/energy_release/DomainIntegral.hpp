@@ -42,7 +42,10 @@ struct DomainIntegral
 /// it, in the front's direction ahead of it), as faces across the shift would add to it.
 ///
 /// Loads inside the disk are in the integrals when `a` is without them (InternalAcceleration.hpp). The work
-/// of a pressure on the faces is added as it follows from the faces (PressedPath.hpp).
+/// of tractions on the faces, such as a pressure or those of contact, is added as it follows from the faces
+/// (FaceTractions.hpp). Where all faces inside of the disk press on each other, their tractions are replaced
+/// by their mean and scaled so that K_I is that of the opening: M would be the small difference of large
+/// numbers.
 ///
 /// Displacement gradients and velocities are taken relative to the mean turn and motion of the disk, which
 /// changes no integral of the exact field but reduces round-off; a rotated body is measured in its turned
@@ -80,7 +83,8 @@ std::optional<double> integrateRelease(const State<2>& state, const CrackFront<2
 /// Radius round a front in which nodes must have their acceleration [m].
 double accelerationReach(const State<2>& state, const ContourRadii& radii);
 
-/// The same with the acceleration by internal forces.
-DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii);
+/// The same with the acceleration by internal forces, which is found here.
+DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                               InternalAcceleration<2>& acceleration);
 
 } // namespace Rhegma::energy_release

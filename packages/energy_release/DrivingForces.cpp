@@ -7,7 +7,6 @@
 #include "energy_release/FrontOpening.hpp"
 #include "plan/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
-#include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -71,36 +70,34 @@ void fitTubes(const State<3>& state, const CrackFront<3>& front, double, FrontTu
 
 /// J at the nodes of a front [J/m2]; none where it can't be computed.
 std::vector<std::optional<double>> releaseAlong(const State<2>& state, const CrackFront<2>& front,
-                                                const FrontTube& tube, NodalAcceleration<2>& acceleration)
+                                                const FrontTube& tube, InternalAcceleration<2>& acceleration)
 {
-  internalAcceleration(state, front.position, accelerationReach(state, tube.radii), acceleration);
-  return {integrateRelease(state, front, tube.radii, acceleration)};
+  return {
+      integrateRelease(state, front, tube.radii,
+                       acceleration.around(state, {front.position, accelerationReach(state, tube.radii)}))};
 }
 
 std::vector<std::optional<double>> releaseAlong(const State<3>& state, const CrackFront<3>& front,
-                                                const FrontTube& tube, NodalAcceleration<3>& acceleration)
+                                                const FrontTube& tube, InternalAcceleration<3>& acceleration)
 {
   return integrateAlongFront(state, front.crack, lineOf(front), tube, acceleration);
 }
 
 /// Stress intensities at the nodes of a front.
-std::vector<Intensities> intensitiesAlong(const State<2>& state, const CrackFront<2>& front,
-                                          const FrontTube& tube, NodalAcceleration<2>& acceleration)
+std::vector<Intensities> intensitiesOf(const State<2>& state, const CrackFront<2>& front,
+                                       const FrontTube& tube, InternalAcceleration<2>& acceleration)
 {
-  internalAcceleration(state, front.position, accelerationReach(state, tube.radii), acceleration);
   const DomainIntegral integral = integrateDomain(state, front, tube.radii, acceleration);
   return {{integral.modeI, integral.modeII, 0.0}};
 }
 
-std::vector<Intensities> intensitiesAlong(const State<3>& state, const CrackFront<3>& front,
-                                          const FrontTube& tube, NodalAcceleration<3>&)
+std::vector<Intensities> intensitiesOf(const State<3>& state, const CrackFront<3>& front,
+                                       const FrontTube& tube, InternalAcceleration<3>&)
 {
-  const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
-  std::vector<Intensities> K =
-      openingsBehind(state.cracks, front, lineOf(front), e, spacingAt(state, front.position), tube.halfWidth);
-  for (std::size_t k = 0; k < K.size(); ++k)
-    K[k] = scaleTo(K[k], front.nodes[k].driving.release, e);
-  return K;
+  std::vector<double> J;
+  for (const FrontNode<3>& node : front.nodes)
+    J.push_back(node.driving.release);
+  return intensitiesAlong(state, front, tube.halfWidth, J);
 }
 
 } // namespace
@@ -125,6 +122,7 @@ const typename DrivingForces<D>::Fitted& DrivingForces<D>::tubesOf(const State<D
 template <int D>
 void DrivingForces<D>::computeRelease(State<D>& state)
 {
+  acceleration_.renew();
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<D>& front = state.cracks.fronts[f];
@@ -144,13 +142,14 @@ void DrivingForces<D>::computeRelease(State<D>& state)
 template <int D>
 void DrivingForces<D>::computeIntensities(State<D>& state)
 {
+  acceleration_.renew();
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<D>& front = state.cracks.fronts[f];
     if (!front.advances() || front.numFacets == 0)
       continue;
     const std::vector<Intensities> K =
-        intensitiesAlong(state, front, tubesOf(state, f).intensity, acceleration_);
+        intensitiesOf(state, front, tubesOf(state, f).intensity, acceleration_);
     for (std::size_t k = 0; k < K.size(); ++k)
     {
       DrivingForce& driving = front.nodes[k].driving;

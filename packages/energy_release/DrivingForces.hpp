@@ -37,7 +37,7 @@ private:
   const Fitted& tubesOf(const State<D>& state, std::size_t front);
 
   std::vector<Fitted> fitted_;
-  NodalAcceleration<D> acceleration_;
+  InternalAcceleration<D> acceleration_;
 };
 
 /// Adds the calls that compute the driving forces, of a scene with fronts that grow.

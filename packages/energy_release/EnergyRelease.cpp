@@ -17,7 +17,6 @@
 #include "energy_release/NegativeRelease.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "transfer/LocalSpacing.hpp"
-#include "transfer/NearestMaterial.hpp"
 
 #include <cmath>
 #include <memory>
@@ -121,37 +120,27 @@ CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Optio
 }
 
 /// Computes J and K at the front of a sample.
-void compute(const State<2>& state, FrontSample<2>& s)
+void compute(const State<2>& state, FrontSample<2>& s, InternalAcceleration<2>& acceleration)
 {
-  const DomainIntegral integral = integrateDomain(state, s.front, s.tube.radii);
+  const DomainIntegral integral = integrateDomain(state, s.front, s.tube.radii, acceleration);
   s.J = {integral.lost ? notYet : integral.J};
   s.modeI = {integral.lost ? notYet : integral.modeI};
   s.modeII = {integral.lost ? notYet : integral.modeII};
   s.tipOffset = integral.tipOffset;
 }
 
-void compute(const State<3>& state, FrontSample<3>& s)
+void compute(const State<3>& state, FrontSample<3>& s, InternalAcceleration<3>& acceleration)
 {
-  NodalAcceleration<3> acceleration;
-  const FrontLine line = lineOf(s.front);
   const std::vector<std::optional<double>> release =
-      integrateAlongFront(state, s.front.crack, line, s.tube, acceleration);
+      integrateAlongFront(state, s.front.crack, lineOf(s.front), s.tube, acceleration);
   for (std::size_t k = 0; k < release.size(); ++k)
     s.J[k] = release[k].value_or(notYet);
-  const Elasticity e = elasticity(state.materials.properties[materialAt(state, s.front.position)]);
-  const std::vector<Intensities> openings =
-      openingsBehind(state.cracks, s.front, line, e, spacingAt(state, s.front.position), s.tube.halfWidth);
-  for (std::size_t k = 0; k < s.J.size(); ++k)
+  const std::vector<Intensities> K = intensitiesAlong(state, s.front, s.tube.halfWidth, s.J);
+  for (std::size_t k = 0; k < K.size(); ++k)
   {
-    if (!release[k])
-    {
-      s.modeI[k] = s.modeII[k] = s.modeIII[k] = notYet;
-      continue;
-    }
-    const Intensities K = scaleTo(openings[k], s.J[k], e);
-    s.modeI[k] = K.modeI;
-    s.modeII[k] = K.modeII;
-    s.modeIII[k] = K.modeIII;
+    s.modeI[k] = K[k].modeI;
+    s.modeII[k] = K[k].modeII;
+    s.modeIII[k] = K[k].modeIII;
   }
 }
 
@@ -167,6 +156,7 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples)
 {
   samples.last.clear();
   samples.time = state.clock.time;
+  InternalAcceleration<D> acceleration;
   for (const CrackFront<D>& front : state.cracks.fronts)
   {
     FrontSample<D> s(front, front.ended ? 0.0 : notYet);
@@ -176,7 +166,7 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples)
       warnOfTube(state, front, s.tube.radii, options, samples);
       if constexpr (D == 2)
         warnOfLoads(state, front, s.tube.radii, samples.loads);
-      compute(state, s);
+      compute(state, s, acceleration);
     }
     if constexpr (D == 2)
     {

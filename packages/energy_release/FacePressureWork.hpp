@@ -1,7 +1,7 @@
 #pragma once
 /// The contribution of a pressure on the faces of a crack to J along its fronts in 3D.
 
-#include "energy_release/AccelerationByPressure.hpp"
+#include "energy_release/ForceOfPressure.hpp"
 #include "energy_release/FrontLine.hpp"
 #include "energy_release/FrontTube.hpp"
 
@@ -9,7 +9,7 @@ namespace Rhegma::energy_release
 {
 
 /// Adds the work of the pressure to the configurational forces of nodes, which are without it
-/// (AccelerationByPressure.hpp), as it follows from the opening, by integration by parts, where the opening
+/// (ForceOfPressure.hpp), as it follows from the opening, by integration by parts, where the opening
 /// is accurate (Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405, for the term - int p [u_n],e q dS):
 ///
 ///     G_n = int p [u_n] grad N_n dS

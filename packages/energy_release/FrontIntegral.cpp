@@ -203,15 +203,15 @@ std::vector<std::optional<double>> integrateWithAcceleration(const State<3>& sta
 
 std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, int crack,
                                                        const FrontLine& line, const FrontTube& tube,
-                                                       NodalAcceleration<3>& acceleration)
+                                                       InternalAcceleration<3>& acceleration)
 {
   if (line.empty())
     return std::vector<std::optional<double>>(line.nodes.size());
   // Nodes that particles in the tube touch are touched by others.
-  internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.mesh.grid.spacing),
-                       acceleration);
-  const View<double* [D]> force =
-      configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration);
+  const double reach = reachOf(state, tube);
+  const View<double* [D]> force = configurationalForces(
+      state, regionAround(line, reach),
+      acceleration.around(state, regionAround(line, reach + 4.0 * state.mesh.grid.spacing)));
   addForceOfPressure(state, crack, line, tube, force);
   return integrate(state, line, tube, force);
 }

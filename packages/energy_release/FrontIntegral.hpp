@@ -27,12 +27,12 @@ namespace Rhegma::energy_release
 /// Where temperature strains the material, W is the energy of the non-thermal strain, and dW/dT grad T N_n is
 /// subtracted as in 2D. Turn, motion and loads are treated as in DomainIntegral.hpp. Collective.
 ///
-/// \param acceleration of nodes by internal forces, which is found here: its rows are reused Source: Li, Shih
-/// and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer. Methods Eng. 24
-/// (1987) 1801. \param crack of the front, the pressure on whose faces counts (FacePressureWork.hpp)
+/// \param crack of the front, the pressure on whose faces counts (FacePressureWork.hpp)
+/// Source: Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer.
+/// Methods Eng. 24 (1987) 1801.
 std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, int crack,
                                                        const FrontLine& line, const FrontTube& tube,
-                                                       NodalAcceleration<3>& acceleration);
+                                                       InternalAcceleration<3>& acceleration);
 
 /// The same with a given acceleration of nodes.
 std::vector<std::optional<double>> integrateWithAcceleration(const State<3>& state, const FrontLine& line,

@@ -1,6 +1,8 @@
 #include "energy_release/FrontOpening.hpp"
 
 #include "geometry/Cross.hpp"
+#include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -164,6 +166,17 @@ Intensities scaleTo(const Intensities& K, double J, const Elasticity& e)
     return {};
   const double factor = std::sqrt(J / release);
   return {factor * K.modeI, factor * K.modeII, factor * K.modeIII};
+}
+
+std::vector<Intensities> intensitiesAlong(const State<3>& state, const CrackFront<3>& front, double halfWidth,
+                                          const std::vector<double>& J)
+{
+  const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
+  std::vector<Intensities> K =
+      openingsBehind(state.cracks, front, lineOf(front), e, spacingAt(state, front.position), halfWidth);
+  for (std::size_t k = 0; k < K.size(); ++k)
+    K[k] = std::isnan(J[k]) ? Intensities{J[k], J[k], J[k]} : scaleTo(K[k], J[k], e);
+  return K;
 }
 
 } // namespace Rhegma::energy_release

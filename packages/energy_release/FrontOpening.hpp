@@ -35,4 +35,9 @@ std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFr
 /// Scales intensities so that they release J; zero where J is not positive.
 Intensities scaleTo(const Intensities& K, double J, const Elasticity& e);
 
+/// Both: intensities at every front node whose opening is that of the faces and which release J; not numbers
+/// where J is none. Collective.
+std::vector<Intensities> intensitiesAlong(const State<3>& state, const CrackFront<3>& front, double halfWidth,
+                                          const std::vector<double>& J);
+
 } // namespace Rhegma::energy_release

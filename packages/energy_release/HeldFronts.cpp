@@ -46,18 +46,14 @@ std::string quantityAsText(const nlohmann::json& entry, const std::string& name,
   return text;
 }
 
-/// What is said where K_I is negative: the part of G that K_I has closes the crack further. Empty where it is
-/// below a hundredth of G, as the compliance of closed faces makes it.
+/// What is said of a closed crack: the part of G that K_I has closes it further.
 std::string closedAsText(const nlohmann::json& entry, const std::string& release)
 {
-  constexpr double little = 0.01;
-  if (!isKnown(entry, "K_I") || entry["K_I"].get<double>() >= 0.0)
+  if (!entry.value("closed", false))
     return "";
   const auto squareOf = [&](const char* name)
   { return isKnown(entry, name) ? std::pow(entry[name].get<double>(), 2) : 0.0; };
   const double closing = squareOf("K_I"), all = closing + squareOf("K_II") + squareOf("K_III");
-  if (closing <= little * all)
-    return "";
   if (isKnown(entry, "K_I_min")) // modes that change their sign along a front vanish in its means
     return "; the crack is closed (K_I < 0 in the mean), so only the part of G that slides it would advance "
            "it";

@@ -1,6 +1,6 @@
 #include "energy_release/InternalAcceleration.hpp"
 
-#include "energy_release/AccelerationByPressure.hpp"
+#include "energy_release/ForceOfPressure.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
@@ -63,6 +63,18 @@ void addSprings(const State<D>& state, const NodalAcceleration<D>& force)
       });
 }
 
+/// Adds forces on nodes [N].
+template <int D>
+void addForces(const View<double* [D]>& added, const NodalAcceleration<D>& force)
+{
+  Kokkos::parallel_for(
+      "rhegma::addNodalForces", Kokkos::RangePolicy<ExecSpace>(0, added.extent(0)),
+      KOKKOS_LAMBDA(const int n) {
+        for (int d = 0; d < D; ++d)
+          force(n, d) += added(n, d);
+      });
+}
+
 template <int D>
 void divideByMass(const NodalAcceleration<D>& force)
 {
@@ -75,15 +87,17 @@ void divideByMass(const NodalAcceleration<D>& force)
       });
 }
 
-template <int D, class Range>
-void accelerate(const State<D>& state, const Range& range, NodalAcceleration<D>& force)
+} // namespace
+
+template <int D>
+const NodalAcceleration<D>& InternalAcceleration<D>::around(const State<D>& state, const Range& range)
 {
-  if (force.extent(0) != state.mesh.nodes.sums.extent(0))
-    force = NodalAcceleration<D>("rhegma::internalForce", state.mesh.nodes.sums.extent(0));
+  if (rows_.extent(0) != state.mesh.nodes.sums.extent(0))
+    rows_ = NodalAcceleration<D>("rhegma::internalForce", state.mesh.nodes.sums.extent(0));
   else
-    Kokkos::deep_copy(force, 0.0);
-  if (state.clock.step == 0 || force.extent(0) == 0) // nodes have no mass before the first step
-    return;
+    Kokkos::deep_copy(rows_, 0.0);
+  if (state.clock.step == 0 || rows_.extent(0) == 0) // nodes have no mass before the first step
+    return rows_;
   withStraining(state,
                 [&](const auto& connect)
                 {
@@ -91,7 +105,7 @@ void accelerate(const State<D>& state, const Range& range, NodalAcceleration<D>&
                   const ForceBlock<D, Range, Connect> block{
                       connect,
                       range,
-                      force,
+                      rows_,
                       state.particles.template real<D>(fields::position),
                       state.particles.scalar(fields::mass),
                       state.particles.scalar(fields::volume),
@@ -100,31 +114,18 @@ void accelerate(const State<D>& state, const Range& range, NodalAcceleration<D>&
                 });
   // In 3D their work belongs to the integrals, as the work of all loads does.
   if (D == 2 && state.cracks.addTractions)
-    state.cracks.addTractions(state, force);
-  sumOverRanks(state, force.data(), D + 1, 0, D + 1);
-  addSprings(state, force);
-  divideByMass<D>(force);
-  addAccelerationByPressure(state, force);
+    state.cracks.addTractions(state, rows_);
+  sumOverRanks(state, rows_.data(), D + 1, 0, D + 1);
+  addSprings(state, rows_);
+  if (!isPressureKnown_)
+    pressure_ = forceOfPressure(state);
+  isPressureKnown_ = true;
+  addForces<D>(pressure_, rows_);
+  divideByMass<D>(rows_);
+  return rows_;
 }
 
-} // namespace
-
-NodalAcceleration<2> internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius)
-{
-  NodalAcceleration<2> acceleration;
-  internalAcceleration(state, centre, radius, acceleration);
-  return acceleration;
-}
-
-void internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius,
-                          NodalAcceleration<2>& force)
-{
-  accelerate(state, Disk{centre, radius}, force);
-}
-
-void internalAcceleration(const State<3>& state, const Region<3>& box, NodalAcceleration<3>& force)
-{
-  accelerate(state, box, force);
-}
+template class InternalAcceleration<2>;
+template class InternalAcceleration<3>;
 
 } // namespace Rhegma::energy_release

@@ -4,6 +4,8 @@
 #include "energy_release/FrontRegion.hpp"
 #include "state/State.hpp"
 
+#include <type_traits>
+
 namespace Rhegma::energy_release
 {
 
@@ -11,21 +13,31 @@ namespace Rhegma::energy_release
 template <int D>
 using NodalAcceleration = View<double * [D + 1]>;
 
-/// Acceleration [m/s2] of nodes by internal forces, -sum_p V0 tau grad N / m, from the particles within
-/// `radius` of a position, and by pressure on the faces of cracks (AccelerationByPressure.hpp); a row a node,
-/// enriched fields included. Without other loads it is the nodes' acceleration. Where they act, such as
-/// contact, body force or damping, it is less by what they do: used as `a` in the domain integrals it
-/// accounts for their work. The mass m and N are those of the present positions: a node that a box just
-/// reaches has a mass proportional to the square of the overlap and a force proportional to the overlap, so
-/// that with the mass of the start of the step a small motion of the box would cause an arbitrary
-/// acceleration.
-NodalAcceleration<2> internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius);
+/// Finds the accelerations around one front after the other, in rows that are reused.
+template <int D>
+class InternalAcceleration
+{
+public:
+  using Range = std::conditional_t<D == 2, Disk, Region<3>>;
 
-/// The same in reused rows, which grow if necessary.
-void internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius,
-                          NodalAcceleration<2>& acceleration);
+  /// Call it when the state has changed: forces of pressure are the same for all fronts, and are kept.
+  void renew() { isPressureKnown_ = false; }
 
-/// The same in 3D, from the particles in a box.
-void internalAcceleration(const State<3>& state, const Region<3>& box, NodalAcceleration<3>& acceleration);
+  /// Acceleration [m/s2] of nodes by internal forces, -sum_p V0 tau grad N / m, from the particles within a
+  /// range, and by pressure on the faces of cracks (ForceOfPressure.hpp); a row a node, enriched fields
+  /// included. Without other loads it is the nodes' acceleration. Where they act, such as contact, body force
+  /// or damping, it is less by what they do: used as `a` in the domain integrals it accounts for their work.
+  /// The mass m and N are those of the present positions: a node that a box just reaches has a mass
+  /// proportional to the square of the overlap and a force proportional to the overlap, so that with the mass
+  /// of the start of the step a small motion of the box would cause an arbitrary acceleration. Collective.
+  ///
+  /// \return the rows, which the next call overwrites
+  const NodalAcceleration<D>& around(const State<D>& state, const Range& range);
+
+private:
+  NodalAcceleration<D> rows_;
+  View<double* [D]> pressure_; ///< [N]; empty where nothing presses
+  bool isPressureKnown_ = false;
+};
 
 } // namespace Rhegma::energy_release

@@ -25,21 +25,13 @@ constexpr const char* adviceAtStop =
     "; use smaller cells (Domain > Cell Size), or let the rest of the run go on (Propagation > On Stop = "
     "Continue)";
 
-/// Whether what Energy Release says of a front is that its faces are pressed together.
-bool isClosed(const nlohmann::json& entry)
-{
-  constexpr double little = 0.1; // of K_I next to K_II: as closed faces that slide have it
-  const auto K = [&](const char* name)
-  { return entry.contains(name) && entry[name].is_number() ? entry[name].get<double>() : 0.0; };
-  return K("K_I") < -little * std::hypot(K("K_I"), K("K_II"), K("K_III"));
-}
-
 /// How close a front that has not initiated came to initiation, in its entry and in a warning.
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, double startTime,
                 nlohmann::json& summary)
 {
-  summary["cracks"][front.crack]["fronts"][front.number]["closest_to_initiation"] = closest;
+  nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
+  entry["closest_to_initiation"] = closest;
   if (state.clock.step == 0) // a scene that is only checked
     return;
   if (state.clock.time < startTime)
@@ -52,7 +44,7 @@ void reportRest(const State<D>& state, const CrackFront<D>& front, double closes
   const double rounded = 0.001 * std::floor(1000.0 * closest); // below one
   summary["warnings"].push_back(frontName(state.cracks, front) + ": not initiated; G reached at most " +
                                 formatReal(rounded) + " of the initiation toughness" +
-                                (isClosed(summary["cracks"][front.crack]["fronts"][front.number])
+                                (entry.value("closed", false) // by Energy Release
                                      ? ", also where it closes the crack; at the end K_I < 0, so it is closed"
                                      : ""));
 }

@@ -165,6 +165,7 @@ struct FaceTraction
 {
   Vector<D> position{}; ///< [m]
   Vector<D> traction{}; ///< on side +1, opposite on side -1 [Pa]
+  Vector<D> edge{};     ///< unit vector along the first edge of its simplex
   double size = 0.0;    ///< length or area of crack that it acts on now [m, m2]
 };
 

@@ -109,14 +109,29 @@ KOKKOS_INLINE_FUNCTION Vector<D> jumpAt(const StencilTable<D>& below, const Sten
   return jump;
 }
 
-/// Adds a force [N] to the nodes of one face at point k.
+/// Forces of nodes in a step, called as a view of a row a node.
 template <int D>
-KOKKOS_INLINE_FUNCTION void addFaceForce(const Nodes<D>& nodes, const StencilTable<D>& face, int k,
-                                         const Vector<D>& force)
+struct StepForces
 {
-  for (int e = 0; e < face.count(k); ++e)
+  Nodes<D> nodes;
+  KOKKOS_INLINE_FUNCTION double& operator()(int node, int axis) const
+  {
+    return nodes.sums(node, Nodes<D>::forceAt + axis);
+  }
+};
+
+/// Adds a force [N] to the nodes of the face of side +1 at point k, and its opposite to those of side -1.
+/// \param force of nodes: StepForces, or a view of a row a node
+template <int D, class Force>
+KOKKOS_INLINE_FUNCTION void addFaceForces(const Force& force, const StencilTable<D>& below,
+                                          const StencilTable<D>& above, int k, const Vector<D>& onUpper)
+{
+  for (int e = 0; e < above.count(k); ++e)
     for (int d = 0; d < D; ++d)
-      Kokkos::atomic_add(&nodes.sums(face.node(k, e), Nodes<D>::forceAt + d), face.weight(k, e) * force[d]);
+      Kokkos::atomic_add(&force(above.node(k, e), d), above.weight(k, e) * onUpper[d]);
+  for (int e = 0; e < below.count(k); ++e)
+    for (int d = 0; d < D; ++d)
+      Kokkos::atomic_add(&force(below.node(k, e), d), -below.weight(k, e) * onUpper[d]);
 }
 
 } // namespace Rhegma

@@ -55,15 +55,12 @@ void push(const char* label, const State<D>& state, const FacePoints<D>& points,
           const Pressure& pressure)
 {
   const Pushed<D> p(points);
-  const Nodes<D> nodes = state.mesh.nodes;
+  const StepForces<D> forces{state.mesh.nodes};
   const double thickness = state.method.thickness;
   forEachPushing(
       label, points.count(), KOKKOS_LAMBDA(const int k) {
-        if (p.crack(k) != crack)
-          return;
-        const Vector<D> force = p.force(k, pressure(k), thickness);
-        addFaceForce(nodes, p.above, k, force);
-        addFaceForce(nodes, p.below, k, -1.0 * force);
+        if (p.crack(k) == crack)
+          addFaceForces<D>(forces, p.below, p.above, k, p.force(k, pressure(k), thickness));
       });
 }
 

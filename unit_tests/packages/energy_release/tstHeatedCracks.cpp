@@ -25,8 +25,9 @@ auto releaseIn(const State<2>& state)
 {
   return [&state](double inner, double outer)
   {
+    energy_release::InternalAcceleration<2> acceleration;
     return energy_release::integrateDomain(state, state.cracks.fronts[0],
-                                           {inner * heldCell, outer * heldCell})
+                                           {inner * heldCell, outer * heldCell}, acceleration)
         .J;
   };
 }

@@ -38,7 +38,7 @@ auto releaseIn(const State<3>& state)
   return [&state](double inner, double outer)
   {
     const FrontLine line = lineOf(state.cracks.fronts.at(0));
-    NodalAcceleration<3> acceleration;
+    InternalAcceleration<3> acceleration;
     const std::vector<std::optional<double>> all = integrateAlongFront(
         state, 0, line, {{inner * heldCell, outer * heldCell}, 2.0 * heldCell}, acceleration);
     return all.at(all.size() / 2).value();
