@@ -2,14 +2,11 @@
 /// Where there is material at the start.
 
 #include "geometry/NearestPoint.hpp"
-#include "geometry/Seeds.hpp"
 #include "scene/SceneBodies.hpp"
-#include "state/Ancestry.hpp"
 #include "state/State.hpp"
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Rhegma::cracks
@@ -61,16 +58,10 @@ private:
   static Reach reachOf(const State<D>& state)
   {
     constexpr double rounding = 1.0 + 1e-9; // a point midway between centres is inside
-    const std::vector<Vector<D>> boxes = readVectors(state, fields::edge);
-    const auto body = onHost(state.particles.integer(fields::body));
-    std::vector<std::vector<Vector<D>>> ofBodies(state.bodies.info.size());
-    const std::vector<int> level = levelsOfParticles(state);
-    for (std::size_t p = 0; p < boxes.size(); ++p)
-      ofBodies[body(p)].push_back(double(1 << level[p]) * boxes[p]);
     Reach largest;
-    for (std::vector<Vector<D>>& own : ofBodies)
+    for (const BodyInfo<D>& body : state.bodies.info)
     {
-      Vector<D> edge = latticeEdge<D>(std::move(own));
+      Vector<D> edge = body.edge;
       for (int d = 0; d < D; ++d)
         edge[d] = std::min(edge[d], state.mesh.grid.spacing);
       const double half = 0.5 * norm(edge) * rounding;

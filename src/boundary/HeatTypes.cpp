@@ -6,26 +6,9 @@ namespace Rhegma
 namespace
 {
 
-/// A line (2D) or a parallelogram (3D) on a body.
-void surface(Section& s)
-{
-  s.text("Body").notEmpty().meaning("Name of the body.");
-  s.realArray("From").unit("m").onlyIn(2).length(2).meaning("One end of a line on the undeformed surface.");
-  s.realArray("To").unit("m").onlyIn(2).length(2).meaning("Other end of the line.");
-  s.realArray("Corner").unit("m").onlyIn(3).length(3).meaning(
-      "One corner of a parallelogram on the undeformed surface.");
-  s.realArray("Edge 1").unit("m").onlyIn(3).length(3).meaning("Vector of its first edge from Corner.");
-  s.realArray("Edge 2").unit("m").onlyIn(3).length(3).meaning("Vector of its second edge from Corner.");
-}
-
 void checkBox(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
 {
   checks.corners(boundary, where, true);
-}
-
-void checkSurface(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
-{
-  checks.surface(boundary, where);
 }
 
 } // namespace
@@ -44,7 +27,7 @@ BoundaryType temperatureBoundary()
 BoundaryType heatFluxBoundary()
 {
   Section s("Heat Flux", "Heat flux into a part of a body's surface. Needs the section Thermal.");
-  surface(s);
+  describeSurface(s);
   s.real("Flux").unit("W/m2").meaning("Heat flux into the body per undeformed area.");
   describeHistory(s);
   return {s, checkSurface, {}, {}, capability::heat};
@@ -54,7 +37,7 @@ BoundaryType convectionBoundary()
 {
   Section s("Convection", "Convective heat exchange of a part of a body's surface with its surroundings. "
                           "Needs the section Thermal.");
-  surface(s);
+  describeSurface(s);
   s.real("Coefficient")
       .unit("W/(m2 K)")
       .positive()

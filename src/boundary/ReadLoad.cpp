@@ -1,8 +1,8 @@
 #include "boundary/ReadLoad.hpp"
 
-#include "state/Ancestry.hpp"
+#include "base/ReadList.hpp"
+#include "geometry/Cross.hpp"
 
-#include <cmath>
 #include <utility>
 
 namespace Rhegma
@@ -18,24 +18,17 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
   const auto bodies = onHost(state.particles.integer(fields::body));
   const auto id = onHost(state.particles.integer(fields::id));
   const auto x = onHost(state.particles.template real<D>(fields::position));
-  const auto edge = onHost(state.particles.template real<D>(fields::edge));
-  const std::vector<int> level = levelsOfParticles(state);
   Seeds<D> seeds{};
-  std::vector<Vector<D>> boxes; // of the lattice that was not divided yet
   for (int p = 0; p < state.particles.size(); ++p)
     if (bodies(p) == body)
     {
-      Vector<D> at, box;
+      Vector<D> at;
       for (int d = 0; d < D; ++d)
-      {
         at[d] = x(p, d);
-        box[d] = std::ldexp(edge(p, d), level[p]);
-      }
       seeds.position.push_back(at);
-      boxes.push_back(box);
       ids.push_back(id(p));
     }
-  seeds.edge = latticeEdge<D>(std::move(boxes));
+  seeds.edge = state.bodies.info[body].edge;
   for (int d = 0; d < D; ++d)
     for (int e = 0; e < D; ++e)
       seeds.axes[d][e] = state.bodies.info[body].axes[d][e];
@@ -61,6 +54,43 @@ Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, cons
   return {name, placed.points, carriers, starts, placed.force, TimeFunction::parse(history)};
 }
 
+template <int D>
+PlacedSurface<D> placeSurface(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double thickness,
+                              const std::string& where)
+{
+  if constexpr (D == 2)
+  {
+    const Vector<2> from = readVector<2>(list, "From"), to = readVector<2>(list, "To"), along = to - from;
+    return {lineLoad<2>(seeds, from, to, Profile::Uniform, where),
+            thickness * Vector<2>{along[1], -along[0]}};
+  }
+  else
+  {
+    const Vector<3> a = readVector<3>(list, "Edge 1"), b = readVector<3>(list, "Edge 2");
+    return {faceLoad(seeds, readVector<3>(list, "Corner"), a, b, where), cross(a, b)};
+  }
+}
+
+template <int D>
+Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name)
+{
+  double area = 0.0;
+  const auto place = [&](const auto&... of)
+  {
+    const PlacedSurface<D> placed = placeSurface<D>(of...);
+    area = norm(placed.area);
+    return PlacedLoad<D>{placed.points, {}};
+  };
+  Load<D> points = readLoad<D>(list, state, name, "1", place);
+  return {std::move(points), area};
+}
+
+template PlacedSurface<2> placeSurface(const Teuchos::ParameterList&, const Seeds<2>&, double,
+                                       const std::string&);
+template PlacedSurface<3> placeSurface(const Teuchos::ParameterList&, const Seeds<3>&, double,
+                                       const std::string&);
+template Surface<2> readSurface(const Teuchos::ParameterList&, const State<2>&, const std::string&);
+template Surface<3> readSurface(const Teuchos::ParameterList&, const State<3>&, const std::string&);
 template Load<2> readLoad(const Teuchos::ParameterList&, const State<2>&, const std::string&,
                           const std::string&, const PlaceLoad<2>&);
 template Load<3> readLoad(const Teuchos::ParameterList&, const State<3>&, const std::string&,

@@ -31,7 +31,21 @@ template <int D>
 Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name,
                  const std::string& history, const PlaceLoad<D>& place);
 
-/// A surface of a body, a line (2D) or a parallelogram (3D) as for Traction, as points without force.
+/// A part of a body's surface: a line (2D) or a parallelogram (3D).
+template <int D>
+struct PlacedSurface
+{
+  std::vector<LoadPoint<D>> points; ///< with equal fractions
+  Vector<D> area;                   ///< along the outward normal: right of From -> To, Edge 1 x Edge 2 [m2]
+};
+
+/// Places the part of a surface that the parameters of describeSurface give (BoundaryParts.hpp). Throws
+/// std::invalid_argument where it is not on the body. \param seeds and the others as for PlaceLoad
+template <int D>
+PlacedSurface<D> placeSurface(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double thickness,
+                              const std::string& where);
+
+/// A part of a surface as points without force.
 template <int D>
 struct Surface
 {
@@ -39,8 +53,7 @@ struct Surface
   double area; ///< [m2]
 };
 
-/// Reads `Body` and `From`, `To` or `Corner`, `Edge 1`, `Edge 2` and places the surface. Throws
-/// std::invalid_argument where it reaches no particle. \param where path of the list, for messages
+/// The part of a surface of a boundary. Throws std::invalid_argument where it reaches no particle.
 template <int D>
 Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name);
 

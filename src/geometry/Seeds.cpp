@@ -312,20 +312,6 @@ Seeds<D> seedsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, con
 } // namespace
 
 template <int D>
-Vector<D> latticeEdge(std::vector<Vector<D>> boxes)
-{
-  Vector<D> edge{};
-  const auto middle = boxes.begin() + static_cast<std::ptrdiff_t>(boxes.size() / 2);
-  for (int d = 0; d < D && !boxes.empty(); ++d)
-  {
-    std::nth_element(boxes.begin(), middle, boxes.end(),
-                     [d](const Vector<D>& a, const Vector<D>& b) { return a[d] < b[d]; });
-    edge[d] = (*middle)[d];
-  }
-  return edge;
-}
-
-template <int D>
 double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell)
 {
   const Lattice<D> lattice = makeLattice(shape, cell / particlesPerCell);
@@ -395,8 +381,6 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
   return seedsOf(lattice, frame, parts);
 }
 
-template Vector<2> latticeEdge<2>(std::vector<Vector<2>>);
-template Vector<3> latticeEdge<3>(std::vector<Vector<3>>);
 template double estimateSeeds<2>(const Shape<2>&, double, int);
 template double estimateSeeds<3>(const Shape<3>&, double, int);
 template Seeds<2> seedParticles<2>(const Shape<2>&, double, int, const std::string&, const IsDivided<2>&);

@@ -59,11 +59,6 @@ template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section,
                        const IsDivided<D>& isDivided = {});
 
-/// Edges of a cell of a body's lattice, from the boxes of its particles [m]: the median along each axis, for
-/// the particles at the body's surface differ. Zero without particles.
-template <int D>
-Vector<D> latticeEdge(std::vector<Vector<D>> boxes);
-
 /// Estimated number of particles of seedParticles, from a sample of positions; fast and without memory.
 template <int D>
 double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell);

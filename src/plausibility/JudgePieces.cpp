@@ -1,9 +1,7 @@
 #include "base/PointText.hpp"
 #include "base/ShortNumber.hpp"
-#include "geometry/Seeds.hpp"
 #include "plausibility/Judges.hpp"
 #include "plausibility/SupportReach.hpp"
-#include "state/Ancestry.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +23,6 @@ template <int D>
 struct Grains
 {
   std::vector<Vector<D>> position, box; ///< [m]
-  std::vector<Vector<D>> unsplit;       ///< boxes of the particles that they were split from [m]
   std::vector<double> mass;             ///< [kg]
 };
 
@@ -45,10 +42,7 @@ class Pieces
 {
 public:
   Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach)
-      : reach_(reach),
-        edge_(latticeEdge<D>(grains.unsplit)),
-        cellOf_(grains.position.size()),
-        pieceOf_(grains.position.size())
+      : reach_(reach), edge_(body.edge), cellOf_(grains.position.size()), pieceOf_(grains.position.size())
   {
     place(grains, body);
     fill();
@@ -198,23 +192,20 @@ std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& 
   const auto x = onHost(state.particles.template real<D>(fields::position));
   const auto edge = onHost(state.particles.template real<D>(fields::edge));
   const auto mass = onHost(state.particles.scalar(fields::mass));
-  const std::vector<int> level = levelsOfParticles(state);
   std::vector<Grains<D>> grains(wanted.size());
   for (int p = 0; p < state.particles.size(); ++p)
   {
     if (wanted[body(p)] == 0)
       continue;
-    Vector<D> at, box, unsplit;
+    Vector<D> at, box;
     for (int d = 0; d < D; ++d)
     {
       at[d] = x(p, d);
       box[d] = edge(p, d);
-      unsplit[d] = std::ldexp(box[d], level[p]);
     }
     Grains<D>& own = grains[body(p)];
     own.position.push_back(at);
     own.box.push_back(box);
-    own.unsplit.push_back(unsplit);
     own.mass.push_back(mass(p));
   }
   return grains;

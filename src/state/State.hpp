@@ -26,6 +26,7 @@ struct BodyInfo
   std::string name;  ///< as in the scene
   int material = 0;  ///< its number
   double axes[D][D]; ///< undeformed edge directions of its particles, one a row
+  Vector<D> edge{};  ///< edges of a cell of its lattice, of which a whole particle fills one [m]
 };
 
 /// The bodies of the scene.

@@ -242,6 +242,7 @@ void addBodies(const std::vector<PlacedBody<D>>& bodies, State<D>& state)
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d)
         info.axes[e][d] = body.seeds.axes[e][d];
+    info.edge = body.seeds.edge;
     state.bodies.info.push_back(info);
     all += body.seeds.position.size();
   }
