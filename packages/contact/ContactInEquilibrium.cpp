@@ -1,8 +1,5 @@
 #include "contact/ContactInEquilibrium.hpp"
 
-#include "archive/Archive.hpp"
-#include "contact/FacePatches.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,10 +23,6 @@ constexpr double joining = 20.0;
 /// residual.
 constexpr double touchingGap = 1e-9;
 
-/// Most by which the area of a node differs from that of the crack next to it: nodes that the crack or the
-/// particles hardly touch would have areas of any size and sign.
-constexpr double mostScale = 10.0;
-
 /// Rounding of the shear traction of faces that slide, as a part of its limit.
 constexpr double atLimit = 1e-6;
 
@@ -44,134 +37,10 @@ double jumpOf(const View<double*>& displacement, int plus, int minus, int axis)
 } // namespace
 
 template <int D>
-Vector<D> ContactInEquilibrium<D>::tangent(int point, int which) const
-{
-  Vector<D> n;
-  for (int d = 0; d < D; ++d)
-    n[d] = contact_.points().normal(point, d);
-  const Vector<D> along = reference_[point] - dot(reference_[point], n) * n;
-  return faceTangent(n, (1.0 / norm(along)) * along, which);
-}
-
-template <int D>
-void ContactInEquilibrium<D>::divide(const State<D>& state)
-{
-  const FacePoints<D>& points = contact_.points();
-  const int count = points.count();
-  if (contact_.pointsReplaced() || static_cast<int>(patchOf_.extent(0)) != count)
-  {
-    const std::vector<int> patch = findPatches(state, points);
-    patchOf_ = View<int*>("rhegma::contactPatches", count);
-    std::copy(patch.begin(), patch.end(), patchOf_.data());
-  }
-  patches_.clear();
-  for (int k = 0; k < count; ++k)
-  {
-    patches_.resize(std::max(patches_.size(), static_cast<std::size_t>(patchOf_(k) + 1)));
-    if (points.acts(k) != 0)
-    {
-      patches_[patchOf_(k)].points.push_back(k);
-      patches_[patchOf_(k)].size += points.size(k) * state.method.thickness;
-    }
-  }
-  reference_.assign(count, Vector<D>{});
-  for (Patch& patch : patches_)
-    for (const int k : patch.points)
-    {
-      patch.crack = points.crack(k);
-      for (int d = 0; d < D; ++d)
-        reference_[k][d] = points.edge(patch.points.front(), d);
-    }
-}
-
-template <int D>
-void ContactInEquilibrium<D>::addJumps(Patch& patch, const std::map<int, Frame>& frames,
-                                       const std::vector<FaceNode<D>>& nodes,
-                                       const std::vector<double>& scale) const
-{
-  for (const auto& [i, frame] : frames)
-    patch.area += scale[i] * frame.area;
-  for (const auto& [i, frame] : frames)
-  {
-    Part part;
-    part.plus = nodes[i].plus;
-    part.minus = nodes[i].minus;
-    for (int c = 0; c < D; ++c)
-      for (int d = 0; d < D; ++d)
-      {
-        part.jump[c][d] = scale[i] / patch.area * frame.axes[c][d];
-        part.axes[c][d] = frame.axes[c][d] / frame.area;
-      }
-    part.weight = std::fabs(scale[i]) * frame.area;
-    patch.weights += part.weight;
-    patch.parts.push_back(part);
-  }
-}
-
-template <int D>
-void ContactInEquilibrium<D>::collect(const State<D>& state)
-{
-  divide(state);
-  const FacePoints<D>& points = contact_.points();
-  const std::vector<FaceNode<D>> nodes = findFaceNodes(state);
-  std::vector<int> pairOf(state.mesh.nodes.sums.extent(0), -1);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (nodes[i].isDouble)
-      pairOf[nodes[i].plus] = pairOf[nodes[i].minus] = static_cast<int>(i);
-  std::vector<std::map<int, Frame>> frames(patches_.size());
-  std::vector<Frame> all(nodes.size()); // of all patches
-  for (std::size_t m = 0; m < patches_.size(); ++m)
-    for (const int k : patches_[m].points)
-    {
-      Vector<D> axes[D];
-      for (int d = 0; d < D; ++d)
-        axes[0][d] = points.normal(k, d);
-      for (int t = 1; t < D; ++t)
-        axes[t] = tangent(k, t - 1);
-      for (const StencilTable<D>* const face : {&points.above, &points.below})
-        for (int e = 0; e < face->count(k); ++e)
-        {
-          const int i = pairOf[face->node(k, e)];
-          if (i < 0)
-            continue;
-          const double part = 0.5 * face->weight(k, e) * points.size(k) * state.method.thickness;
-          for (Frame* const frame : {&frames[m][i], &all[i]})
-          {
-            frame->area += part;
-            for (int c = 0; c < D; ++c)
-              for (int d = 0; d < D; ++d)
-                frame->axes[c][d] += part * axes[c][d];
-          }
-        }
-    }
-  std::vector<double> scale(nodes.size(), 1.0);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    Vector<D> normal;
-    for (int d = 0; d < D; ++d)
-      normal[d] = all[i].axes[0][d];
-    if (const double square = dot(normal, normal); nodes[i].isInside && square > 0.0)
-      scale[i] = std::clamp(dot(nodes[i].area, normal) / square, 1.0 / mostScale, mostScale);
-  }
-  for (std::size_t m = 0; m < patches_.size(); ++m)
-    addJumps(patches_[m], frames[m], nodes, scale);
-  for (Patch& patch : patches_)
-    for (const int k : patch.points)
-    {
-      const double weight = points.size(k) * state.method.thickness / patch.size;
-      patch.gap += weight * contact_.gap()(k);
-      patch.pressure += weight * contact_.pressure()(k);
-      for (int s = 0; s < D - 1; ++s)
-        for (int t = 0; t < D - 1; ++t)
-          patch.shear[t] += weight * contact_.shear()(k, s) * dot(tangentOf(points, k, s), tangent(k, t));
-    }
-}
-
-template <int D>
 void ContactInEquilibrium<D>::addForces(const State<D>& state, const View<double * [D + 1]>& force)
 {
-  collect(state);
-  for (const Patch& patch : patches_)
+  patches_.collect(state);
+  for (const Patch& patch : patches_.all())
     for (const Part& part : patch.parts)
       for (int d = 0; d < D; ++d)
       {
@@ -186,10 +55,10 @@ void ContactInEquilibrium<D>::addForces(const State<D>& state, const View<double
 template <int D>
 void ContactInEquilibrium<D>::balance(const State<D>& state, const View<double * [D + 1]>& force)
 {
-  collect(state);
+  patches_.collect(state);
   const View<double * [D + 1]>& spring = state.cracks.spring;
   std::vector<char> done(force.extent(0), 0);
-  for (const Patch& patch : patches_)
+  for (const Patch& patch : patches_.all())
     for (const Part& part : patch.parts)
     {
       if (!(patch.pressure > 0.0) || done[part.plus] != 0)
@@ -212,12 +81,12 @@ template <int D>
 typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const State<D>& state,
                                                                         const View<int*>& rowOf)
 {
-  collect(state);
+  patches_.collect(state);
   names_.clear();
   for (const Crack<D>& crack : state.cracks.cracks)
     names_.push_back(crack.name);
   Groups groups;
-  for (Patch& patch : patches_)
+  for (Patch& patch : patches_.all())
   {
     patch.touching = patch.gap <= touchingGap * state.mesh.grid.spacing;
     patch.normalMultiplier = patch.pressure;
@@ -316,7 +185,7 @@ void ContactInEquilibrium<D>::choose(Patch& patch) const
 template <int D>
 void ContactInEquilibrium<D>::add(const Values& displacement, const Values& force)
 {
-  for (Patch& patch : patches_)
+  for (Patch& patch : patches_.all())
   {
     patch.moved = patch.middle = Vector<D>{};
     for (Part& part : patch.parts)
@@ -371,7 +240,7 @@ template <int D>
 bool ContactInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addBlock)
 {
   bool isSymmetric = true;
-  for (const Patch& patch : patches_)
+  for (const Patch& patch : patches_.all())
   {
     if (patch.touch == Touch::Open)
       continue;
@@ -407,7 +276,7 @@ template <int D>
 bool ContactInEquilibrium<D>::update()
 {
   bool closed = false;
-  for (Patch& patch : patches_)
+  for (Patch& patch : patches_.all())
   {
     const bool before = patch.touch != Touch::Open;
     choose(patch);
@@ -421,7 +290,7 @@ std::vector<HeldDirection<D>> ContactInEquilibrium<D>::heldDirections() const
 {
   const FacePoints<D>& points = contact_.points();
   std::vector<HeldDirection<D>> held;
-  for (const Patch& patch : patches_)
+  for (const Patch& patch : patches_.all())
     if (patch.touch != Touch::Open)
       for (const int k : patch.points)
       {
@@ -441,7 +310,7 @@ std::vector<HeldDirection<D>> ContactInEquilibrium<D>::heldDirections() const
               held.push_back(one);
             for (int t = 0; t < D - 1 && patch.touch == Touch::Sticking && row >= 0; ++t)
             {
-              one.direction = tangent(k, t);
+              one.direction = patches_.tangent(k, t);
               held.push_back(one);
             }
           }
@@ -453,7 +322,7 @@ template <int D>
 std::string ContactInEquilibrium<D>::reason() const
 {
   std::map<int, std::array<int, 3>> counts; // of each crack's patches: all, closed, sliding
-  for (const Patch& patch : patches_)
+  for (const Patch& patch : patches_.all())
     if (!patch.points.empty())
     {
       std::array<int, 3>& count = counts[patch.crack];
@@ -473,7 +342,7 @@ void ContactInEquilibrium<D>::accept(const State<D>& state)
 {
   std::vector<PointContact<D>> found(contact_.points().count());
   double stored = 0.0, lost = 0.0;
-  for (const Patch& patch : patches_)
+  for (const Patch& patch : patches_.all())
   {
     stored -= 0.5 * patch.area * (patch.pressure + patch.now.pressure) * patch.moved[0];
     const double heat = 0.5 * dot(patch.shear + patch.now.shear, slipOf(patch));
@@ -487,16 +356,11 @@ void ContactInEquilibrium<D>::accept(const State<D>& state)
       point.heat = patch.area / patch.size * heat;
       for (int t = 0; t < D - 1; ++t)
         for (int s = 0; s < D - 1; ++s)
-          point.shear[s] += patch.now.shear[t] * dot(tangent(k, t), tangentOf(contact_.points(), k, s));
+          point.shear[s] +=
+              patch.now.shear[t] * dot(patches_.tangent(k, t), tangentOf(contact_.points(), k, s));
     }
   }
   contact_.accept(state, found, stored, lost);
-}
-
-template <int D>
-void ContactInEquilibrium<D>::serialize(Archive& archive)
-{
-  archive("patches", patchOf_);
 }
 
 template class ContactInEquilibrium<2>;

@@ -1,24 +1,14 @@
 #pragma once
 /// Contact of the faces of cracks over a step of equilibrium.
 
-#include "contact/FaceContact.hpp"
-#include "contact/FaceNodes.hpp"
+#include "contact/ContactPatches.hpp"
 #include "state/StepForce.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 
 namespace Rhegma::contact
 {
-
-/// How the faces of a patch touch.
-enum class Touch
-{
-  Open,
-  Sticking,
-  Sliding
-};
 
 /// Contact without overlap by augmented Lagrangians (Simo and Laursen, Comput. Struct. 42 (1992) 97) and an
 /// active set (Hueber, Stadler and Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572).
@@ -45,7 +35,7 @@ public:
   using typename StepForce<D>::AddBlock;
 
   /// \param contact whose points and history it uses, and must outlive it
-  explicit ContactInEquilibrium(FaceContact<D>& contact) : contact_(contact) {}
+  explicit ContactInEquilibrium(FaceContact<D>& contact) : contact_(contact), patches_(contact) {}
 
   Groups begin(const State<D>& state, const View<int*>& rowOf) override;
   void add(const Values& displacement, const Values& force) override;
@@ -69,57 +59,18 @@ public:
   void accept(const State<D>& state);
 
   /// Stores or loads the patch of each point.
-  void serialize(Archive& archive);
+  void serialize(Archive& archive) { patches_.serialize(archive); }
 
   /// Patches of the last step.
-  int patches() const { return static_cast<int>(patches_.size()); }
-  Touch touchOf(int patch) const { return patches_[patch].touch; }
-  double pressureOf(int patch) const { return patches_[patch].now.pressure; }
-  double sizeOf(int patch) const { return patches_[patch].area; }
+  int patches() const { return static_cast<int>(patches_.all().size()); }
+  Touch touchOf(int patch) const { return patches_.all()[patch].touch; }
+  double pressureOf(int patch) const { return patches_.all()[patch].now.pressure; }
+  double sizeOf(int patch) const { return patches_.all()[patch].area; }
 
 private:
-  /// Part of the jump of a node's fields in the mean jump of a patch: of normal and tangents, along the axes.
-  struct Part
-  {
-    int plus = 0, minus = 0;         ///< nodes of its fields
-    int plusRow = -1, minusRow = -1; ///< their rows
-    double jump[D][D] = {};
-    double weight = 0.0;    ///< size of its area [m2]
-    double axes[D][D] = {}; ///< of the normal and the tangents
-    Vector<D> own{};        ///< jump of its fields along these, by the last `add` [m]
-  };
-  /// Sums over the points of a patch, each times its area and the weight of a node there [m2].
-  struct Frame
-  {
-    double area = 0.0;
-    double axes[D][D] = {}; ///< of the normal and the tangents
-  };
-  struct Patch
-  {
-    int crack = 0;
-    double size = 0.0;                ///< of the points that act, undeformed [m2]
-    double area = 0.0;                ///< of the nodes' shares [m2]
-    std::vector<int> points;          ///< that act
-    std::vector<Part> parts;          ///< of the mean jump, a node with two fields each
-    bool touching = false;            ///< at the start of the step
-    bool slid = false;                ///< then
-    double gap = 0.0, pressure = 0.0; ///< then [m, Pa]
-    Vector<D - 1> shear{};            ///< then [Pa]
-    double normalMultiplier = 0.0;    ///< [Pa]
-    Vector<D - 1> shearMultiplier{};  ///< [Pa]
-    double weights = 0.0;             ///< of the nodes [m2]
-    Vector<D> middle{};               ///< mean of their own jumps, by the last `add` [m]
-    Vector<D> moved{};                ///< jump over the step by the last `add`: normal, tangents [m]
-    Touch touch = Touch::Open;        ///< that `add` and `addStiffness` take
-    Vector<D - 1> direction{};        ///< of the shear traction while sliding, of unit length or zero
-    Return<D - 1> now{};              ///< tractions by the last `add`
-  };
+  using Patch = ContactPatch<D>;
+  using Part = PatchNode<D>;
 
-  Vector<D> tangent(int point, int which) const;
-  void divide(const State<D>& state);
-  void collect(const State<D>& state);
-  void addJumps(Patch& patch, const std::map<int, Frame>& frames, const std::vector<FaceNode<D>>& nodes,
-                const std::vector<double>& scale) const;
   Stiffness stiffnessOf(const Patch& patch) const;
   /// Slip over the step.
   Vector<D - 1> slipOf(const Patch& patch) const;
@@ -132,10 +83,8 @@ private:
   bool derive(const Patch& patch, bool symmetric, double (&C)[D][D]) const;
 
   FaceContact<D>& contact_;
-  View<int*> patchOf_; ///< of each point
-  std::vector<Patch> patches_;
-  std::vector<std::string> names_;   ///< of cracks
-  std::vector<Vector<D>> reference_; ///< of each point: where its first tangent points, before projection
+  ContactPatches<D> patches_;
+  std::vector<std::string> names_; ///< of cracks
 };
 
 } // namespace Rhegma::contact

@@ -9,6 +9,7 @@
 #include "cracks/CrackGrowth.hpp"
 #include "cracks/CrackMemory.hpp"
 #include "cracks/CrackMotion.hpp"
+#include "cracks/CrackReport.hpp"
 #include "cracks/CrackSection.hpp"
 #include "cracks/CrackSetup.hpp"
 #include "cracks/FrontSprings.hpp"
@@ -17,8 +18,6 @@
 #include "cracks/JudgeLength.hpp"
 #include "cracks/JudgeLigaments.hpp"
 #include "cracks/Normals.hpp"
-#include "cracks/Opening.hpp"
-#include "cracks/Overlap.hpp"
 #include "cracks/SpringsInEquilibrium.hpp"
 #include "cracks/Visibility.hpp"
 #include "plan/LastStage.hpp"
@@ -245,94 +244,14 @@ void move(Parts<D>& parts, State<D>& state)
     parts.advected.update(state);
 }
 
-/// An event of a front in its entry of the summary.
-template <int D>
-nlohmann::json entryOf(const FrontEvent<D>& event)
-{
-  nlohmann::json entry = {{"what", event.what},
-                          {"time", event.time},
-                          {"position", std::vector<double>(event.position.c, event.position.c + D)}};
-  if (event.toughness > 0.0)
-  {
-    entry["G"] = event.release;
-    entry["toughness"] = event.toughness;
-  }
-  return entry;
-}
-
-/// The first stop of a front, and which of its nodes are stopped now.
-template <int D>
-nlohmann::json entryOfStop(const CrackFront<D>& front)
-{
-  nlohmann::json entry = entryOf(front.stop);
-  entry["nodes"] = front.numStopped();
-  entry["of_nodes"] = front.nodes.size();
-  entry["node_positions"] = nlohmann::json::array();
-  for (const FrontNode<D>& node : front.nodes)
-    if (node.stopped && !node.landed)
-      entry["node_positions"].push_back(std::vector<double>(node.position.c, node.position.c + D));
-  return entry;
-}
-
-template <int D>
-void observe(const Parts<D>& parts, State<D>& state)
-{
-  for (std::size_t f = 0; f < state.cracks.fronts.size() && parts.grows; ++f)
-  {
-    const CrackFront<D>& front = state.cracks.fronts[f];
-    state.sample.row.emplace_back(
-        state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) + ".stopped",
-        front.numStopped() > 0 ? double(front.numStopped()) / double(front.nodes.size()) : 0.0);
-  }
-  for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
-  {
-    const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
-    const std::string& name = state.cracks.cracks[c].name;
-    state.sample.row.emplace_back(name + ".opening", opening.largest);
-    if constexpr (D == 3)
-      state.sample.row.emplace_back(name + ".area", opening.size);
-  }
-}
-
 template <int D>
 void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summary)
 {
   if (parts.hasSprings)
     parts.advected.report(state, summary);
-  for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
-  {
-    nlohmann::json& entry = summary["cracks"][c];
-    entry["name"] = state.cracks.cracks[c].name;
-    if (!entry.contains("fronts"))
-      entry["fronts"] = nlohmann::json::array();
-    const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
-    const std::string warning = parts.touching ? "" : warningOfOverlap(state, static_cast<int>(c));
-    if (!warning.empty())
-      summary["warnings"].push_back(warning);
-    entry["opening"] = opening.largest;
-    entry[D == 2 ? "opening_area" : "opening_volume"] = opening.volume;
-    entry[D == 2 ? "length" : "area"] = opening.size;
-  }
   if (parts.grows)
     summary["energy_in_flight"] = parts.springs.pendingEnergy(state, parts.surroundings.stamp);
-  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
-  {
-    const CrackFront<D>& front = state.cracks.fronts[f];
-    nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-    entry["position"] = std::vector<double>(front.position.c, front.position.c + D);
-    entry["length"] = front.length;
-    entry["speed"] = front.speed();
-    if (front.numStopped() > 0)
-      entry["stop"] = entryOfStop(front);
-    if (front.arrival.happened())
-      entry["arrival"] = entryOf(front.arrival);
-    if (D == 3 && parts.grows)
-    {
-      entry["largest_advance"] = front.extension.largest;
-      entry["mean_advance"] = front.extension.mean;
-      entry["new_area"] = front.extension.area;
-    }
-  }
+  reportCracks(state, parts.grows, parts.touching, summary);
 }
 
 /// The faces of cracks lie, and their springs are stretched, as in an equilibrium that has the same cracks.
@@ -398,7 +317,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion}, {quantity::crackGeometry},
               {}, [=](State<D>& s) { move(*parts, s); });
   effect.call(Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {},
-              [=](State<D>& s) { observe(*parts, s); });
+              [=](State<D>& s) { addCrackColumns(s, parts->grows); });
   if constexpr (D == 2)
     if (parts->formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)

@@ -157,8 +157,6 @@ Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scen
 std::string asText(const Forecast& forecast)
 {
   const StepRates& rates = forecast.rates;
-  if (!rates.failure.empty())
-    return "Forecast: not available, because in the first steps " + rates.failure;
   std::string text = "Forecast: " + cost(forecast) + " (" + workAsText(forecast) + ", " +
                      Kokkos::DefaultExecutionSpace::name() + ", " +
                      counted(Kokkos::DefaultExecutionSpace().concurrency(), "thread") + "), " +

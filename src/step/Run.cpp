@@ -9,7 +9,6 @@
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
-#include "plan/LoadOverStep.hpp"
 #include "plausibility/Judges.hpp"
 #include "scene/SceneParts.hpp"
 #include "state/EnergySums.hpp"
@@ -18,11 +17,12 @@
 #include "step/CoreStep.hpp"
 #include "step/LevelsOfCells.hpp"
 #include "step/Preload.hpp"
+#include "step/RunStage.hpp"
 #include "step/Setup.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <limits>
 
 namespace Rhegma
 {
@@ -84,15 +84,6 @@ bool isDrivenByEffects(const Teuchos::ParameterList& scene, const RunOptions& op
                      [&](const EffectEntry& entry) { return scene.isSublist(entry.section.name); });
 }
 
-template <int D>
-[[noreturn]] void stop(const State<D>& state)
-{
-  std::ostringstream reason;
-  reason << "the run stopped at t = " << readableTime(state.clock.time) << ", step " << state.clock.step
-         << ": " << state.failure;
-  throw RunError(reason.str());
-}
-
 } // namespace
 
 template <int D>
@@ -141,7 +132,7 @@ void Run<D>::makeAll(const IsDivided<D>& isDivided)
   for (const Effect<D>& effect : effects)
     for (const NodalField& field : effect.addsNodal)
       state_.mesh.nodalFields.add(field);
-  effects.insert(effects.begin(), makeCore(state_, lastEquilibrium_));
+  effects.insert(effects.begin(), makeCore(state_, equilibrium_.last()));
   Effect<D> boundaries = makeBoundaries<D>(*scene_, options.adaptive);
   if (!boundaries.calls.empty())
     effects.insert(effects.begin() + 1, std::move(boundaries));
@@ -170,9 +161,9 @@ void Run<D>::makeAll(const IsDivided<D>& isDivided)
   {
     if (options.loadFactor)
       state_.method.analysis = Analysis::LoadFactor;
-    loadSteps_ = LoadSteps<D>(*scene_);
+    equilibrium_.start(*scene_);
     if (on)
-      attempts.attempt([&] { inspectEquilibrium(); });
+      attempts.attempt([&] { equilibrium_.inspect(*scene_, plan_, state_); });
   }
   if (on && scene_->sublist("Time").get<std::string>("Initial State") != initialState::unloaded)
     attempts.attempt([&] { preload(); });
@@ -261,7 +252,7 @@ template <int D>
 double Run<D>::stableTimeStep() const
 {
   if (state_.method.equilibrium())
-    return loadSteps_.next;
+    return equilibrium_.next();
   double dt = state_.method.mechanics
                   ? state_.method.cfl * state_.mesh.stepSpacing() / state_.clock.fastestSpeed
                   : std::numeric_limits<double>::infinity();
@@ -269,14 +260,6 @@ double Run<D>::stableTimeStep() const
     if (effect.timeStepLimit)
       dt = std::min(dt, effect.timeStepLimit(state_));
   return stepFraction_ * dt;
-}
-
-template <int D>
-void Run<D>::runStage(Stage stage)
-{
-  plan_.run(stage, state_);
-  if (!state_.failure.empty() && !state_.ranks.many())
-    stop(state_);
 }
 
 template <int D>
@@ -302,64 +285,7 @@ void Run<D>::agree()
     return;
   state_.failure = state_.ranks.firstText(state_.failure);
   sumEnergyBalance(state_);
-  stop(state_);
-}
-
-template <int D>
-LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene) : largest(largestLoadStep(scene)), next(largest)
-{
-}
-
-template <int D>
-void Run<D>::inspectEquilibrium()
-{
-  if (state_.ranks.many())
-    throw std::invalid_argument("Time > Analysis: an equilibrium is solved on one rank; start the program "
-                                "without mpirun");
-  for (const std::string& name : sublistNames(scene_->sublist("Bodies")))
-    for (const char* const motion : {"Velocity", "Angular Velocity"})
-      for (const double v : scene_->sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
-        if (v != 0.0)
-          throw std::invalid_argument("Bodies > " + name + " > " + motion +
-                                      ": an equilibrium analysis has no initial velocity; write Time > "
-                                      "Analysis = Dynamic or leave it out");
-  state_.clock.dt = loadSteps_.next;
-  plan_.run(Stage::BetweenSteps, state_);
-  moveNodalFields(state_);
-  plan_.run(Stage::Scatter, state_);
-  if (state_.failure.empty())
-    equilibrium::inspect(*scene_, state_, *lastEquilibrium_);
-}
-
-template <int D>
-void Run<D>::solveLoadStep(double left)
-{
-  for (double dt = loadSteps_.next;; dt *= 0.5)
-  {
-    state_.clock.dt = dt >= left ? left : 2.0 * dt > left ? 0.5 * left : dt;
-    for (const Stage stage : {Stage::Scatter, Stage::BeforeSolve, Stage::Solve})
-      runStage(stage);
-    const equilibrium::LastStep& last = *lastEquilibrium_;
-    if (last.converged)
-    {
-      const bool grows = last.iterations <= LoadSteps<D>::easy;
-      loadSteps_.next = std::min(grows ? std::max(2.0 * dt, loadSteps_.next) : dt, loadSteps_.largest);
-      return;
-    }
-    if (dt <= LoadSteps<D>::smallest * loadSteps_.largest)
-    {
-      std::ostringstream why;
-      why << "no equilibrium is found for an increment of " << formatReal(LoadSteps<D>::smallest)
-          << " of a load step: the residual stays at "
-          << formatReal(last.residuals.empty() ? 1.0 : last.residuals.back())
-          << " of the forces; the load may exceed what the bodies can bear, or the cells may be too coarse "
-             "for the strain";
-      if (!last.reason.empty())
-        why << "; " << last.reason;
-      state_.failure = why.str();
-      stop(state_);
-    }
-  }
+  stopRun(state_);
 }
 
 template <int D>
@@ -367,112 +293,8 @@ bool Run<D>::trySolve()
 {
   if (!state_.method.equilibrium())
     return false;
-  lastEquilibrium_->trial = true;
-  state_.clock.dt = std::min(loadSteps_.next, state_.clock.finalTime - state_.clock.time);
-  state_.clock.factor = {state_.clock.factor.end, state_.clock.factor.end + 0.01};
-  runStage(Stage::BetweenSteps);
-  moveNodalFields(state_);
-  for (const Stage stage : {Stage::Scatter, Stage::BeforeSolve, Stage::Solve})
-    runStage(stage);
-  lastEquilibrium_->trial = false;
+  equilibrium_.trySolve(plan_, state_);
   return true;
-}
-
-/// Length of a step that adds no load, in fractions of the run.
-constexpr double shortStep = 1e-9;
-
-template <int D>
-EquilibriumCalls Run<D>::equilibriumCalls()
-{
-  const auto run = [this](std::initializer_list<Stage> stages)
-  {
-    for (const Stage stage : stages)
-      runStage(stage);
-  };
-  return {[=]
-          {
-            run({Stage::BetweenSteps});
-            moveNodalFields(state_);
-          },
-          [=] {
-            run({Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
-          },
-          [=] {
-            run({Stage::AfterSolve, Stage::Gather, Stage::AfterProjection, Stage::OnParticles});
-          }};
-}
-
-template <int D>
-void Run<D>::withoutNewLoads(const std::function<void()>& solve)
-{
-  const double end = state_.clock.time, dt = state_.clock.dt;
-  state_.clock.dt = shortStep * state_.clock.finalTime;
-  state_.clock.time = end - state_.clock.dt;
-  state_.clock.factor.begin = state_.clock.factor.end;
-  lastEquilibrium_->inPlace = true;
-  solve();
-  lastEquilibrium_->inPlace = false;
-  state_.clock.time = end;
-  state_.clock.dt = dt;
-}
-
-template <int D>
-void Run<D>::settleInPlace()
-{
-  const EquilibriumCalls calls = equilibriumCalls();
-  withoutNewLoads(
-      [&]
-      {
-        calls.between();
-        calls.solve();
-        if (lastEquilibrium_->converged)
-          calls.accept();
-        else
-          state_.warnings.push_back("Time > Analysis: equilibrium could not be restored after the last load "
-                                    "step moved the particles; stress and G are those before this motion");
-      });
-}
-
-template <int D>
-void Run<D>::growInPlace()
-{
-  withoutNewLoads([&] { growAtFixedLoads(state_, equilibriumCalls(), *lastEquilibrium_); });
-  if (!state_.failure.empty())
-    stop(state_);
-}
-
-template <int D>
-void Run<D>::stepOfEquilibrium(double until, bool sample)
-{
-  const double left = until - state_.clock.time;
-  const EquilibriumCalls calls = equilibriumCalls();
-  state_.clock.observing = sample;
-  if (state_.method.analysis == Analysis::LoadFactor)
-  {
-    const double whole = loadSteps_.largest;
-    followLoadFactor(state_, calls, *lastEquilibrium_, (1.0 + shortStep) * whole >= left ? left : whole);
-    if (!state_.failure.empty())
-      stop(state_);
-  }
-  else
-  {
-    calls.between();
-    solveLoadStep(left);
-    calls.accept();
-  }
-  state_.clock.time = state_.clock.dt == left ? until : state_.clock.time + state_.clock.dt;
-  if (state_.method.analysis == Analysis::QuasiStatic)
-    growInPlace();
-  ++state_.clock.step;
-  state_.particles.particleSteps += allParticles(state_);
-  if (until == state_.clock.finalTime && state_.clock.time == until)
-    settleInPlace();
-  // Nodes are those of the particles as they lie now, at rest.
-  runStage(Stage::BetweenSteps);
-  moveNodalFields(state_);
-  runStage(Stage::Scatter);
-  if (sample)
-    observe();
 }
 
 template <int D>
@@ -486,24 +308,33 @@ void Run<D>::observe()
   if (state_.failure.empty())
     state_.failure = energyWatch_.failure(state_.mesh.subcycledLevels);
   if (!state_.failure.empty())
-    stop(state_);
+    stopRun(state_);
 }
 
 template <int D>
 void Run<D>::step(double until, bool sample)
 {
-  if (state_.method.equilibrium())
-    return stepOfEquilibrium(until, sample);
-  const double left = until - state_.clock.time;
   state_.clock.observing = sample;
+  if (state_.method.equilibrium())
+    equilibrium_.take(plan_, state_, until);
+  else
+    explicitStep(until);
+  if (sample)
+    observe();
+}
+
+template <int D>
+void Run<D>::explicitStep(double until)
+{
+  const double left = until - state_.clock.time;
   // First, because the step depends on the cells.
-  runStage(Stage::BetweenSteps);
+  runStage(plan_, state_, Stage::BetweenSteps);
   moveNodalFields(state_);
   state_.clock.dt = stableTimeStep();
   if (!(state_.clock.dt > 0.0) || !std::isfinite(state_.clock.dt))
   {
     state_.failure = "the stable step is not a positive number";
-    stop(state_);
+    stopRun(state_);
   }
   // The remaining time is divided evenly between the last two steps, so that none is tiny.
   if (state_.clock.dt >= left)
@@ -513,7 +344,7 @@ void Run<D>::step(double until, bool sample)
   for (const Stage stage : order_)
     if (stage != Stage::Observe && stage != Stage::BetweenSteps)
     {
-      runStage(stage);
+      runStage(plan_, state_, stage);
       if (stage == Stage::Scatter && state_.method.scheme == UpdateScheme::Usavg)
         strainBeforeForces();
     }
@@ -521,8 +352,6 @@ void Run<D>::step(double until, bool sample)
   state_.clock.time = state_.clock.dt == left ? until : state_.clock.time + state_.clock.dt;
   ++state_.clock.step;
   state_.particles.particleSteps += allParticles(state_);
-  if (sample)
-    observe();
 }
 
 template <int D>
@@ -535,7 +364,7 @@ void Run<D>::serialize(Archive& archive)
     archive("stage_seconds", plan_.seconds);
     archive("step_fraction", stepFraction_);
     if (state_.method.equilibrium())
-      archive("load_step", loadSteps_.next);
+      archive("load_step", equilibrium_.next());
   }
   {
     const Archive::Group group(archive, "run/energy watch");

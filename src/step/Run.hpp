@@ -2,30 +2,15 @@
 /// The time loop of a scene.
 
 #include "base/RunError.hpp"
-#include "equilibrium/EquilibriumCore.hpp"
 #include "geometry/Seeds.hpp"
 #include "plan/Plan.hpp"
 #include "step/EnergyWatch.hpp"
-#include "step/FollowPath.hpp"
+#include "step/EquilibriumSteps.hpp"
 
 #include <functional>
-#include <limits>
 
 namespace Rhegma
 {
-
-/// Lengths of steps of equilibrium [s]. A step that is not solved is halved; steps grow again after easy
-/// ones.
-template <int D>
-struct LoadSteps
-{
-  static constexpr int easy = 6;                   ///< iterations up to which the next step is longer
-  static constexpr double smallest = 1.0 / 4096.0; ///< part of the largest step at which the run stops
-  double largest = 0.0, next = 0.0;
-
-  LoadSteps() = default;
-  explicit LoadSteps(const Teuchos::ParameterList& scene);
-};
 
 /// Owns the state and the plan, and advances them by steps.
 template <int D>
@@ -94,25 +79,10 @@ private:
   void agree();
   /// The first of two passes that strain (USAVG).
   void strainBeforeForces();
-  /// Throws RunError where the stage fails; with several ranks the failure waits for `agree`.
-  void runStage(Stage stage);
+  /// A step of the explicit method, but for its sample.
+  void explicitStep(double until);
   /// Takes a sample.
   void observe();
-
-  /// Refuses what has no equilibrium. Throws std::invalid_argument.
-  void inspectEquilibrium();
-  void stepOfEquilibrium(double until, bool sample);
-  /// The stages of a step of equilibrium, for steps that solve several times.
-  EquilibriumCalls equilibriumCalls();
-  /// Solves once more without a new load, from the configuration that the last step has led to, so that the
-  /// end does not depend on the cells that the particles were in before. Where that fails nothing changes.
-  void settleInPlace();
-  /// The loop that grows cracks under the loads of the time that the step has led to.
-  void growInPlace();
-  /// Runs a function while the clock stands a tiny step before the end of the last one, which adds no load.
-  void withoutNewLoads(const std::function<void()>& solve);
-  /// Solves for an increment of at most the remaining time, a shorter one where that fails.
-  void solveLoadStep(double left);
 
   Teuchos::RCP<Teuchos::ParameterList> scene_;
   std::vector<Effect<D>> own_;
@@ -121,8 +91,7 @@ private:
   std::vector<Stage> order_;
   EnergyWatch energyWatch_;
   double stepFraction_ = 1.0;
-  LoadSteps<D> loadSteps_;
-  std::shared_ptr<equilibrium::LastStep> lastEquilibrium_ = std::make_shared<equilibrium::LastStep>();
+  EquilibriumSteps<D> equilibrium_;
 };
 
 } // namespace Rhegma

@@ -1,0 +1,21 @@
+#pragma once
+/// What a run says of its cracks and fronts.
+
+#include "state/State.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace Rhegma::cracks
+{
+
+/// Adds the columns of cracks to the sample: largest opening [m], in 3D the area [m2], and where cracks grow
+/// the fraction of the nodes of each front that have stopped.
+template <int D>
+void addCrackColumns(State<D>& state, bool grows);
+
+/// Adds the entries of cracks and fronts to the summary, and warnings of faces that overlap. \param touching
+/// contact keeps faces apart, so that none do
+template <int D>
+void reportCracks(const State<D>& state, bool grows, bool touching, nlohmann::json& summary);
+
+} // namespace Rhegma::cracks

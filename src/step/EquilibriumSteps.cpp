@@ -1,0 +1,193 @@
+#include "step/EquilibriumSteps.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "plan/LoadOverStep.hpp"
+#include "state/Subdomain.hpp"
+#include "step/RunStage.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <sstream>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// Length of a step that adds no load, in fractions of the run.
+constexpr double shortStep = 1e-9;
+
+template <int D>
+void runStages(Plan<D>& plan, State<D>& state, std::initializer_list<Stage> stages)
+{
+  for (const Stage stage : stages)
+    runStage(plan, state, stage);
+}
+
+/// The stage between steps, after which the nodes are those of the cells.
+template <int D>
+void runBetweenSteps(Plan<D>& plan, State<D>& state)
+{
+  runStage(plan, state, Stage::BetweenSteps);
+  moveNodalFields(state);
+}
+
+template <int D>
+void stopIfFailed(const State<D>& state)
+{
+  if (!state.failure.empty())
+    stopRun(state);
+}
+
+} // namespace
+
+template <int D>
+LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene) : largest(largestLoadStep(scene)), next(largest)
+{
+}
+
+template <int D>
+void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& plan, State<D>& state)
+{
+  if (state.ranks.many())
+    throw std::invalid_argument("Time > Analysis: an equilibrium is solved on one rank; start the program "
+                                "without mpirun");
+  for (const std::string& name : sublistNames(scene.sublist("Bodies")))
+    for (const char* const motion : {"Velocity", "Angular Velocity"})
+      for (const double v : scene.sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
+        if (v != 0.0)
+          throw std::invalid_argument("Bodies > " + name + " > " + motion +
+                                      ": an equilibrium analysis has no initial velocity; write Time > "
+                                      "Analysis = Dynamic or leave it out");
+  state.clock.dt = steps_.next;
+  plan.run(Stage::BetweenSteps, state);
+  moveNodalFields(state);
+  plan.run(Stage::Scatter, state);
+  if (state.failure.empty())
+    equilibrium::inspect(scene, state, *last_);
+}
+
+template <int D>
+void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
+{
+  for (double dt = steps_.next;; dt *= 0.5)
+  {
+    state.clock.dt = dt >= left ? left : 2.0 * dt > left ? 0.5 * left : dt;
+    runStages(plan, state, {Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
+    if (last_->converged)
+    {
+      const bool grows = last_->iterations <= LoadSteps<D>::easy;
+      steps_.next = std::min(grows ? std::max(2.0 * dt, steps_.next) : dt, steps_.largest);
+      return;
+    }
+    if (dt <= LoadSteps<D>::smallest * steps_.largest)
+    {
+      std::ostringstream why;
+      why << "no equilibrium is found for an increment of " << formatReal(LoadSteps<D>::smallest)
+          << " of a load step: the residual stays at "
+          << formatReal(last_->residuals.empty() ? 1.0 : last_->residuals.back())
+          << " of the forces; the load may exceed what the bodies can bear, or the cells may be too coarse "
+             "for the strain";
+      if (!last_->reason.empty())
+        why << "; " << last_->reason;
+      state.failure = why.str();
+      stopRun(state);
+    }
+  }
+}
+
+template <int D>
+void EquilibriumSteps<D>::trySolve(Plan<D>& plan, State<D>& state)
+{
+  last_->trial = true;
+  state.clock.dt = std::min(steps_.next, state.clock.finalTime - state.clock.time);
+  state.clock.factor = {state.clock.factor.end, state.clock.factor.end + 0.01};
+  runBetweenSteps(plan, state);
+  runStages(plan, state, {Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
+  last_->trial = false;
+}
+
+template <int D>
+EquilibriumCalls EquilibriumSteps<D>::calls(Plan<D>& plan, State<D>& state) const
+{
+  return {[&] { runBetweenSteps(plan, state); },
+          [&] {
+            runStages(plan, state, {Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
+          },
+          [&] {
+            runStages(plan, state,
+                      {Stage::AfterSolve, Stage::Gather, Stage::AfterProjection, Stage::OnParticles});
+          }};
+}
+
+template <int D>
+void EquilibriumSteps<D>::withoutNewLoads(State<D>& state, const std::function<void()>& solve)
+{
+  const double end = state.clock.time, dt = state.clock.dt;
+  state.clock.dt = shortStep * state.clock.finalTime;
+  state.clock.time = end - state.clock.dt;
+  state.clock.factor.begin = state.clock.factor.end;
+  last_->inPlace = true;
+  solve();
+  last_->inPlace = false;
+  state.clock.time = end;
+  state.clock.dt = dt;
+}
+
+template <int D>
+void EquilibriumSteps<D>::settleInPlace(const EquilibriumCalls& calls, State<D>& state)
+{
+  withoutNewLoads(state,
+                  [&]
+                  {
+                    calls.between();
+                    calls.solve();
+                    if (last_->converged)
+                      calls.accept();
+                    else
+                      state.warnings.push_back(
+                          "Time > Analysis: equilibrium could not be restored after the last load "
+                          "step moved the particles; stress and G are those before this motion");
+                  });
+}
+
+template <int D>
+void EquilibriumSteps<D>::take(Plan<D>& plan, State<D>& state, double until)
+{
+  const double left = until - state.clock.time;
+  const EquilibriumCalls stages = calls(plan, state);
+  if (state.method.analysis == Analysis::LoadFactor)
+  {
+    const double whole = steps_.largest;
+    followLoadFactor(state, stages, *last_, (1.0 + shortStep) * whole >= left ? left : whole);
+    stopIfFailed(state);
+  }
+  else
+  {
+    stages.between();
+    solve(plan, state, left);
+    stages.accept();
+  }
+  state.clock.time = state.clock.dt == left ? until : state.clock.time + state.clock.dt;
+  if (state.method.analysis == Analysis::QuasiStatic)
+  {
+    withoutNewLoads(state, [&] { growAtFixedLoads(state, stages, *last_); });
+    stopIfFailed(state);
+  }
+  ++state.clock.step;
+  state.particles.particleSteps += allParticles(state);
+  if (until == state.clock.finalTime && state.clock.time == until)
+    settleInPlace(stages, state);
+  // Nodes are those of the particles as they lie now, at rest.
+  runBetweenSteps(plan, state);
+  runStage(plan, state, Stage::Scatter);
+}
+
+template struct LoadSteps<2>;
+template struct LoadSteps<3>;
+template class EquilibriumSteps<2>;
+template class EquilibriumSteps<3>;
+
+} // namespace Rhegma
