@@ -39,76 +39,52 @@ void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, co
       });
 }
 
-/// The gap between the faces of a crack, which a contour may contain, unlike other surfaces.
-template <int D>
-struct Gap
+/// The gap between the faces of a front's crack, which a contour may contain, unlike other surfaces.
+class Gap
 {
-  View<double* [2][D]> face;
-  View<int* [D]> simplex;
-  int first = 0, end = 0; ///< simplices
-  double margin = 0.0;    ///< how far beyond the faces nodes are partly empty because of the gap [m]
-
-  KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
+public:
+  Gap(const State<2>& state, const CrackFront<2>& front)
   {
-    for (int s = first; s < end; ++s)
+    if (state.cracks.face.extent(0) == 0)
+      return;
+    const Crack<2>& crack = state.cracks.cracks[front.crack];
+    face_ = state.cracks.face;
+    simplex_ = state.cracks.simplex;
+    first_ = crack.firstSimplex;
+    end_ = crack.firstSimplex + crack.numSimplices;
+    margin_ = 1.5 * spacingAt(state, front.position); // nodes reach that far
+  }
+
+  KOKKOS_INLINE_FUNCTION bool holds(const Vector<2>& x) const
+  {
+    for (int s = first_; s < end_; ++s)
     {
-      const int v = simplex(s, 0), w = simplex(s, D - 1);
-      Vector<D> a, along, halfAtA, halfAtB;
-      for (int d = 0; d < D; ++d)
+      const int v = simplex_(s, 0), w = simplex_(s, 1);
+      Vector<2> a, along, halfAtA, halfAtB;
+      for (int d = 0; d < 2; ++d)
       {
-        a[d] = 0.5 * (face(v, 0, d) + face(v, 1, d));
-        along[d] = 0.5 * (face(w, 0, d) + face(w, 1, d)) - a[d];
-        halfAtA[d] = 0.5 * (face(v, 1, d) - face(v, 0, d));
-        halfAtB[d] = 0.5 * (face(w, 1, d) - face(w, 0, d));
+        a[d] = 0.5 * (face_(v, 0, d) + face_(v, 1, d));
+        along[d] = 0.5 * (face_(w, 0, d) + face_(w, 1, d)) - a[d];
+        halfAtA[d] = 0.5 * (face_(v, 1, d) - face_(v, 0, d));
+        halfAtB[d] = 0.5 * (face_(w, 1, d) - face_(w, 0, d));
       }
       const double square = dot(along, along);
       double at = square > 0.0 ? dot(x - a, along) / square : 0.0;
       at = at < 0.0 ? 0.0 : (at > 1.0 ? 1.0 : at);
-      if (norm(x - a - at * along) < (1.0 - at) * norm(halfAtA) + at * norm(halfAtB) + margin)
+      if (norm(x - a - at * along) < (1.0 - at) * norm(halfAtA) + at * norm(halfAtB) + margin_)
         return true;
     }
     return false;
   }
+
+private:
+  View<double* [2][2]> face_;
+  View<int* [2]> simplex_;
+  int first_ = 0, end_ = 0; ///< simplices
+  double margin_ = 0.0;     ///< how far beyond the faces nodes are partly empty because of the gap [m]
 };
 
-/// The gap of a front's crack. Nodes reach 1.5 cells.
-template <int D>
-Gap<D> gapOf(const State<D>& state, const CrackFront<D>& front)
-{
-  Gap<D> gap;
-  if (D == 3 || state.cracks.face.extent(0) == 0)
-    return gap;
-  const Crack<D>& crack = state.cracks.cracks[front.crack];
-  gap.face = state.cracks.face;
-  gap.simplex = state.cracks.simplex;
-  gap.first = crack.firstSimplex;
-  gap.end = crack.firstSimplex + crack.numSimplices;
-  gap.margin = 1.5 * spacingAt(state, front.position);
-  return gap;
-}
-
-/// clearRadius without the nodes in a gap.
-template <int D>
-double clearAdjacent(const State<D>& state, const Vector<D>& centre, double radius, const Gap<D>& gap)
-{
-  const NodePositions<D> positions = nodePositions(state);
-  const View<double*> cover = coverOfNodes(state, centre, radius);
-  const Nodes<D> numbers = state.mesh.nodes;
-  double nearest = radius;
-  Kokkos::parallel_reduce(
-      "rhegma::clearRadius", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
-      KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (!isOpen(numbers, cover, n))
-          return;
-        const double r = norm(positions(n) - centre);
-        if (r < smallest && !gap.holds(positions(n)))
-          smallest = r;
-      },
-      Kokkos::Min<double>(nearest));
-  double closeness = -nearest;
-  maxParts(state, &closeness, 1);
-  return std::min(-closeness, radius);
-}
+constexpr double smallestOuterCells = 2.0;
 
 } // namespace
 
@@ -129,28 +105,32 @@ View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, doubl
   return cover;
 }
 
-template <int D>
-double clearRadius(const State<D>& state, const Vector<D>& centre, double radius)
+double largestContour(const State<2>& state, const CrackFront<2>& front, double radius)
 {
-  return clearAdjacent(state, centre, radius, Gap<D>{});
-}
-
-template <int D>
-double largestContour(const State<D>& state, const CrackFront<D>& front, double radius)
-{
-  double clear = clearAdjacent(state, front.position, radius, gapOf(state, front));
-  for (const CrackFront<D>& other : state.cracks.fronts)
+  const NodePositions<2> positions = nodePositions(state);
+  const View<double*> cover = coverOfNodes(state, front.position, radius);
+  const Nodes<2> numbers = state.mesh.nodes;
+  const Gap gap(state, front);
+  const Vector<2> centre = front.position;
+  double nearest = radius;
+  Kokkos::parallel_reduce(
+      "rhegma::largestContour", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
+      KOKKOS_LAMBDA(const int n, double& smallest) {
+        if (!isOpen(numbers, cover, n))
+          return;
+        const double r = norm(positions(n) - centre);
+        if (r < smallest && !gap.holds(positions(n)))
+          smallest = r;
+      },
+      Kokkos::Min<double>(nearest));
+  double closeness = -nearest;
+  maxParts(state, &closeness, 1);
+  double clear = std::min(-closeness, radius);
+  for (const CrackFront<2>& other : state.cracks.fronts)
     if (!other.ended && (other.crack != front.crack || other.number != front.number))
       clear = std::min(clear, norm(other.position - front.position));
   return clear;
 }
-
-namespace
-{
-
-constexpr double smallestOuterCells = 2.0;
-
-} // namespace
 
 ContourRadii usualRadii(const GivenRadii& given, double cell)
 {
@@ -167,9 +147,5 @@ double smallestOuter(const GivenRadii& given, double cell)
 
 template View<double*> coverOfNodes(const State<2>&, const Vector<2>&, double);
 template View<double*> coverOfNodes(const State<3>&, const Vector<3>&, double);
-template double clearRadius(const State<2>&, const Vector<2>&, double);
-template double clearRadius(const State<3>&, const Vector<3>&, double);
-template double largestContour(const State<2>&, const CrackFront<2>&, double);
-template double largestContour(const State<3>&, const CrackFront<3>&, double);
 
 } // namespace Rhegma::energy_release

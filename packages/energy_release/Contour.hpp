@@ -53,14 +53,9 @@ KOKKOS_INLINE_FUNCTION bool isOpen(const Nodes<D>& nodes, const View<double*>& c
 template <int D>
 View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius);
 
-/// Radius [m] up to which every node around `centre` is surrounded by material, at most `radius`.
-template <int D>
-double clearRadius(const State<D>& state, const Vector<D>& centre, double radius);
-
-/// Largest outer radius around a front that stays inside the body and clear of other fronts, at most
-/// `radius` [m].
-template <int D>
-double largestContour(const State<D>& state, const CrackFront<D>& front, double radius);
+/// Largest outer radius around a front in 2D up to which every node is surrounded by material, and clear of
+/// other fronts, at most `radius` [m]. Collective.
+double largestContour(const State<2>& state, const CrackFront<2>& front, double radius);
 
 /// Radii that a scene gives; 0 where it leaves them to the program.
 struct GivenRadii

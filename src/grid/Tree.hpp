@@ -236,22 +236,6 @@ struct TreeSight
                 });
   }
 
-  /// Whether a box, in cells of the lattice, touches a refined cell of the lattice.
-  KOKKOS_INLINE_FUNCTION bool touchesRefined(const Vector<D>& x, const Vector<D>& half) const
-  {
-    if (!refined)
-      return false;
-    bool any = false;
-    double low[D], high[D];
-    for (int d = 0; d < D; ++d)
-    {
-      low[d] = grid.inCells(x[d] - half[d], d);
-      high[d] = half[d] > 0.0 ? grid.inCells(x[d] + half[d], d) : low[d];
-    }
-    forEachLeaf(low, high, [&](const Leaf& leaf) { any = any || leaf.level > 0; });
-    return any;
-  }
-
 private:
   template <class Add>
   KOKKOS_INLINE_FUNCTION void addGradients(const Leaf& leaf, double fraction, const double (&at)[D],

@@ -257,14 +257,4 @@ SceneSchema::SceneSchema(std::vector<Section> sections) : m_root("Rhegma", "A sc
             condition.text = "section " + provider.name;
 }
 
-Teuchos::ParameterList SceneSchema::partFor(const std::string& effect,
-                                            const Teuchos::ParameterList& scene) const
-{
-  Teuchos::ParameterList part(scene);
-  for (const auto& other : m_effects)
-    if (other.first != effect)
-      part.remove(other.first, false);
-  return part;
-}
-
 } // namespace Rhegma

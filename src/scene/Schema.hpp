@@ -280,8 +280,6 @@ public:
     CellHook cells;
   };
   const std::map<std::string, OfEffect>& effects() const { return m_effects; }
-  /// A scene without the sections of effects but one: all that an effect may read.
-  Teuchos::ParameterList partFor(const std::string& effect, const Teuchos::ParameterList& scene) const;
 
 private:
   Section m_root;

@@ -21,20 +21,6 @@ inline const std::string lineage = "lineage";
 
 } // namespace fields
 
-/// How often each particle was split, on the host; 0 where no effect splits them.
-template <int D>
-std::vector<int> levelsOfParticles(const State<D>& state)
-{
-  std::vector<int> levels(state.particles.size(), 0);
-  if (state.particles.has(fields::level))
-  {
-    const auto level = onHost(state.particles.integer(fields::level));
-    for (std::size_t p = 0; p < levels.size(); ++p)
-      levels[p] = level(p);
-  }
-  return levels;
-}
-
 /// By how much a box may reach into leaves of a deeper level before the particle is too large for them, in
 /// edges of the largest of these: boxes that end on the faces of leaves would otherwise split at the smallest
 /// motion. Shape functions are exact for such boxes too. What is merged must keep clear of half of it, so

@@ -3,14 +3,14 @@
 namespace Rhegma
 {
 
-namespace
-{
-
 template <int D>
-void divideByMass(const Nodes<D>& nodes, double dt, const char* label)
+void solveLumped(State<D>& state)
 {
+  const Nodes<D> nodes = state.mesh.nodes;
+  const double dt = state.clock.dt;
   Kokkos::parallel_for(
-      label, Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
+      "rhegma::solveLumped", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         const double mass = nodes.sums(n, Nodes<D>::massAt);
         const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
@@ -23,23 +23,7 @@ void divideByMass(const Nodes<D>& nodes, double dt, const char* label)
       });
 }
 
-} // namespace
-
-template <int D>
-void solveLumped(State<D>& state)
-{
-  divideByMass(state.mesh.nodes, state.clock.dt, "rhegma::solveLumped");
-}
-
-template <int D>
-void nodalVelocity(State<D>& state)
-{
-  divideByMass(state.mesh.nodes, 0.0, "rhegma::nodalVelocity");
-}
-
 template void solveLumped(State<2>&);
 template void solveLumped(State<3>&);
-template void nodalVelocity(State<2>&);
-template void nodalVelocity(State<3>&);
 
 } // namespace Rhegma

@@ -10,8 +10,4 @@ namespace Rhegma
 template <int D>
 void solveLumped(State<D>& state);
 
-/// v = p / m without force, as USF needs it to strain the particles before forces are known.
-template <int D>
-void nodalVelocity(State<D>& state);
-
 } // namespace Rhegma

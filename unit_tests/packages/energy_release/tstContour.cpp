@@ -15,8 +15,11 @@ using namespace Rhegma::energy_release::test;
 TEST(Contour, EndsAtTheSurface)
 {
   const State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Gimp);
-  EXPECT_NEAR(clearRadius(state, {{0.007, 0.0}}, 0.006), 0.003, 1e-12);
-  EXPECT_EQ(clearRadius(state, {{0.0, 0.0}}, 0.006), 0.006);
+  CrackFront<2> front;
+  front.position = {{0.007, 0.0}};
+  EXPECT_NEAR(largestContour(state, front, 0.006), 0.003, 1e-12);
+  front.position = {{0.0, 0.0}};
+  EXPECT_EQ(largestContour(state, front, 0.006), 0.006);
 }
 
 TEST(Contour, EndsAtAnotherFront)

@@ -75,17 +75,6 @@ TEST(OwnSections, FindsALookUp)
   EXPECT_EQ(lookUps("s.refuse({when::present(\"Thermal\")}, why);", "Thermal"), 0);
 }
 
-TEST(OwnSections, AndTheCoresAreInTheSceneThatAnEffectGets)
-{
-  Teuchos::ParameterList scene;
-  for (const char* name : {"Domain", "Thermal", "Cracks"})
-    scene.sublist(name);
-  const Teuchos::ParameterList part = effectSchema().partFor("Thermal", scene);
-  EXPECT_TRUE(part.isSublist("Domain"));
-  EXPECT_TRUE(part.isSublist("Thermal"));
-  EXPECT_FALSE(part.isSublist("Cracks"));
-}
-
 /// Rules name sections and parameters that there are.
 TEST(OwnSections, RulesAreAboutWhatASceneMayHave)
 {
