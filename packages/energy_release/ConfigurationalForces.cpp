@@ -3,6 +3,7 @@
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
 #include "material/Materials.hpp"
+#include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
@@ -189,7 +190,7 @@ View<double* [3]> configurationalForces(const State<3>& state, const Region<3>& 
                                                state.particles.integer(fields::material),
                                                state.materials.device,
                                                ParticleHeat<D>(state),
-                                               state.clock.step > 0}; // no nodal values before
+                                               haveNodalValues(state)};
                      if (state.particles.has(fields::history))
                        block.history = state.particles.table(fields::history);
                      forEachBlock("rhegma::configurationalForce", state.mesh.blocks, block);

@@ -8,6 +8,7 @@
 #include "energy_release/ParticleMotion.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
+#include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -349,8 +350,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.normal = front.normal;
   work.positive = front.crack + 1;
   work.negative = -front.crack - 1;
-  work.moving =
-      state.clock.step > 0 && state.mesh.nodes.motion.extent(0) > 0; // nodes are empty before the first step
+  work.moving = haveNodalValues(state) && state.mesh.nodes.motion.extent(0) > 0;
   // What closed faces press with follows from their opening (integrateAboutTip).
   work.intensities = intensities || state.cracks.tractions;
   DomainIntegral sum = integrateAboutTip(state, front, work);

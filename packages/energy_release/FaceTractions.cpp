@@ -2,6 +2,7 @@
 
 #include "energy_release/ForceOfPressure.hpp"
 #include "energy_release/NodalDisplacement.hpp"
+#include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/Stencils.hpp"
@@ -102,7 +103,7 @@ std::vector<LoadedPiece> pressedPieces(const State<2>& state, const CrackFront<2
 std::vector<LoadedPiece> touchingPieces(const State<2>& state, const CrackFront<2>& front)
 {
   std::vector<LoadedPiece> pieces;
-  if (!state.cracks.tractions || state.clock.step == 0)
+  if (!state.cracks.tractions || !haveNodalValues(state))
     return pieces;
   const bool first = front.vertex == state.cracks.cracks[front.crack].firstVertex;
   std::vector<FaceTraction<2>> points = state.cracks.tractions(front.crack);

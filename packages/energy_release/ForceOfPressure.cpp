@@ -1,5 +1,6 @@
 #include "energy_release/ForceOfPressure.hpp"
 
+#include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/FacePoints.hpp"
 #include "transfer/PushNodes.hpp"
@@ -10,7 +11,7 @@ namespace Rhegma::energy_release
 template <int D>
 bool isPressed(const State<D>& state)
 {
-  return state.clock.step > 0 && state.cracks.pressure.extent(0) > 0 &&
+  return haveNodalValues(state) && state.cracks.pressure.extent(0) > 0 &&
          state.cracks.pressure.extent(0) == state.cracks.simplex.extent(0);
 }
 

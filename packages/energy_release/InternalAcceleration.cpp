@@ -1,6 +1,7 @@
 #include "energy_release/InternalAcceleration.hpp"
 
 #include "energy_release/ForceOfPressure.hpp"
+#include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
@@ -96,7 +97,7 @@ const NodalAcceleration<D>& InternalAcceleration<D>::around(const State<D>& stat
     rows_ = NodalAcceleration<D>("rhegma::internalForce", state.mesh.nodes.sums.extent(0));
   else
     Kokkos::deep_copy(rows_, 0.0);
-  if (state.clock.step == 0 || rows_.extent(0) == 0) // nodes have no mass before the first step
+  if (!haveNodalValues(state) || rows_.extent(0) == 0)
     return rows_;
   withStraining(state,
                 [&](const auto& connect)
