@@ -69,13 +69,25 @@ struct Account
   std::shared_ptr<LinearSystem<D>> system; ///< of the last step
 };
 
+/// Solves a step. Other steps than those in place begin anew, so that a restarted run has the same ones.
+template <int D>
+StepReport solveOnce(State<D>& state, Account<D>& account, const LastStep& last, Boxes boxes,
+                     std::unique_ptr<NewtonStep<D>>& step)
+{
+  step.reset(); // large: not two of them
+  step = std::make_unique<NewtonStep<D>>(state, last.inPlace ? account.system : nullptr, boxes);
+  account.system = step->system();
+  return step->solve(state, account.largestForces, last.trial ? 1 : mostIterations);
+}
+
 template <int D>
 void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 {
-  // Other steps begin anew, so that a restarted run has the same ones.
-  NewtonStep<D> step(state, last.inPlace ? account.system : nullptr);
-  account.system = step.system();
-  const StepReport report = step.solve(state, account.largestForces, last.trial ? 1 : mostIterations);
+  std::unique_ptr<NewtonStep<D>> solved;
+  StepReport report = solveOnce(state, account, last, Boxes::MayBeClipped, solved);
+  if (!report.converged && !last.trial && solved->hasClippedBoxes())
+    report = solveOnce(state, account, last, Boxes::AsTheyAre, solved);
+  const NewtonStep<D>& step = *solved;
   last.converged = report.converged;
   last.iterations = static_cast<int>(report.residuals.size()) - 1;
   last.residuals = report.residuals;

@@ -129,6 +129,12 @@ void LinearSystem<D>::moveHeldToRight(const StiffnessBlocks& stiffness, const Va
 }
 
 template <int D>
+bool LinearSystem<D>::isLarge(int rows)
+{
+  return D * rows > mostDirectUnknowns<D>;
+}
+
+template <int D>
 typename LinearSystem<D>::Method LinearSystem<D>::choose()
 {
   if (DirectSolver::available() && unknowns_ <= mostDirectUnknowns<D> &&
@@ -287,7 +293,28 @@ LinearAnswer LinearSystem<D>::solve(const StiffnessBlocks& stiffness, bool symme
   prepare();
   fill(stiffness);
   moveHeldToRight(stiffness, right, change);
-  LinearAnswer answer = method_ == Method::Direct ? solveDirectly(symmetric) : iterate(enough);
+  symmetric_ = symmetric;
+  return finish(method_ == Method::Direct ? solveDirectly(symmetric) : iterate(enough), symmetric, change);
+}
+
+template <int D>
+LinearAnswer LinearSystem<D>::solveAgain(const Values& right, double enough, const Values& change)
+{
+  if (graph_.rows == 0)
+    return {true, 0, 0};
+  for (int k = 0; k < matrix_.rows(); ++k)
+    b_(k) = held_(k) != 0 ? 0.0 : right(k);
+  if (method_ != Method::Direct)
+    return finish(iterate(enough), symmetric_, change);
+  DirectSolver& direct = symmetric_ ? direct_ : unsymmetric_;
+  Kokkos::deep_copy(x_, b_);
+  direct.solve(x_);
+  return finish({true, 0, direct.negativeEigenvalues()}, symmetric_, change);
+}
+
+template <int D>
+LinearAnswer LinearSystem<D>::finish(LinearAnswer answer, bool symmetric, const Values& change)
+{
   if (!answer.solved && method_ != Method::Direct && DirectSolver::available() &&
       direct_.analyse(matrix_) <= mostOperationsAtLast)
   {

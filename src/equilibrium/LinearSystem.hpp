@@ -45,6 +45,12 @@ public:
   LinearAnswer solve(const StiffnessBlocks& stiffness, bool symmetric, const Values& right, double enough,
                      const Values& change);
 
+  /// The same with the stiffness of the last call, where no held unknown changes.
+  LinearAnswer solveAgain(const Values& right, double enough, const Values& change);
+
+  /// Whether a system of so many rows is too large for direct solutions.
+  static bool isLarge(int rows);
+
   /// What solved the last system, in words for the summary.
   const char* method() const;
 
@@ -65,6 +71,7 @@ private:
   std::vector<std::vector<double>> nearNullSpace() const;
   void makeMultigrid();
   LinearAnswer solveDirectly(bool symmetric);
+  LinearAnswer finish(LinearAnswer answer, bool symmetric, const Values& change);
   LinearAnswer iterate(double enough);
   SolveResult runGradients(const View<double*>& diagonal);
 
@@ -77,6 +84,7 @@ private:
   Method method_ = Method::Unknown;
   DirectSolver direct_, unsymmetric_{false};
   bool unsymmetricAnalysed_ = false;
+  bool symmetric_ = true; ///< the last matrix
   std::unique_ptr<ConjugateGradients> gradients_;
   std::unique_ptr<Multigrid> multigrid_;
   int iterationsWhenNew_ = 0; ///< with the multigrid, when it was made

@@ -15,6 +15,10 @@ constexpr double roundingOfForces = 1e-6;
 
 constexpr int mostHalvings = 6;
 
+/// Fraction of a residual that an iteration with an approximate stiffness may leave before it is assembled
+/// anew.
+constexpr double usefulFraction = 0.1;
+
 /// Residual of a linear solution, as a fraction of what ends the step.
 constexpr double linearFraction = 0.1;
 
@@ -31,9 +35,11 @@ double jumpOf(const SlopeJump& jump, const Values& u, int axis)
 } // namespace
 
 template <int D>
-NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier)
+NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier, Boxes boxes)
     : graph_(numberRows(state))
 {
+  if (boxes == Boxes::MayBeClipped && LinearSystem<D>::isLarge(graph_.rows))
+    boxes_ = clipBoxes(state);
   jumps_ = findSlopeJumps(state, graph_);
   std::vector<Groups> groups;
   bool joins = false;
@@ -77,7 +83,7 @@ void NewtonStep<D>::connect(const State<D>& state, const std::vector<Groups>& gr
   for (std::size_t k = 0; k < forces_.size(); ++k)
     if (joining || !forces_[k]->joinsPieces())
       all.insert(all.end(), groups[k].begin(), groups[k].end());
-  connectRows(state, all, graph);
+  connectRows(state, all, boxes_, graph);
 }
 
 template <int D>
@@ -182,7 +188,7 @@ bool NewtonStep<D>::assemble(const State<D>& state)
                                          block[k] += values[k];
                                      }) &&
                  symmetric_;
-  return addStiffness(state, graph_, displacement_, stiffness_);
+  return addStiffness(state, graph_, displacement_, boxes_, stiffness_);
 }
 
 template <int D>
@@ -274,6 +280,16 @@ int NewtonStep<D>::iterationsFor(int most) const
 }
 
 template <int D>
+bool NewtonStep<D>::keepsStiffness(double before, double now, double forces) const
+{
+  for (const auto& force : forces_)
+    if (force->iterationFactor() > 1) // its branches change the stiffness
+      return false;
+  const double fraction = now / before;
+  return fraction * now <= forceTolerance * forces || (boxes_.any() && fraction <= usefulFraction);
+}
+
+template <int D>
 void NewtonStep<D>::explain(const State<D>& state, StepReport& report) const
 {
   report.freeMotion = report.reason = motionsBetweenPieces(state);
@@ -304,6 +320,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   Kokkos::deep_copy(atStart, residual_);
   // A free body that heat strains has no other forces.
   report.forces = std::max(report.forces, norm(atStart, false));
+  bool keeps = false; // the last stiffness
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
   most = iterationsFor(most);
   for (int k = 0; k <= most; ++k)
@@ -313,12 +330,13 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     const double forces = report.forces, now = norm(residual_, false);
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     report.converged = !moved && now <= forceTolerance * forces;
-    if (report.converged || k == most || !assemble(state))
+    if (report.converged || k == most || (!keeps && !assemble(state)))
       break;
     for (int i = 0; i < n; ++i)
       change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
-    const LinearAnswer answer =
-        system_->solve(stiffness_, symmetric_, residual_, linearFraction * forceTolerance * forces, change);
+    const double enough = linearFraction * forceTolerance * forces;
+    const LinearAnswer answer = keeps ? system_->solveAgain(residual_, enough, change)
+                                      : system_->solve(stiffness_, symmetric_, residual_, enough, change);
     removeRigidMotion(change);
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
@@ -329,10 +347,12 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
       report.converged = answer.solved && !moved && now <= roundingOfForces * forces;
       break;
     }
+    keeps = keepsStiffness(moved ? forces : now, norm(residual_, false), forces);
     moved = false;
     for (int i = 0; i < n; ++i)
       moved = moved || (held_.is[i] != 0 &&
                         std::fabs(held_.change[i] - displacement_(i)) > 1e-12 * std::fabs(held_.change[i]));
+    keeps = keeps && !moved;
     updateForces(state, report.removedFraction);
   }
   explain(state, report);

@@ -32,6 +32,13 @@ struct StepReport
   std::string reason;           ///< what keeps it from equilibrium, where that is known; else empty
 };
 
+/// Whose stiffness is assembled.
+enum class Boxes
+{
+  MayBeClipped, ///< in large systems (ClippedBoxes)
+  AsTheyAre
+};
+
 /// The unknowns of a step and the forces between them.
 template <int D>
 class NewtonStep
@@ -39,7 +46,12 @@ class NewtonStep
 public:
   /// Numbers the unknowns. \param state with stencils, masses and prescribed motion of the step
   /// \param earlier system of an earlier step, which is used where it fits; may be null
-  explicit NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier = nullptr);
+  /// \param boxes whether the stiffness of a large system may be that of clipped boxes
+  explicit NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier = nullptr,
+                      Boxes boxes = Boxes::MayBeClipped);
+
+  /// Whether the stiffness is that of clipped boxes.
+  bool hasClippedBoxes() const { return boxes_.any(); }
 
   int unknowns() const { return system_ ? system_->unknowns() : 0; }
   const char* solver() const { return system_ ? system_->method() : "none"; }
@@ -79,6 +91,10 @@ private:
   /// Free motions of pieces that forces of the step join, as they are now, as a message; empty if none.
   std::string motionsBetweenPieces(const State<D>& state) const;
   int iterationsFor(int most) const;
+  /// Whether the next iteration uses the stiffness of the last: where that is expected to end the step, or
+  /// where the rate is that of clipped boxes. \param before residual before the last iteration \param now
+  /// after
+  bool keepsStiffness(double before, double now, double forces) const;
   /// Says in a report what keeps the step from equilibrium, and what is free to move.
   void explain(const State<D>& state, StepReport& report) const;
   /// Takes the mean motion and rotation from the change of free pieces: loads do not turn with a body, so
@@ -90,6 +106,7 @@ private:
   bool search(const State<D>& state, const Values& change, double before, double enough, double& removed);
 
   RowGraph graph_;
+  ClippedBoxes<D> boxes_;
   std::vector<SlopeJump> jumps_;
   std::vector<Vector<D>> position_;
   std::vector<double> mass_;

@@ -198,12 +198,13 @@ bool subtractInternalForce(const State<D>& state, const RowGraph& graph, const V
 
 template <int D>
 bool addStiffness(const State<D>& state, const RowGraph& graph, const Values& displacement,
-                  const StiffnessBlocks& stiffness)
+                  const ClippedBoxes<D>& boxes, const StiffnessBlocks& stiffness)
 {
   const ParticleData<D> data(state, graph, displacement);
   withStraining(state,
-                [&](const auto& connect)
+                [&](const auto& ofParticles)
                 {
+                  const auto connect = boxes.in(ofParticles);
                   using Connect = std::decay_t<decltype(connect)>;
                   forEachBlock("rhegma::equilibrium::stiffness", state.mesh.blocks,
                                StiffnessBlock<D, Connect>{connect, data, graph, stiffness});
@@ -213,7 +214,9 @@ bool addStiffness(const State<D>& state, const RowGraph& graph, const Values& di
 
 template bool subtractInternalForce(const State<2>&, const RowGraph&, const Values&, const Values&);
 template bool subtractInternalForce(const State<3>&, const RowGraph&, const Values&, const Values&);
-template bool addStiffness(const State<2>&, const RowGraph&, const Values&, const StiffnessBlocks&);
-template bool addStiffness(const State<3>&, const RowGraph&, const Values&, const StiffnessBlocks&);
+template bool addStiffness(const State<2>&, const RowGraph&, const Values&, const ClippedBoxes<2>&,
+                           const StiffnessBlocks&);
+template bool addStiffness(const State<3>&, const RowGraph&, const Values&, const ClippedBoxes<3>&,
+                           const StiffnessBlocks&);
 
 } // namespace Rhegma::equilibrium

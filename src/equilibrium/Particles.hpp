@@ -18,9 +18,10 @@ bool subtractInternalForce(const State<D>& state, const RowGraph& graph, const V
 /// Blocks of D x D numbers for each entry of RowGraph::column: the derivative of the internal forces [N/m].
 using StiffnessBlocks = View<double*>;
 
-/// Adds the particles' stiffness at a trial displacement. \return false where a particle is inverted
+/// Adds the particles' stiffness at a trial displacement. \param boxes in place of those of the particles, if
+/// any \return false where a particle is inverted
 template <int D>
 bool addStiffness(const State<D>& state, const RowGraph& graph, const Values& displacement,
-                  const StiffnessBlocks& stiffness);
+                  const ClippedBoxes<D>& boxes, const StiffnessBlocks& stiffness);
 
 } // namespace Rhegma::equilibrium

@@ -14,12 +14,13 @@ namespace
 /// Calls use(rows) with the sorted rows of each particle's nodes, where they differ from those of the
 /// particles just before it.
 template <int D, class Use>
-void forEachStencil(const State<D>& state, const Use& use)
+void forEachStencil(const State<D>& state, const ClippedBoxes<D>& boxes, const Use& use)
 {
   constexpr int remembered = 8;
   withStraining(state,
-                [&](const auto& connect)
+                [&](const auto& ofParticles)
                 {
+                  const auto connect = boxes.in(ofParticles);
                   std::vector<int> nodes, last[remembered];
                   int next = 0;
                   for (int p = 0; p < state.particles.size(); ++p)
@@ -65,7 +66,7 @@ RowGraph numberRows(const State<D>& state)
   const int nodes = static_cast<int>(state.mesh.nodes.sums.extent(0));
   graph.rowOf = View<int*>("rhegma::rowOfNode", nodes);
   std::vector<char> used(nodes, 0);
-  forEachStencil(state,
+  forEachStencil(state, ClippedBoxes<D>(),
                  [&](const std::vector<int>& of)
                  {
                    for (const int n : of)
@@ -83,11 +84,11 @@ RowGraph numberRows(const State<D>& state)
 }
 
 template <int D>
-void connectRows(const State<D>& state, const Groups& groups, RowGraph& graph)
+void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes, RowGraph& graph)
 {
   std::vector<std::vector<int>> coupled(graph.rows);
   std::vector<int> rows;
-  forEachStencil(state,
+  forEachStencil(state, boxes,
                  [&](const std::vector<int>& nodes)
                  {
                    rows.clear();
@@ -177,8 +178,8 @@ Held findHeld(const State<D>& state, const RowGraph& graph)
 
 template RowGraph numberRows(const State<2>&);
 template RowGraph numberRows(const State<3>&);
-template void connectRows(const State<2>&, const Groups&, RowGraph&);
-template void connectRows(const State<3>&, const Groups&, RowGraph&);
+template void connectRows(const State<2>&, const Groups&, const ClippedBoxes<2>&, RowGraph&);
+template void connectRows(const State<3>&, const Groups&, const ClippedBoxes<3>&, RowGraph&);
 template std::vector<Vector<2>> rowPositions(const State<2>&, const RowGraph&);
 template std::vector<Vector<3>> rowPositions(const State<3>&, const RowGraph&);
 template std::vector<double> rowMasses(const State<2>&, const RowGraph&);

@@ -1,6 +1,7 @@
 #pragma once
 /// The unknowns of an equilibrium: displacement increments of the fields of nodes.
 
+#include "equilibrium/ClippedBoxes.hpp"
 #include "state/State.hpp"
 
 #include <cmath>
@@ -55,9 +56,9 @@ using Groups = std::vector<std::vector<int>>;
 template <int D>
 RowGraph numberRows(const State<D>& state);
 
-/// Finds the coupled rows. \param groups further ones
+/// Finds the coupled rows. \param groups further ones \param boxes in place of those of the particles, if any
 template <int D>
-void connectRows(const State<D>& state, const Groups& groups, RowGraph& graph);
+void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes, RowGraph& graph);
 
 /// Pieces: rows that are coupled directly or through others. \return the piece of each row, and their number
 std::pair<std::vector<int>, int> findPieces(const RowGraph& graph);
