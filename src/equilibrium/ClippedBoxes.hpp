@@ -33,8 +33,9 @@ struct ClippedBoxes
   }
 };
 
-/// Part of a box beyond a row of nodes that is left out.
-constexpr double leastReach = 0.05;
+/// Part of a box beyond a row of nodes that is left out. The stiffness that such a part gives to the nodes
+/// there is its square, a tenth of what the ghost penalty gives to them at least.
+constexpr double leastReach = 0.01;
 
 /// The boxes of a state with their stencils; empty with linear functions, and where no box is clipped. Nodes
 /// that particles see only by what would be left out keep these particles' boxes, so that every row of the

@@ -14,6 +14,10 @@ namespace
 constexpr double linearTolerance = 1e-11;
 constexpr int mostLinearIterations = 50000;
 
+/// Residual of conjugate gradients, relative to the right side, below which the next iteration of Newton's
+/// method, which is due in any case for the change of the stiffness, takes over.
+constexpr double leastLinearResidual = 1e-8;
+
 /// Residual of a linear solve, relative to its right side, with which an iteration of Newton's method still
 /// gains digits: rounding keeps large matrices from the tolerance.
 constexpr double usefulResidual = 1e-3;
@@ -29,7 +33,8 @@ constexpr double mostOperations = 3e9;
 constexpr double mostOperationsAtLast = 1e12;
 
 /// Unknowns from which the set-up of multigrid is shorter than the iterations that it saves.
-constexpr int leastMultigridUnknowns = 50000;
+template <int D>
+constexpr int leastMultigridUnknowns = D == 2 ? 50000 : 5000;
 
 /// A multigrid of an earlier matrix is replaced once it needs so many times its first iterations.
 constexpr int mostAged = 2;
@@ -59,6 +64,30 @@ bool LinearSystem<D>::fits(const RowGraph& graph, const Held& held) const
   { return a.extent(0) == b.extent(0) && std::equal(a.data(), a.data() + a.extent(0), b.data()); };
   return same(graph.nodeOf, graph_.nodeOf) && same(graph.first, graph_.first) &&
          same(graph.column, graph_.column) && std::equal(held.is.begin(), held.is.end(), held_.data());
+}
+
+template <int D>
+void LinearSystem<D>::adopt(LinearSystem& earlier)
+{
+  if (!earlier.multigrid_ || earlier.earlier_.any())
+    return;
+  earlier_ = EarlierRows::match(graph_, earlier.graph_, D);
+  if (!earlier_.any())
+    return;
+  multigrid_ = std::move(earlier.multigrid_);
+  iterationsWhenNew_ = earlier.iterationsWhenNew_;
+}
+
+template <int D>
+void LinearSystem<D>::precondition(const View<double*>& diagonal, const BorrowedView<const double*>& x,
+                                   const BorrowedView<double*>& y) const
+{
+  if (!multigrid_)
+    divideByDiagonal(diagonal, x, y);
+  else if (earlier_.any())
+    earlier_.apply(*multigrid_, diagonal, x, y);
+  else
+    multigrid_->apply(x, y);
 }
 
 template <int D>
@@ -142,7 +171,8 @@ typename LinearSystem<D>::Method LinearSystem<D>::choose()
     return Method::Direct;
   gradients_ = std::make_unique<ConjugateGradients>(linearTolerance, mostLinearIterations);
   gradients_->resize(matrix_.rows());
-  return Multigrid::available() && unknowns_ >= leastMultigridUnknowns ? Method::Multigrid : Method::Diagonal;
+  return Multigrid::available() && unknowns_ >= leastMultigridUnknowns<D> ? Method::Multigrid
+                                                                          : Method::Diagonal;
 }
 
 template <int D>
@@ -191,6 +221,7 @@ template <int D>
 void LinearSystem<D>::makeMultigrid()
 {
   multigrid_.reset();
+  earlier_ = {};
   if (method_ != Method::Multigrid)
     return;
   try
@@ -209,15 +240,7 @@ SolveResult LinearSystem<D>::runGradients(const View<double*>& diagonal)
   return gradients_->solve([this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
                            { matrix_.multiply(x, y); },
                            [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
-                           {
-                             if (multigrid_)
-                               multigrid_->apply(x, y);
-                             else
-                               Kokkos::parallel_for(
-                                   "rhegma::equilibrium::diagonal",
-                                   Kokkos::RangePolicy<ExecSpace>(0, matrix_.rows()),
-                                   KOKKOS_LAMBDA(const int r) { y(r) = x(r) / diagonal(r); });
-                           });
+                           { precondition(diagonal, x, y); });
 }
 
 template <int D>
@@ -233,7 +256,8 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
     return {true, 0, 0};
   }
   // The tolerance is that of a right side of size one: a smaller one needs fewer digits.
-  const double scale = size * std::max(1.0, std::min(enough / size, 0.1) / linearTolerance);
+  const double wanted = std::min(std::max(enough / size, leastLinearResidual), 0.1);
+  const double scale = size * std::max(1.0, wanted / linearTolerance);
   const auto right = gradients_->right();
   View<double*> diagonal("rhegma::equilibrium::diagonal", matrix_.rows());
   for (int r = 0; r < matrix_.rows(); ++r)
@@ -243,7 +267,7 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
       if (matrix_.column(k) == r)
         diagonal(r) = matrix_.value(k);
   }
-  const bool old = multigrid_ != nullptr;
+  const bool old = multigrid_ != nullptr && method_ == Method::Multigrid;
   if (!old)
     makeMultigrid();
   SolveResult result = runGradients(diagonal);
@@ -259,6 +283,13 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
     iterationsWhenNew_ = result.iterations;
   else if (result.iterations > mostAged * iterationsWhenNew_)
     multigrid_.reset(); // the next system gets its own
+  if (multigrid_ && !result.converged && !(result.residual * scale < usefulResidual * size))
+  {
+    multigrid_.reset();
+    method_ = Method::Diagonal;
+    result = runGradients(diagonal);
+    iterations += result.iterations;
+  }
   const auto x = gradients_->solution();
   for (int k = 0; k < matrix_.rows(); ++k)
     x_(k) = scale * x(k);

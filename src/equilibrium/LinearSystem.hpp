@@ -1,6 +1,7 @@
 #pragma once
 /// The linear systems of an equilibrium.
 
+#include "equilibrium/EarlierRows.hpp"
 #include "equilibrium/Particles.hpp"
 #include "solver/ConjugateGradients.hpp"
 #include "solver/DirectSolver.hpp"
@@ -31,6 +32,10 @@ public:
   /// Whether this is the system of another graph with its supports, so that its order of unknowns and its
   /// preconditioner serve there too.
   bool fits(const RowGraph& graph, const Held& held) const;
+
+  /// Takes over the preconditioner of a system that has most of the rows of this one; the others get the
+  /// diagonal.
+  void adopt(LinearSystem& earlier);
 
   /// Number of unknowns that no support holds.
   int unknowns() const { return unknowns_; }
@@ -70,6 +75,8 @@ private:
   Method choose();
   std::vector<std::vector<double>> nearNullSpace() const;
   void makeMultigrid();
+  void precondition(const View<double*>& diagonal, const BorrowedView<const double*>& x,
+                    const BorrowedView<double*>& y) const;
   LinearAnswer solveDirectly(bool symmetric);
   LinearAnswer finish(LinearAnswer answer, bool symmetric, const Values& change);
   LinearAnswer iterate(double enough);
@@ -87,6 +94,7 @@ private:
   bool symmetric_ = true; ///< the last matrix
   std::unique_ptr<ConjugateGradients> gradients_;
   std::unique_ptr<Multigrid> multigrid_;
+  EarlierRows earlier_;       ///< where the multigrid is of an earlier system
   int iterationsWhenNew_ = 0; ///< with the multigrid, when it was made
 };
 

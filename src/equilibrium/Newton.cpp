@@ -15,6 +15,9 @@ constexpr double roundingOfForces = 1e-6;
 
 constexpr int mostHalvings = 6;
 
+/// Iterations with the stiffness of clipped boxes, after which the boxes are used as they are.
+constexpr int mostClippedIterations = 8;
+
 /// Fraction of a residual that an iteration with an approximate stiffness may leave before it is assembled
 /// anew.
 constexpr double usefulFraction = 0.1;
@@ -65,9 +68,14 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
   Held solved = held_;
   for (const int k : unknownsOfMotions(modes_, pieceOf_, position_, mass_))
     solved.is[k] = 1;
-  system_ = earlier && earlier->fits(graph_, solved)
-                ? std::move(earlier)
-                : std::make_shared<LinearSystem<D>>(graph_, position_, solved);
+  if (earlier && earlier->fits(graph_, solved))
+    system_ = std::move(earlier);
+  else
+  {
+    system_ = std::make_shared<LinearSystem<D>>(graph_, position_, solved);
+    if (earlier)
+      system_->adopt(*earlier);
+  }
   const int n = D * graph_.rows;
   for (Values* values : {&load_, &displacement_, &residual_, &reaction_})
     *values = Values("rhegma::equilibrium::values", n);
@@ -322,7 +330,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   report.forces = std::max(report.forces, norm(atStart, false));
   bool keeps = false; // the last stiffness
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
-  most = iterationsFor(most);
+  most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
   for (int k = 0; k <= most; ++k)
   {
     // A body that is unloaded has forces of its own size no longer.

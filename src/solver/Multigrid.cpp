@@ -1,5 +1,6 @@
 #include "solver/Multigrid.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #ifdef RHEGMA_HAVE_MUELU
@@ -44,6 +45,34 @@ Teuchos::ParameterList settings(int perNode)
   return list;
 }
 
+/// Fraction of the largest diagonal entry below which a row is weak.
+constexpr double weakDiagonal = 1e-4;
+
+/// The values of a matrix with weak rows reduced to their diagonals; its own values where no row is weak. A
+/// node that hangs on a corner of a particle has 1e-13 of the stiffness of others: coarse levels of such rows
+/// are singular to rounding, and the smoother treats them as well.
+View<double*> withoutWeakRows(const SparseMatrix& matrix)
+{
+  const int n = matrix.rows();
+  std::vector<double> diagonal(n, 0.0);
+  double largest = 0.0;
+  for (int r = 0; r < n; ++r)
+    for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
+      if (matrix.column(k) == r)
+        largest = std::max(largest, diagonal[r] = matrix.value(k));
+  const auto weak = [&](int r) { return diagonal[r] < weakDiagonal * largest; };
+  bool any = false;
+  for (int r = 0; r < n; ++r)
+    any = any || weak(r);
+  if (!any)
+    return matrix.value;
+  const View<double*> value("rhegma::Multigrid::value", matrix.value.extent(0));
+  for (int r = 0; r < n; ++r)
+    for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
+      value(k) = matrix.column(k) != r && (weak(r) || weak(matrix.column(k))) ? 0.0 : matrix.value(k);
+  return value;
+}
+
 } // namespace
 
 struct Multigrid::Hierarchy
@@ -61,7 +90,7 @@ Multigrid::Multigrid(const SparseMatrix& matrix, int perNode,
   const auto n = static_cast<std::size_t>(matrix.rows());
   hierarchy_->map = rcp(new Map(n, 0, rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF))));
   const RCP<Matrix> shared =
-      rcp(new Matrix(hierarchy_->map, hierarchy_->map, matrix.first, matrix.column, matrix.value));
+      rcp(new Matrix(hierarchy_->map, hierarchy_->map, matrix.first, matrix.column, withoutWeakRows(matrix)));
   shared->fillComplete();
   const RCP<MultiVector> modes = rcp(new MultiVector(hierarchy_->map, rigidMotions.size()));
   for (std::size_t m = 0; m < rigidMotions.size(); ++m)

@@ -18,7 +18,7 @@ public:
   /// Whether the Trilinos that the library was built with has MueLu; without it there is no instance.
   static bool available();
 
-  /// \param matrix symmetric, positive definite; its arrays are shared, not copied
+  /// \param matrix symmetric, positive definite; its arrays are shared, not copied, unless rows are weak
   /// \param perNode unknowns of a node, next to each other
   /// \param rigidMotions vectors whose energy is zero but for supports, which coarse levels represent
   Multigrid(const SparseMatrix& matrix, int perNode, const std::vector<std::vector<double>>& rigidMotions);

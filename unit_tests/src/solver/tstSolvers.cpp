@@ -160,3 +160,62 @@ TEST(Multigrid, IterationsDoNotGrowWithTheMatrix)
     EXPECT_LE(result.iterations, 30) << n;
   }
 }
+
+/// A cube of springs between points, which the ground holds at one face, with points that hang on it by
+/// springs of 1e-13 of the others' stiffness: those are left to the smoother.
+TEST(Multigrid, PointsThatHardlyHangAreNoHindrance)
+{
+  if (!Multigrid::available())
+    GTEST_SKIP() << "the library was built without MueLu";
+  const int edge = 18, cube = edge * edge * edge, n = cube + cube / 7;
+  std::vector<std::vector<std::pair<int, double>>> rows(n);
+  const auto join = [&](int a, int b, double stiffness)
+  {
+    rows[a].push_back({b, -stiffness});
+    rows[b].push_back({a, -stiffness});
+    rows[a].push_back({a, stiffness});
+    rows[b].push_back({b, stiffness});
+  };
+  for (int k = 0; k < cube; ++k)
+    for (const int step : {1, edge, edge * edge})
+      if (k / step % edge + 1 < edge)
+        join(k, k + step, 1.0);
+      else if (step == 1)
+        rows[k].push_back({k, 1.0});
+  for (int k = cube; k < n; ++k)
+    join(k, 7 * (k - cube), 1e-13);
+  std::vector<std::size_t> first(1, 0);
+  std::vector<int> column;
+  std::vector<double> value;
+  for (auto& row : rows)
+  {
+    std::sort(row.begin(), row.end());
+    for (const auto& [c, v] : row)
+      if (column.size() > first.back() && column.back() == c)
+        value.back() += v;
+      else
+      {
+        column.push_back(c);
+        value.push_back(v);
+      }
+    first.push_back(column.size());
+  }
+  SparseMatrix matrix{View<std::size_t*>("first", first.size()), View<int*>("column", column.size()),
+                      View<double*>("value", value.size())};
+  std::copy(first.begin(), first.end(), matrix.first.data());
+  std::copy(column.begin(), column.end(), matrix.column.data());
+  std::copy(value.begin(), value.end(), matrix.value.data());
+  const Multigrid multigrid(matrix, 1, {std::vector<double>(n, 1.0)});
+  ConjugateGradients gradients(1e-8, 100);
+  gradients.resize(n);
+  const View<double*> y = product(matrix, numbers(n));
+  for (int k = 0; k < n; ++k)
+    gradients.right()(k) = y(k);
+  const SolveResult result =
+      gradients.solve([&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+                      { matrix.multiply(from, to); },
+                      [&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+                      { multigrid.apply(from, to); });
+  EXPECT_TRUE(result.converged);
+  EXPECT_LE(result.iterations, 30);
+}

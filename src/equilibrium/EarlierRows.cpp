@@ -1,0 +1,60 @@
+#include "equilibrium/EarlierRows.hpp"
+
+namespace Rhegma::equilibrium
+{
+
+namespace
+{
+
+/// Fraction of the rows that may be new to the multigrid of an earlier system.
+constexpr double mostNewRows = 0.2;
+
+} // namespace
+
+EarlierRows EarlierRows::match(const RowGraph& now, const RowGraph& earlier, int perNode)
+{
+  const View<int*> unknown("rhegma::equilibrium::earlierUnknown", perNode * now.rows);
+  int missing = 0;
+  for (int r = 0, then = 0; r < now.rows; ++r) // rows of both are in the order of the nodes
+  {
+    while (then < earlier.rows && earlier.nodeOf(then) < now.nodeOf(r))
+      ++then;
+    const bool found = then < earlier.rows && earlier.nodeOf(then) == now.nodeOf(r);
+    missing += found ? 0 : 1;
+    for (int d = 0; d < perNode; ++d)
+      unknown(perNode * r + d) = found ? perNode * then + d : -1;
+  }
+  if (missing > mostNewRows * now.rows)
+    return {};
+  return {unknown, Values("rhegma::equilibrium::earlierIn", perNode * earlier.rows),
+          Values("rhegma::equilibrium::earlierOut", perNode * earlier.rows)};
+}
+
+void EarlierRows::apply(const Multigrid& multigrid, const View<double*>& diagonal,
+                        const BorrowedView<const double*>& x, const BorrowedView<double*>& y) const
+{
+  const View<int*> to = unknown;
+  const Values right = in, cycled = out;
+  const Kokkos::RangePolicy<ExecSpace> all(0, to.extent(0));
+  Kokkos::deep_copy(right, 0.0);
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::toEarlier", all, KOKKOS_LAMBDA(const int r) {
+        if (to(r) >= 0)
+          right(to(r)) = x(r);
+      });
+  multigrid.apply(BorrowedView<const double*>(right.data(), right.extent(0)),
+                  BorrowedView<double*>(cycled.data(), cycled.extent(0)));
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::fromEarlier", all,
+      KOKKOS_LAMBDA(const int r) { y(r) = to(r) >= 0 ? cycled(to(r)) : x(r) / diagonal(r); });
+}
+
+void divideByDiagonal(const View<double*>& diagonal, const BorrowedView<const double*>& x,
+                      const BorrowedView<double*>& y)
+{
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::diagonal", Kokkos::RangePolicy<ExecSpace>(0, diagonal.extent(0)),
+      KOKKOS_LAMBDA(const int r) { y(r) = x(r) / diagonal(r); });
+}
+
+} // namespace Rhegma::equilibrium
