@@ -316,7 +316,7 @@ bool LinearSystem<D>::takesUnsymmetric()
 }
 
 template <int D>
-LinearAnswer LinearSystem<D>::solve(const StiffnessBlocks& stiffness, bool symmetric, const Values& right,
+LinearAnswer LinearSystem<D>::solve(StiffnessBlocks stiffness, bool symmetric, const Values& right,
                                     double enough, const Values& change)
 {
   if (graph_.rows == 0)
@@ -324,6 +324,7 @@ LinearAnswer LinearSystem<D>::solve(const StiffnessBlocks& stiffness, bool symme
   prepare();
   fill(stiffness);
   moveHeldToRight(stiffness, right, change);
+  stiffness = {};
   symmetric_ = symmetric;
   return finish(method_ == Method::Direct ? solveDirectly(symmetric) : iterate(enough), symmetric, change);
 }

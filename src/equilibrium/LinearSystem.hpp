@@ -44,10 +44,11 @@ public:
   bool takesUnsymmetric();
 
   /// Solves for the change of the free unknowns, those that are held changing as given.
+  /// \param stiffness released before the system is solved, if the caller keeps no reference
   /// \param symmetric whether the stiffness is \param right forces on all unknowns
   /// \param enough residual that need not be improved on [N] \param change on entry of held unknowns, on exit
   /// of all
-  LinearAnswer solve(const StiffnessBlocks& stiffness, bool symmetric, const Values& right, double enough,
+  LinearAnswer solve(StiffnessBlocks stiffness, bool symmetric, const Values& right, double enough,
                      const Values& change);
 
   /// The same with the stiffness of the last call, where no held unknown changes.

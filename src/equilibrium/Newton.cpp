@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace Rhegma::equilibrium
 {
@@ -170,10 +171,7 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
 template <int D>
 bool NewtonStep<D>::assemble(const State<D>& state)
 {
-  if (stiffness_.extent(0) == 0)
-    stiffness_ = StiffnessBlocks("rhegma::equilibrium::stiffness", D * D * graph_.column.extent(0));
-  else
-    Kokkos::deep_copy(stiffness_, 0.0);
+  stiffness_ = StiffnessBlocks("rhegma::equilibrium::stiffness", D * D * graph_.column.extent(0));
   const auto blockOf = [&](int row, int other) { return &stiffness_(D * D * graph_.find(row, other)); };
   const auto add = [&](int row, int other, double value)
   {
@@ -288,6 +286,16 @@ int NewtonStep<D>::iterationsFor(int most) const
 }
 
 template <int D>
+bool NewtonStep<D>::supportsAreInPlace() const
+{
+  for (int i = 0; i < D * graph_.rows; ++i)
+    if (held_.is[i] != 0 &&
+        std::fabs(held_.change[i] - displacement_(i)) > 1e-12 * std::fabs(held_.change[i]))
+      return false;
+  return true;
+}
+
+template <int D>
 bool NewtonStep<D>::keepsStiffness(double before, double now, double forces) const
 {
   for (const auto& force : forces_)
@@ -343,8 +351,9 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     for (int i = 0; i < n; ++i)
       change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
     const double enough = linearFraction * forceTolerance * forces;
-    const LinearAnswer answer = keeps ? system_->solveAgain(residual_, enough, change)
-                                      : system_->solve(stiffness_, symmetric_, residual_, enough, change);
+    const LinearAnswer answer =
+        keeps ? system_->solveAgain(residual_, enough, change)
+              : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, enough, change);
     removeRigidMotion(change);
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
@@ -356,10 +365,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
       break;
     }
     keeps = keepsStiffness(moved ? forces : now, norm(residual_, false), forces);
-    moved = false;
-    for (int i = 0; i < n; ++i)
-      moved = moved || (held_.is[i] != 0 &&
-                        std::fabs(held_.change[i] - displacement_(i)) > 1e-12 * std::fabs(held_.change[i]));
+    moved = !supportsAreInPlace();
     keeps = keeps && !moved;
     updateForces(state, report.removedFraction);
   }

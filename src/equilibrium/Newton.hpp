@@ -91,6 +91,8 @@ private:
   /// Free motions of pieces that forces of the step join, as they are now, as a message; empty if none.
   std::string motionsBetweenPieces(const State<D>& state) const;
   int iterationsFor(int most) const;
+  /// Whether held unknowns have the displacement of their supports.
+  bool supportsAreInPlace() const;
   /// Whether the next iteration uses the stiffness of the last: where that is expected to end the step, or
   /// where the rate is that of clipped boxes. \param before residual before the last iteration \param now
   /// after
