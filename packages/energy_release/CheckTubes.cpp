@@ -4,6 +4,7 @@
 #include "base/Numbers.hpp"
 #include "energy_release/ClearOfCracks.hpp"
 #include "energy_release/FrontTube.hpp"
+#include "energy_release/OtherMaterials.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <stdexcept>
@@ -116,6 +117,26 @@ void checkTube(State<3>& state, const CrackFront<3>& front, const Options& optio
         formatReal(clear) + ", or use smaller cells (Domain > Cell Size)");
 }
 
+/// Warns of a material in the domain integral that is not that of the front. Particles lie up to half their
+/// box inside of its border.
+template <int D>
+void warnOfMaterials(State<D>& state, const OtherMaterials<D>& others, const CrackFront<D>& front,
+                     const ContourRadii& radii)
+{
+  const OtherMaterial other = others.nearest(front, radii.outer);
+  if (other.material < 0)
+    return;
+  state.warnings.push_back("Energy Release: the domain integral around " + frontName(state.cracks, front) +
+                           ", from " + readableLength(radii.inner) + " to " + readableLength(radii.outer) +
+                           ", contains Materials > " + state.materials.names[other.material] + ", " +
+                           readableLength(other.distance) +
+                           " from the front, and K assumes the moduli at the front; so does G_J unless the "
+                           "border of the materials is "
+                           "parallel to the crack: write an Outer Radius of less than this distance, or use "
+                           "smaller cells (Domain > "
+                           "Cell Size)");
+}
+
 /// Closer contours contain the inaccurate cells at the tip.
 constexpr double leastInnerCells = 2.0;
 
@@ -135,6 +156,10 @@ void checkTubes(State<D>& state, const Options& options)
   for (const CrackFront<D>& front : state.cracks.fronts)
     attempts.attempt([&] { checkTube(state, front, options); });
   attempts.throwIfAny();
+  const OtherMaterials<D> others(state);
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    if (others.any() && front.numFacets > 0)
+      warnOfMaterials(state, others, front, fittingTube(state, front, options.radii).radii);
   const double cell = spacingAt(state, state.cracks.fronts.front().position);
   if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(

@@ -2,9 +2,9 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "energy_release/FrontDisk.hpp"
 #include "material/Laws.hpp"
 #include "material/MaterialTable.hpp"
-#include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,15 @@ namespace Rhegma::energy_release
 
 namespace
 {
+
+/// The front of a sample as it is now: a sample of a checkpoint has no temperature.
+const CrackFront<2>& frontNow(const State<2>& state, const CrackFront<2>& front)
+{
+  for (const CrackFront<2>& one : state.cracks.fronts)
+    if (one.crack == front.crack && one.number == front.number)
+      return one;
+  return front;
+}
 
 std::string reasonOf(const FrontSample<2>& sample)
 {
@@ -53,7 +62,7 @@ std::vector<std::string> warningsOfDisagreement(const State<2>& state,
     const double J = sample.J[0];
     if (!std::isfinite(K2) || !(J > small * largest))
       continue;
-    const Properties& material = state.materials.properties[materialAt(state, sample.front.position)];
+    const Properties material = lawAtFront(state, frontNow(state, sample.front));
     const double release = K2 / elasticity(material).effectiveModulus;
     if (material.law != lawIndex<LinearElastic> || !(std::fabs(release - J) > most * J))
       continue;

@@ -40,7 +40,8 @@ void addMeanPositions(const State<D>& state, const Vector<D>& centre, double rea
   disk.reference = {{sums[2] / count, sums[3] / count}};
 }
 
-/// Moduli of the material at the front, at its temperature.
+} // namespace
+
 Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
 {
   const int number = materialAt(state, front.position);
@@ -66,8 +67,6 @@ Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
   law.planeLambda = moduli[3];
   return law;
 }
-
-} // namespace
 
 FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii)
 {

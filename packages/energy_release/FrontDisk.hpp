@@ -32,4 +32,7 @@ KOKKOS_INLINE_FUNCTION double distance(const BorrowedView<double* [2]>& position
 /// Collective.
 FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii);
 
+/// The material at a front, with its moduli at the front's temperature.
+Properties lawAtFront(const State<2>& state, const CrackFront<2>& front);
+
 } // namespace Rhegma::energy_release

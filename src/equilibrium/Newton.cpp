@@ -208,6 +208,20 @@ void NewtonStep<D>::updateForces(const State<D>& state, double& removed)
 }
 
 template <int D>
+std::vector<int> NewtonStep<D>::piecesThatStayWhole() const
+{
+  std::vector<int> all(pieceOf_.size(), 0), apart(piecesApart_, 0), whole(piecesApart_, 0);
+  for (std::size_t r = 0; r < apart_.size(); ++r)
+  {
+    ++all[pieceOf_[r]];
+    ++apart[apart_[r]];
+  }
+  for (std::size_t r = 0; r < apart_.size(); ++r)
+    whole[apart_[r]] = apart[apart_[r]] == all[pieceOf_[r]] ? 1 : 0;
+  return whole;
+}
+
+template <int D>
 std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
 {
   if (apart_.empty())
@@ -222,8 +236,9 @@ std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
   for (const int piece : apart_)
     ++size[piece];
   std::set<std::string> lines;
+  const std::vector<int> whole = piecesThatStayWhole();
   for (const RigidMode<D>& mode : freeModes<D>(apart_, piecesApart_, position_, mass_, held_, resisted))
-    if (size[mode.piece] > (1 << D))
+    if (size[mode.piece] > (1 << D) && whole[mode.piece] == 0)
       lines.insert("a part of " + bodyOf(state, apart_, mode.piece) + " " + mode.asText());
   std::string all;
   for (const std::string& line : lines)

@@ -88,7 +88,10 @@ private:
   bool assemble(const State<D>& state);
   /// Lets the step's forces learn from an accepted displacement, and finds the residual that then remains.
   void updateForces(const State<D>& state, double& removed);
-  /// Free motions of pieces that forces of the step join, as they are now, as a message; empty if none.
+  /// Which pieces are no larger with the forces of the step that join pieces.
+  std::vector<int> piecesThatStayWhole() const;
+  /// Free motions of pieces that forces of the step join, as they are now, as a message; empty if none. Free
+  /// motions of all that is joined are those of Time > Rigid Modes.
   std::string motionsBetweenPieces(const State<D>& state) const;
   int iterationsFor(int most) const;
   /// Whether held unknowns have the displacement of their supports.

@@ -17,8 +17,9 @@ struct LoadOverStep
 };
 
 /// In dynamics the value in the middle of the step. In equilibrium the value at its end acts and the mean of
-/// those at both ends does work, as force and displacement grow together. Where the loads have a factor it
-/// multiplies their values at the final time.
+/// those at both ends does work, as force and displacement grow together; at the start of a run bodies have
+/// no stress, so a load that is there from time 0 on grows from zero in the first step. Where the loads have
+/// a factor it multiplies their values at the final time.
 template <int D>
 LoadOverStep loadOverStep(const State<D>& state, const TimeFunction& history)
 {
@@ -31,8 +32,8 @@ LoadOverStep loadOverStep(const State<D>& state, const TimeFunction& history)
   }
   if (state.method.analysis == Analysis::QuasiStatic)
   {
-    const double now = history(end);
-    return {now, 0.5 * (now + history(clock.time))};
+    const double now = history(end), before = clock.time > 0.0 ? history(clock.time) : 0.0;
+    return {now, 0.5 * (now + before)};
   }
   if (state.method.analysis == Analysis::LoadFactor)
   {
