@@ -106,6 +106,21 @@ TEST(ClosedCracks, PressedBlockHasUniformStress)
   }
 }
 
+/// A crack inside a free body leaves it in one piece: only Time > Rigid Modes says something of its motions.
+TEST(ClosedCracks, InsideAFreeBodyNeedNoSupport)
+{
+  Teuchos::ParameterList scene = cutBlock("Frictionless", 0.0, 45.0, all<2>(4.0));
+  scene.sublist("Cracks").sublist("Cut").set("Points", Teuchos::Array<double>({2.6, 2.6, 5.4, 5.4}));
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  while (run.state().clock.time < 1.0 && run.state().failure.empty())
+    run.step(1.0, false);
+  EXPECT_EQ(run.state().failure, "");
+  const Vector<2> traction = meanTraction(run.state());
+  EXPECT_NEAR(traction[0], 0.5 * press, 0.1 * press); // that of the block without a crack
+  EXPECT_EQ(traction[1], 0.0);
+}
+
 /// Above the angle of friction the upper part slides off, which no equilibrium holds.
 TEST(ClosedCracks, PartsThatSlideAreNamed)
 {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <random>
@@ -25,15 +26,22 @@ struct GrowthRun
   std::vector<std::map<std::string, double>> rows;
   nlohmann::json report;
 
-  GrowthRun(const std::string& name, const std::vector<std::string>& more)
+  /// \param change of what can't be overridden \param interval of rows [s]
+  GrowthRun(const std::string& name, const std::vector<std::string>& more,
+            const std::function<void(Teuchos::ParameterList&)>& change = {}, double interval = 1e-9)
   {
-    const SceneResult scene = readScene(
+    SceneResult scene = readScene(
         std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/" + name + ".xml", more, effectSchema());
+    if (change)
+    {
+      change(*scene.list);
+      validateList(*scene.list, effectSchema(), scene.errors);
+    }
     for (const SceneError& error : scene.errors)
       ADD_FAILURE() << toString(error);
     Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), scene.list);
     simulation.initialize();
-    simulation.sampleEvery(1e-9,
+    simulation.sampleEvery(interval,
                            [&](double time, const std::vector<std::pair<std::string, double>>& row)
                            {
                              rows.emplace_back(row.begin(), row.end());
@@ -125,4 +133,42 @@ TEST(EquilibriumGrowth, OfTwoFrontsAlikeIsOfBoth)
   EXPECT_NEAR(last.at("Slit.0.x") + last.at("Slit.1.x"), first.at("Slit.0.x") + first.at("Slit.1.x"), 1e-5);
   EXPECT_NEAR(last.at("load_factor") / first.at("load_factor"), std::sqrt(shape(a) / shape(b)), 0.01);
   EXPECT_EQ(run.report["propagation"]["unstable_from"]["load_factor"], first.at("load_factor"));
+}
+
+/// A pressure on the faces of a crack loads it as the same tension on the plate: the difference of both is
+/// a plate under tension whose crack is held closed, without any K. From the first increment on.
+TEST(EquilibriumGrowth, StartsUnderPressureAsUnderTension)
+{
+  const std::vector<std::string> few{"Time:Load Steps=3"};
+  const GrowthRun tension("plate_growth_static", few);
+  const GrowthRun pressure(
+      "plate_growth_static", few,
+      [](Teuchos::ParameterList& scene)
+      {
+        scene.remove("Boundaries");
+        scene.sublist("Face Pressure").sublist("Slit").set<std::string>("Pressure", "1e6");
+      });
+  ASSERT_EQ(pressure.rows.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double expected = tension.rows[k].at("load_factor");
+    EXPECT_NEAR(pressure.rows[k].at("load_factor"), expected,
+                0.015 * expected); // G of pressure is good to 2 %
+    EXPECT_NEAR(pressure.rows[k].at("Slit.0.G_J"), 100.0, 0.5);
+  }
+}
+
+/// Loads that are there from time 0 on grow from zero in the first step, and later steps add nothing: their
+/// work is what the beam stores.
+TEST(EquilibriumWork, OfConstantLoadsIsStored)
+{
+  const GrowthRun run("dcb_static", {"Time:Analysis=Quasi-Static", "Time:Load Steps=4", "Time:Final Time=1"},
+                      {}, 0.25);
+  ASSERT_EQ(run.rows.size(), 4U);
+  for (const auto& row : run.rows)
+  {
+    EXPECT_GT(row.at("external_work"), 0.0);
+    EXPECT_NEAR(row.at("strain") + row.at("stabilised"), row.at("external_work"),
+                0.01 * row.at("external_work"));
+  }
 }
