@@ -103,7 +103,9 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
     factor = search.next();
     calls.between();
   }
-  if (state.failure.empty() && !search.found())
+  if (!state.failure.empty())
+    state.failure = failureOfSearch(state, true) + " (" + state.failure + ")";
+  else if (!search.found())
     state.failure = failureOfSearch(state, solved);
   now.time = clock.time + length;
   now.factor = clock.factor.end;
@@ -115,6 +117,7 @@ template <int D>
 void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last)
 {
   EquilibriumGrowth& growth = state.cracks.growth;
+  const double areaBefore = growth.area;
   while (state.failure.empty() && canAdvance(state) && growth.drive > heldDrive)
   {
     const double before = growth.drive;
@@ -130,6 +133,11 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
     }
     calls.accept();
     growth.path.push_back({state.clock.time, 0.0, 0.0, growth.area, growth.drive - before});
+    if (!state.failure.empty())
+      state.failure = "the crack has grown by " + formatShort(growth.area - areaBefore) +
+                      " m2 under the loads of t = " + readableTime(state.clock.time) +
+                      ", and what is left of the body does not bear them (" + state.failure +
+                      "): the body breaks at these loads, or between them and those of the load step before";
   }
 }
 
