@@ -1,8 +1,10 @@
 #include "step/FollowPath.hpp"
 
 #include "base/Numbers.hpp"
+#include "base/RunError.hpp"
 #include "base/ShortNumber.hpp"
 #include "step/LoadFactorSearch.hpp"
+#include "step/RunStage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +75,21 @@ std::string failureOfSearch(const State<D>& state, bool solved)
          " of the toughness; the loads must open a crack (Propagation > Load Control)";
 }
 
+/// Moves the particles into the equilibrium that was found. \param explain why the run ends, where they can't
+template <int D, class Explain>
+void accept(State<D>& state, const EquilibriumCalls& calls, const Explain& explain)
+{
+  try
+  {
+    calls.accept();
+  }
+  catch (const RunError&)
+  {
+    state.failure = explain();
+    stopRun(state);
+  }
+}
+
 } // namespace
 
 template <int D>
@@ -96,16 +113,14 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
     solved = solveFor(state, calls, last, factor);
     if (!solved)
       break;
-    calls.accept();
+    accept(state, calls, [&] { return failureOfSearch(state, true) + " (" + state.failure + ")"; });
     const double work = state.energy.externalWork - before - last.workOfSupports;
     now.displacement += 2.0 * work / (clock.factor.begin + clock.factor.end);
     search.record(clock.factor.end, growth.drive);
     factor = search.next();
     calls.between();
   }
-  if (!state.failure.empty())
-    state.failure = failureOfSearch(state, true) + " (" + state.failure + ")";
-  else if (!search.found())
+  if (state.failure.empty() && !search.found())
     state.failure = failureOfSearch(state, solved);
   now.time = clock.time + length;
   now.factor = clock.factor.end;
@@ -131,13 +146,15 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
                       ": they may exceed what the remaining ligament can bear";
       return;
     }
-    calls.accept();
+    accept(state, calls,
+           [&]
+           {
+             return "the crack has grown by " + formatShort(growth.area - areaBefore) +
+                    " m2 under the loads of t = " + readableTime(state.clock.time) +
+                    ", and what is left of the body does not bear them (" + state.failure +
+                    "): the body breaks at these loads, or between them and those of the load step before";
+           });
     growth.path.push_back({state.clock.time, 0.0, 0.0, growth.area, growth.drive - before});
-    if (!state.failure.empty())
-      state.failure = "the crack has grown by " + formatShort(growth.area - areaBefore) +
-                      " m2 under the loads of t = " + readableTime(state.clock.time) +
-                      ", and what is left of the body does not bear them (" + state.failure +
-                      "): the body breaks at these loads, or between them and those of the load step before";
   }
 }
 
