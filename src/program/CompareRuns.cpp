@@ -222,6 +222,8 @@ std::string endOf(const json& front)
     return "stopped";
   if (!std::isfinite(numberOrNone(front, "initiated")))
     return "at rest";
+  if (front.value("status", "") == "growing") // in equilibrium, where no front runs
+    return "growing";
   return front.value("running", false) ? "running" : "arrested";
 }
 
@@ -245,6 +247,53 @@ void compareAtRest(Comparison& comparison, const std::string& name, const json& 
   }
 }
 
+/// The growth of a run in equilibrium whose loads have a factor; null for other runs.
+json initiationUnderFactor(const json& summary)
+{
+  const auto growth = summary.find("propagation");
+  if (growth == summary.end() || !growth->is_object() || !growth->contains("load_factor"))
+    return nullptr;
+  const auto initiation = growth->find("initiation");
+  return initiation != growth->end() && initiation->is_object() ? *initiation : json(nullptr);
+}
+
+/// Of the first row of a history at a time; not a number where there is none.
+double valueAt(const HistoryColumns& history, const std::string& column, double time)
+{
+  const auto times = history.find("time"), values = history.find(column);
+  if (times == history.end() || values == history.end())
+    return noNumber;
+  const double near = 1e-9 * std::fabs(time);
+  for (std::size_t k = 0; k < std::min(times->second.size(), values->second.size()); ++k)
+    if (std::fabs(times->second[k] - time) <= near)
+      return values->second[k];
+  return noNumber;
+}
+
+/// The load at which cracks start: where it is found, its time is the number of a load step and says nothing.
+void compareInitiationLoads(Comparison& comparison, const RunResults& asIs, const RunResults& half)
+{
+  const json one = initiationUnderFactor(asIs.summary), other = initiationUnderFactor(half.summary);
+  if (one.is_null() && other.is_null())
+    return;
+  const auto number = [](const json& entry, const char* name)
+  { return entry.is_object() ? numberOrNone(entry, name) : noNumber; };
+  comparison.value("load factor at initiation", "", number(one, "load_factor"), number(other, "load_factor"),
+                   0);
+  const std::string suffix = ".displacement";
+  for (const auto& column : asIs.history)
+  {
+    const std::string& name = column.first;
+    if (name.size() <= suffix.size() || name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0)
+      continue;
+    const double first = valueAt(asIs.history, name, number(one, "time"));
+    const double second = valueAt(half.history, name, number(other, "time"));
+    if (!std::isnan(first) && !std::isnan(second)) // samples may leave load steps out
+      comparison.value(name.substr(0, name.size() - suffix.size()) + ", displacement at initiation", "m",
+                       first, second, 0);
+  }
+}
+
 void compareFront(Comparison& comparison, const std::string& name, const json& asIs, const json& half,
                   const RunResults& first, const RunResults& second)
 {
@@ -252,8 +301,9 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
   comparison.word("end of " + name, endAsIs, endHalf);
   if (endAsIs == "at rest" && endHalf == "at rest")
     return compareAtRest(comparison, name, asIs, half);
-  comparison.value("initiation of " + name, "s", numberOrNone(asIs, "initiated"),
-                   numberOrNone(half, "initiated"), 0);
+  if (initiationUnderFactor(first.summary).is_null() || initiationUnderFactor(second.summary).is_null())
+    comparison.value("initiation of " + name, "s", numberOrNone(asIs, "initiated"),
+                     numberOrNone(half, "initiated"), 0);
   comparison.value("speed of " + name, "m/s", numberOrNone(asIs, "settled_speed"),
                    numberOrNone(half, "settled_speed"), 0);
   comparison.value("G of " + name + " while it runs", "J/m2", numberOrNone(asIs, "settled_release"),
@@ -373,6 +423,7 @@ nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half)
       if (fronts[f].is_object() && theirs[f].is_object())
         compareFront(comparison, crack + "." + std::to_string(f), fronts[f], theirs[f], asIs, half);
   }
+  compareInitiationLoads(comparison, asIs, half);
   compareTemperatures(comparison, asIs.summary, half.summary);
   compareReferences(comparison, asIs.summary, half.summary);
   json result = comparison.result();

@@ -93,6 +93,34 @@ TEST(CompareRuns, MeasuresPathsInCells)
   EXPECT_FALSE(answer(alike, "speed of Notch.0").contains("extrapolated"));
 }
 
+/// In equilibrium under a factor a front starts in the first load step whatever the cells; the factor moves.
+TEST(CompareRuns, ComparesTheLoadOfInitiationAndNotItsLoadStep)
+{
+  const auto growing = [](double factor, double displacement)
+  {
+    RunResults run = running(0.0, 0.1);
+    run.summary["cracks"][0]["fronts"][0]["status"] = "growing";
+    run.summary["propagation"] = {{"load_factor", 1.4},
+                                  {"initiation", {{"load_factor", factor}, {"time", 0.5}}}};
+    run.history["time"] = {0.25, 0.5, 1.0};
+    run.history["Top.displacement"] = {0.0, displacement, 9.0 * displacement};
+    return run;
+  };
+  const json apart = compareRuns(growing(4.3, 2e-5), growing(2.755, 2.01e-5));
+  EXPECT_NEAR(answer(apart, "load factor at initiation")["change"].get<double>(), 2.755 / 2.755 - 4.3 / 2.755,
+              1e-12);
+  EXPECT_FALSE(answer(apart, "load factor at initiation")["resolved"].get<bool>());
+  EXPECT_EQ(answer(apart, "Top, displacement at initiation")["half"].get<double>(), 2.01e-5);
+  EXPECT_TRUE(answer(apart, "Top, displacement at initiation")["resolved"].get<bool>());
+  EXPECT_FALSE(apart["resolved"].get<bool>());
+  EXPECT_EQ(apart.dump().find("initiation of Notch.0"), std::string::npos);
+  EXPECT_EQ(answer(apart, "end of Notch.0")["as_is"], "growing");
+  EXPECT_TRUE(compareRuns(growing(2.8, 2e-5), growing(2.755, 2.01e-5))["resolved"].get<bool>());
+  EXPECT_FALSE(
+      answer(compareRuns(growing(2.8, 2e-5), running(0.0, 0.1)), "load factor at initiation")["resolved"]
+          .get<bool>());
+}
+
 /// An arrest on one of the meshes and none on the other.
 TEST(CompareRuns, SaysThatEndsDiffer)
 {
