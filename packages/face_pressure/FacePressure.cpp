@@ -87,12 +87,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       account->pressures.emplace_back(findCrack(state.cracks, name),
                                       TimeFunction::parse(list.sublist(name).get<std::string>("Pressure")));
   };
-  effect.judge = [list, end = scene.sublist("Time").get<double>("Final Time")](State<D>& state)
+  effect.judge = [list, all = Teuchos::ParameterList(scene)](State<D>& state)
   {
+    const ActingTimes times = actingTimes(all, state);
     for (const std::string& name : sublistNames(list))
       for (const std::string& message :
            idleMessages({"Face Pressure > " + name, "pressure"}, "Pressure",
-                        list.sublist(name).get<std::string>("Pressure"), "Pa", end))
+                        list.sublist(name).get<std::string>("Pressure"), "Pa", times))
         state.warnings.push_back(message);
   };
   effect.call(Stage::BeforeSolve, "pressure on crack faces", {quantity::nodalMass, quantity::crackGeometry},

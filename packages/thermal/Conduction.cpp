@@ -95,7 +95,7 @@ std::string Conduction<D>::tooMany(const State<D>& state, double count) const
               : "switch the motion off (Thermal > Mechanics = false)");
 }
 
-/// \return the power of the sources that this rank records
+/// \param time begin of the step \return the power of the sources that this rank records
 template <int D>
 double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
 {
@@ -108,7 +108,10 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
   const bool records = state.ranks.rank() == 0;
   double power = 0.0;
   for (const Source<D>& source : sources)
-    power += records ? addSource(state, source, time, supply) : (addSource(state, source, time, supply), 0.0);
+  {
+    const double added = addSource(state, source, time, dt, supply);
+    power += records ? added : 0.0;
+  }
   if (heated)
   {
     const double ofFronts = heatOfFronts(state, dt) / dt;
@@ -141,7 +144,7 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   if (several)
     joinMaterials(state, nodes);
   boundaries.hold(state, nodes, time + dt);
-  double heat = dt * boundaries.addFlux(state, nodes, time + 0.5 * dt);
+  double heat = dt * boundaries.addFlux(state, nodes, time, dt);
   fluxToNodes(state, nodes, supplied);
   sumOverRanks(state, nodes.rate.data(), 2, 0, 1);
   if (integrator.method != Method::Explicit)
@@ -198,7 +201,7 @@ void Conduction<D>::step(State<D>& state)
   for (int k = 0; k < count; ++k)
   {
     const double time = begin + k * dt;
-    const double power = supplyAll(state, dt, time + 0.5 * dt);
+    const double power = supplyAll(state, dt, time);
     state.energy.heat += dt * power;
     once(state, dt, time, supply.extent(0) > 0 ? supply : none);
   }

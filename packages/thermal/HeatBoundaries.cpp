@@ -136,7 +136,7 @@ void HeatBoundaries<D>::hold(const State<D>& state, const HeatNodes<D>& heat, do
 }
 
 template <int D>
-double HeatBoundaries<D>::addFlux(State<D>& state, const HeatNodes<D>& heat, double time)
+double HeatBoundaries<D>::addFlux(State<D>& state, const HeatNodes<D>& heat, double begin, double dt)
 {
   double power = 0.0;
   for (HeatedSurface<D>& heated : surfaces_)
@@ -145,7 +145,7 @@ double HeatBoundaries<D>::addFlux(State<D>& state, const HeatNodes<D>& heat, dou
     points.place(state);
     const StencilTable<D> stencils = points.nodesAround();
     const View<double*> fraction = points.fractions();
-    const double area = heated.surface.area, now = heated.history(time);
+    const double area = heated.surface.area, now = heated.history.overStep(begin, begin + dt);
     const double flux = now * heated.flux, coefficient = heated.coefficient, ambient = now * heated.ambient;
     const View<double> sum("rhegma::thermal::powerOfSurface");
     forEachPushing(

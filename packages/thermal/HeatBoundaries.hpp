@@ -49,9 +49,9 @@ public:
   /// Prescribes the temperature of nodes at the end of the step, and its change.
   void hold(const State<D>& state, const HeatNodes<D>& nodes, double time) const;
 
-  /// Adds the heat that comes through surfaces over a step to the nodes' rate, of this rank. \param time
-  /// middle of the step \return the power [W]
-  double addFlux(State<D>& state, const HeatNodes<D>& nodes, double time);
+  /// Adds the heat that comes through surfaces over a step to the nodes' rate, of this rank. \param begin
+  /// of the step [s] \param dt its length [s], over which the mean of a history acts \return the power [W]
+  double addFlux(State<D>& state, const HeatNodes<D>& nodes, double begin, double dt);
 
   /// Adds the change of that heat with a change of the nodal temperature (first column) to a flow (first
   /// column); the positions are those of the last addFlux. \return the change of the power [W]

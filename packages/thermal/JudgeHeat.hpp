@@ -7,6 +7,7 @@
 #include "boundary/TouchedNodes.hpp"
 #include "plausibility/IdleLoads.hpp"
 #include "thermal/Conduction.hpp"
+#include "thermal/JudgeHistories.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,18 +29,24 @@ double distanceToBox(const Vector<D>& x, const Vector<D>& lower, const Vector<D>
   return norm(off);
 }
 
+/// Distance of a position from the straight path between two others [m].
+template <int D>
+double distanceToPath(const Vector<D>& x, const Vector<D>& from, const Vector<D>& along)
+{
+  const double square = dot(along, along);
+  const double part = square > 0.0 ? std::clamp(dot(x - from, along) / square, 0.0, 1.0) : 0.0;
+  return norm(x - from - part * along);
+}
+
 /// Smallest distance of a source from the nodes of bodies at any time of the run [m].
 template <int D>
 double distanceOf(const Source<D>& source, double end, const std::vector<Vector<D>>& nodes)
 {
-  constexpr int times = 65;
   double nearest = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < (source.ball ? times : 1); ++k)
-    for (const Vector<D>& x : nodes)
-      nearest = std::min(nearest, source.ball
-                                      ? norm(x - source.centre - (end * k / (times - 1)) * source.velocity) -
-                                            source.radius
-                                      : distanceToBox(x, source.lower, source.upper));
+  for (const Vector<D>& x : nodes)
+    nearest = std::min(nearest, source.ball
+                                    ? distanceToPath(x, source.centre, end * source.velocity) - source.radius
+                                    : distanceToBox(x, source.lower, source.upper));
   return nearest;
 }
 
@@ -53,7 +60,7 @@ void judgeSourcesAndProbes(const Teuchos::ParameterList& list, double end, doubl
   const Teuchos::ParameterList& sources = list.isSublist("Sources") ? list.sublist("Sources") : none;
   for (const std::string& name : sublistNames(sources))
     for (const std::string& message : idleMessages({"Thermal > Sources > " + name, "source"},
-                                                   sources.sublist(name), {"Power", "Power Density"}, end))
+                                                   sources.sublist(name), {"Power", "Power Density"}, {end}))
       warnings.push_back(message);
   const Teuchos::ParameterList& probes = list.isSublist("Probes") ? list.sublist("Probes") : none;
   for (const std::string& name : sublistNames(probes))
@@ -102,6 +109,8 @@ void judgeHeat(const Teuchos::ParameterList& scene, const Conduction<D>& conduct
                                readableLength(nearest) + " away; move it to the body");
   }
   judgeSourcesAndProbes<D>(scene.sublist("Thermal"), end, cell, nodes, state.warnings);
+  judgeShortPulses(scene, conduction, end, state);
+  judgeHeldInSteps(scene, state);
   for (const Source<D>& source : conduction.sources)
     if (const double nearest = distanceOf(source, end, nodes); nearest > cell)
       state.warnings.push_back("Thermal > Sources > " + source.name + ": no body comes closer than " +

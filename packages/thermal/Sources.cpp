@@ -103,9 +103,10 @@ double addBall(const State<D>& state, const Vector<D>& centre, double radius, do
 }
 
 template <int D>
-double addSource(const State<D>& state, const Source<D>& source, double time, const View<double*>& supply)
+double addSource(const State<D>& state, const Source<D>& source, double begin, double dt,
+                 const View<double*>& supply)
 {
-  const double now = source.history(time);
+  const double now = source.history.overStep(begin, begin + dt), time = begin + 0.5 * dt;
   if (!source.ball)
     return addBox(state, source, now * source.density, supply);
   return addBall<D>(state, source.centre + time * source.velocity,
@@ -127,7 +128,7 @@ template std::vector<Source<2>> readSources(const Teuchos::ParameterList&);
 template std::vector<Source<3>> readSources(const Teuchos::ParameterList&);
 template double addBall(const State<2>&, const Vector<2>&, double, double, const View<double*>&);
 template double addBall(const State<3>&, const Vector<3>&, double, double, const View<double*>&);
-template double addSource(const State<2>&, const Source<2>&, double, const View<double*>&);
-template double addSource(const State<3>&, const Source<3>&, double, const View<double*>&);
+template double addSource(const State<2>&, const Source<2>&, double, double, const View<double*>&);
+template double addSource(const State<3>&, const Source<3>&, double, double, const View<double*>&);
 
 } // namespace Rhegma::thermal

@@ -33,10 +33,12 @@ std::vector<Source<D>> readSources(const Teuchos::ParameterList& list);
 
 /// Adds the power of a source over a time step [W] to the supply of each particle.
 ///
-/// \param time middle of the step \return the power that was added, of all ranks: less than the source's
+/// \param begin of the step [s] \param dt its length [s], over which the mean of the history acts, at the
+/// position of its middle \return the power that was added, of all ranks: less than the source's
 /// where a box lies partly outside of the bodies, none where nothing lies in it
 template <int D>
-double addSource(const State<D>& state, const Source<D>& source, double time, const View<double*>& supply);
+double addSource(const State<D>& state, const Source<D>& source, double begin, double dt,
+                 const View<double*>& supply);
 
 /// Spreads a power evenly over the particles in a disk or ball, those on its rim by the part that lies
 /// inside. \return the power that was added, of all ranks: none where the ball holds no particle

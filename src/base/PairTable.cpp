@@ -51,6 +51,23 @@ double PairTable::operator()(double x) const
   return values_[i - 1] + fraction * (values_[i] - values_[i - 1]);
 }
 
+double PairTable::mean(double from, double to) const
+{
+  double sum = 0.0, last = from;
+  const auto add = [&](double next)
+  {
+    sum += 0.5 * ((*this)(last) + (*this)(next)) * (next - last);
+    last = next;
+  };
+  const auto first = std::upper_bound(at_.begin(), at_.end(), from);
+  const auto end = std::lower_bound(first, at_.end(), to);
+  if (first == end) // straight
+    return (*this)(0.5 * (from + to));
+  std::for_each(first, end, add);
+  add(to);
+  return sum / (to - from);
+}
+
 bool assigns(const std::string& expression)
 {
   for (std::size_t i = 0; i < expression.size(); ++i)

@@ -31,6 +31,12 @@ public:
   bool empty() const { return at_.empty(); }
   double operator()(double x) const;
 
+  /// First numbers of the pairs, in order.
+  const std::vector<double>& corners() const { return at_; }
+
+  /// Mean between two numbers, the first below the second: exact.
+  double mean(double from, double to) const;
+
 private:
   std::vector<double> at_, values_;
 };

@@ -2,7 +2,6 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
-#include "plausibility/LoadEstimate.hpp"
 #include "scene/TimeFunction.hpp"
 
 #include <algorithm>
@@ -27,6 +26,24 @@ bool isZero(const Teuchos::ParameterList& list, const std::string& name)
   return std::all_of(all.begin(), all.end(), [](double value) { return value == 0.0; });
 }
 
+/// What is at the times that count, and what between them.
+std::vector<std::string> betweenTimes(const GivenLoad& load, const std::string& quantity, double acting,
+                                      double largest, const std::string& unit, const ActingTimes& times)
+{
+  constexpr double half = 0.5;
+  if (times.steps == 0 || !(acting < (times.steps == 1 ? nextToNothing : half) * largest))
+    return {};
+  const std::string reaches = formatShort(largest) + unit, is = formatShort(acting) + unit;
+  if (times.steps == 1)
+    return {load.where + ": " + quantity + " reaches " + reaches + ", and is " + is +
+            " at Time > Final Time = " + readableTime(times.end) +
+            ", the only time at which loads count in this analysis, so this " + load.noun +
+            " does next to nothing; choose a Final Time at which it acts"};
+  return {load.where + ": " + quantity + " reaches " + reaches + " between load steps, and at most " + is +
+          " at the ends of load steps, where equilibrium is found: use more Time > Load Steps than " +
+          std::to_string(times.steps)};
+}
+
 } // namespace
 
 double largestEver(const std::string& function, double end)
@@ -45,7 +62,7 @@ double largestEver(const std::string& function, double end)
 }
 
 std::vector<std::string> idleMessages(const GivenLoad& load, const Teuchos::ParameterList& list,
-                                      const std::vector<std::string>& values, double end)
+                                      const std::vector<std::string>& values, const ActingTimes& times)
 {
   std::vector<std::string> messages;
   for (const std::string& value : values)
@@ -54,31 +71,46 @@ std::vector<std::string> idleMessages(const GivenLoad& load, const Teuchos::Para
   if (!list.isParameter("History"))
     return messages;
   const std::string history = list.get<std::string>("History");
-  const double largest = rangeOf(history, end).largest, ever = largestEver(history, end);
-  const std::string upTo = load.where + " > History: up to Time > Final Time = " + readableTime(end) +
+  const HistoryRange range = rangeOf(history, times);
+  const double largest = range.largest, ever = largestEver(history, times.end);
+  const std::string where = load.where + " > History",
+                    upTo = where + ": up to Time > Final Time = " + readableTime(times.end) +
                            " its factor is at most " + formatShort(largest);
   if (largest < nextToNothing)
     messages.push_back(upTo + ", so this " + load.noun + " does next to nothing; times are in seconds");
   else if (largest < hardlyAny * ever)
     messages.push_back(upTo + ", and it reaches " + formatShort(ever) +
                        " later: does the run end too early? Times are in seconds");
+  else if (messages.empty())
+    messages = betweenTimes({where, load.noun}, "its factor", range.acting, largest, "", times);
   return messages;
 }
 
 std::vector<std::string> idleMessages(const GivenLoad& load, const std::string& parameter,
-                                      const std::string& function, const std::string& unit, double end)
+                                      const std::string& function, const std::string& unit,
+                                      const ActingTimes& times)
 {
-  const double largest = rangeOf(function, end).largest, ever = largestEver(function, end);
-  const std::string where = load.where + " > " + parameter, upTo = "Time > Final Time = " + readableTime(end);
+  const HistoryRange range = rangeOf(function, times);
+  const double largest = range.largest, ever = largestEver(function, times.end);
+  const std::string where = load.where + " > " + parameter,
+                    upTo = "Time > Final Time = " + readableTime(times.end);
   if (largest == 0.0)
     return {where + " is zero up to " + upTo + ", so this " + load.noun + " does nothing" +
             (ever > 0.0 ? "; it reaches " + formatShort(ever) + " " + unit + " later: times are in seconds"
                         : "")};
   if (largest >= nextToNothing * ever)
-    return {};
+    return betweenTimes({where, load.noun}, "it", range.acting, largest, " " + unit, times);
   return {where + ": up to " + upTo + " it is " + formatShort(largest) + " " + unit + " at most, " +
           formatShort(largest / ever) + " of the " + formatShort(ever) + " " + unit +
           " that it reaches later, so this " + load.noun + " does next to nothing; times are in seconds"};
+}
+
+std::vector<std::string> idleSupportMessages(const GivenLoad& support, const std::string& history,
+                                             const ActingTimes& times)
+{
+  const HistoryRange range = rangeOf(history, times);
+  return betweenTimes({support.where + " > History", support.noun}, "the integral of its factor",
+                      range.actingIntegral, range.integral, " s", times);
 }
 
 } // namespace Rhegma

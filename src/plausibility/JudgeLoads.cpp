@@ -31,6 +31,15 @@ void judgeStrain(const JudgedScene<D>& judged, Messages& messages)
                      "units (N, Pa, m, m/s)");
 }
 
+/// Whether a support of prescribed velocity moves nodes.
+bool moves(const Teuchos::ParameterList& list)
+{
+  if (list.isParameter("Field"))
+    return true;
+  const auto value = list.get<Teuchos::Array<double>>("Value");
+  return std::any_of(value.begin(), value.end(), [](double v) { return v != 0.0; });
+}
+
 /// Loads that never act, or hardly in the time of the run.
 template <int D>
 void judgeHistories(const JudgedScene<D>& judged, Messages& messages)
@@ -38,14 +47,18 @@ void judgeHistories(const JudgedScene<D>& judged, Messages& messages)
   if (!judged.scene.isSublist("Boundaries"))
     return;
   const Teuchos::ParameterList& section = judged.scene.sublist("Boundaries");
-  const double end = judged.scene.sublist("Time").template get<double>("Final Time");
+  const ActingTimes times = actingTimes(judged.scene, judged.state);
   for (const std::string& name : sublistNames(section))
   {
     const Teuchos::ParameterList& list = section.sublist(name);
-    if (list.get<std::string>("Type") == "Velocity") // zero is a support
-      continue;
-    const Messages idle = idleMessages({"Boundaries > " + name, "boundary"}, list,
-                                       {"Force", "Stress", "Acceleration", "Pressure", "Flux"}, end);
+    const std::string type = list.get<std::string>("Type");
+    const GivenLoad load{"Boundaries > " + name, type == "Velocity" ? "support" : "boundary"};
+    const bool heats = type == "Temperature" || type == "Heat Flux" || type == "Convection"; // at all times
+    const Messages idle =
+        type != "Velocity" ? idleMessages(load, list, {"Force", "Stress", "Acceleration", "Pressure", "Flux"},
+                                          heats ? ActingTimes{times.end, 0} : times)
+        : moves(list)      ? idleSupportMessages(load, list.get<std::string>("History"), times)
+                           : Messages{}; // zero is a support
     messages.insert(messages.end(), idle.begin(), idle.end());
   }
 }

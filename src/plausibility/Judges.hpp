@@ -42,6 +42,9 @@ Messages judgePieces(const JudgedScene<D>& judged);
 /// Strains that no solid or no linear law withstands, and loads that are zero.
 template <int D>
 Messages judgeLoads(const JudgedScene<D>& judged);
+/// Loads on the same points whose forces cancel.
+template <int D>
+Messages judgeCancelling(const JudgedScene<D>& judged);
 /// A scene in which nothing moves; gravity in other units.
 template <int D>
 Messages judgeMotion(const JudgedScene<D>& judged);

@@ -15,24 +15,6 @@
 namespace Rhegma
 {
 
-HistoryRange rangeOf(const std::string& history, double end)
-{
-  constexpr int times = 257; // as many as supports are compared at (boundary/Contradictions.cpp)
-  const TimeFunction f = TimeFunction::parse(history);
-  HistoryRange range;
-  double integral = 0.0, before = f(0.0);
-  for (int k = 0; k < times; ++k)
-  {
-    const double now = f(end * k / (times - 1));
-    integral += k == 0 ? 0.0 : 0.5 * (before + now) * end / (times - 1);
-    range.largest = std::max(range.largest, std::fabs(now));
-    range.integral = std::max(range.integral, std::fabs(integral));
-    range.twice += (k == 0 || k == times - 1 ? 0.5 : 1.0) * integral * end / (times - 1);
-    before = now;
-  }
-  return range;
-}
-
 const LoadEstimate* largestStrain(const std::vector<LoadEstimate>& loads)
 {
   const LoadEstimate* most = nullptr;

@@ -3,6 +3,7 @@
 /// of materials, good to an order of magnitude.
 
 #include "plausibility/BodyMeasures.hpp"
+#include "plausibility/HistoryRange.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -30,15 +31,6 @@ std::vector<LoadEstimate> estimateLoads(const Teuchos::ParameterList& scene, con
 
 /// The one with the largest nominal strain that is a finite number, or null.
 const LoadEstimate* largestStrain(const std::vector<LoadEstimate>& loads);
-
-/// Largest absolute value of a history, and of its integral [s], from 0 to the end of a run.
-struct HistoryRange
-{
-  double largest = 0.0;
-  double integral = 0.0;
-  double twice = 0.0; ///< the integral of its integral up to the end, with its sign [s2]
-};
-HistoryRange rangeOf(const std::string& history, double end);
 
 /// Force of a Traction, Point Load or Line Load at a history of 1 [N]; zero for another type.
 /// \param list of the boundary \param thickness of a 2D scene [m]

@@ -72,6 +72,13 @@ double TimeFunction::operator()(double t) const
   return form.parser.Eval();
 }
 
+const std::vector<double>& TimeFunction::corners() const { return m_form->table.corners(); }
+
+double TimeFunction::overStep(double from, double to) const
+{
+  return m_form->table.empty() ? (*this)(0.5 * (from + to)) : m_form->table.mean(from, to);
+}
+
 std::optional<std::string> messageIfNotFinite(const std::string& given, double end)
 {
   const auto function = TimeFunction::parse(given);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Rhegma
 {
@@ -20,6 +21,13 @@ public:
 
   /// \param t  time [s]
   double operator()(double t) const;
+
+  /// Times of a table [s], in order; empty for an expression.
+  const std::vector<double>& corners() const;
+
+  /// Mean over a step, so that a table loses nothing between steps: exact for a table; for an expression the
+  /// value in the middle. \param from \param to begin and end of the step [s]
+  double overStep(double from, double to) const;
 
 private:
   struct Form;

@@ -14,7 +14,11 @@ namespace
 /// capacity times temperature.
 constexpr double roundingOfHeat = 1e-12;
 
-/// Sums of all particles: kinetic, strain, plastic and internal energy, the rounding error of the latter,
+/// Strains of rounding: forces that cancel leave such strains, whose energy per volume is their square times
+/// the modulus.
+constexpr double roundingOfStrain = 1e-15;
+
+/// Sums of all particles: kinetic, strain, plastic and internal energy, the rounding error of energies,
 /// momentum. An array reduction in a single pass.
 template <int D>
 struct ParticleSums
@@ -27,6 +31,7 @@ struct ParticleSums
   int value_count = size;
   ParticleEnergy<D> energy;
   BorrowedView<double*> internal; ///< empty without heat
+  double smallest;                ///< energy per mass of strains of rounding [J/kg]
 
   KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
   {
@@ -41,11 +46,13 @@ struct ParticleSums
       // 1e-10: of sums over many particles.
       sum[4] += energy.volume(p) * (1e-10 * std::fabs(internal(p)) + roundingOfHeat * heat);
     }
+    sum[4] += energy.mechanics ? smallest * energy.mass(p) : 0.0;
     for (int d = 0; d < D; ++d)
       sum[momentumAt + d] += energy.mechanics ? energy.mass(p) * energy.velocity(p, d) : 0.0;
   }
 
-  explicit ParticleSums(const State<D>& state) : energy(state)
+  explicit ParticleSums(const State<D>& state)
+      : energy(state), smallest(std::pow(roundingOfStrain * state.clock.fastestSpeed, 2))
   {
     if (!state.materials.thermo.empty())
       internal = state.particles.scalar(fields::internalEnergy);
@@ -66,10 +73,8 @@ void measureEnergy(State<D>& state)
   state.energy.strain = sum[1] + state.ranks.sum(state.energy.springs);
   state.energy.plastic = sum[2];
   if (!state.materials.thermo.empty())
-  {
     state.energy.thermal = sum[3] - sum[1] - sum[2] - state.energy.thermalStart;
-    state.energy.roundOff = sum[4];
-  }
+  state.energy.roundOff = std::isfinite(sum[4]) ? sum[4] : 0.0;
   for (int d = 0; d < D; ++d)
     state.sample.momentum[d] = sum[Sums::momentumAt + d];
   state.sample.step = state.clock.step;

@@ -152,6 +152,68 @@ TEST(Sources, ThatEvaporateTheirBodyAreSaid)
   }
 }
 
+/// A disk that crosses the bar between two of any number of samples of the run, or passes beside it.
+TEST(Sources, ThatPassABodyFastHeatIt)
+{
+  for (const double x : {3.0, 12.0})
+  {
+    Teuchos::ParameterList scene = elasticBar();
+    torch(scene, 1.0).set("Centre", array(Vector<2>{x, -7777.0})).set("Velocity", array(Vector<2>{0.0, 2e6}));
+    EXPECT_EQ(say(warningsOf(scene), "Thermal > Sources > Torch: no body comes closer than"), x > 6.0) << x;
+  }
+}
+
+/// Steps of heat alone are a hundredth of the run, or shorter.
+TEST(Sources, WhosePulseStepsDoNotSeeAreSaid)
+{
+  for (const std::string history : {"t > 5e-3 && t < 5.01e-3 ? 1 : 0", "0:0, 5e-3:0, 5.01e-3:1, 5.02e-3:0",
+                                    "t > 2e-3 && t < 5e-3 ? 1 : 0", "sin(600*t)"})
+  {
+    Teuchos::ParameterList scene = bar<2>();
+    scene.sublist("Time").set("Final Time", 1e-2);
+    torch(scene, 1.0).set("History", history);
+    EXPECT_EQ(say(warningsOf(scene), "Thermal > Sources > Torch > History: it changes within time steps of "
+                                     "100 us"),
+              history == "t > 5e-3 && t < 5.01e-3 ? 1 : 0")
+        << history;
+  }
+}
+
+/// 3 W over half of 20 us, of a table that steps of 100 us do not end at: all of it is supplied.
+TEST(Sources, OfATableGiveAllTheirHeat)
+{
+  Teuchos::ParameterList scene = bar<2>();
+  scene.sublist("Time").set("Final Time", 1e-2);
+  torch(scene, 3.0).set("History", std::string("0:0, 5.03e-3:0, 5.04e-3:1, 5.05e-3:0"));
+  Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)),
+                        Teuchos::rcp(new Teuchos::ParameterList(scene)));
+  simulation.initialize();
+  simulation.advance(1e-2);
+  EXPECT_NEAR(simulation.report()["energy"]["heat"].get<double>(), 3e-5, 1e-14);
+}
+
+/// A wall of 400 K between load steps, and of 300 K at their ends.
+TEST(HeldTemperatures, BetweenLoadStepsAreSaid)
+{
+  for (const int count : {10, 50})
+  {
+    Teuchos::ParameterList scene = elasticBar();
+    scene.sublist("Time").set("Final Time", 10.0);
+    scene.sublist("Time").set("Analysis", std::string("Quasi-Static"));
+    scene.sublist("Time").set("Rigid Modes", std::string("Remove"));
+    scene.sublist("Time").set("Load Steps", count);
+    scene.sublist("Thermal").set("Initial Temperature", 300.0);
+    scene.sublist("Thermal").set("Conduction", std::string("Implicit"));
+    hold<2>(scene, "Hot", -9.0, 0.1, 400.0);
+    scene.sublist("Boundaries").sublist("Hot").set("History", std::string("t > 4.1 && t < 4.9 ? 1 : 0.75"));
+    EXPECT_EQ(say(warningsOf(scene),
+                  "Boundaries > Hot > History: the temperature is up to 100 K from Thermal "
+                  "> Initial Temperature between load steps, and at most 0 K"),
+              count == 10)
+        << count;
+  }
+}
+
 TEST(Probes, OffTheBodiesAreSaid)
 {
   for (const double x : {5.0, 5.9, 7.0, 9.0})

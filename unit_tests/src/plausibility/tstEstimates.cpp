@@ -6,7 +6,10 @@
 #include <Teuchos_Array.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <random>
+#include <sstream>
 
 namespace Rhegma
 {
@@ -36,6 +39,42 @@ TEST(RangeOf, IsThatOfAHistoryAndItsIntegrals)
   EXPECT_NEAR(ramp.integral, 6.0, 1e-12);
   EXPECT_NEAR(ramp.twice, -4.0, 1e-4); // -3 T^3 / 6
   EXPECT_NEAR(rangeOf("0:1, 1:1, 1.0000001:-1", 2.0).twice, 1.0, 0.01);
+}
+
+/// A pulse of 10 ms in 10 s, as an expression and as a table: its corners are looked at wherever they are.
+TEST(RangeOf, SeesShortPulses)
+{
+  EXPECT_EQ(rangeOf("t > 5 && t < 5.01 ? 1 : 0", 10.0).largest, 1.0);
+  EXPECT_NEAR(rangeOf("t > 5 && t < 5.01 ? 1 : 0", 10.0).integral, 0.01, 0.0025);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> between(0.0, 9.0);
+  for (int k = 0; k < 20; ++k)
+  {
+    const double at = between(random);
+    std::ostringstream table;
+    table.precision(17);
+    table << "0:0, " << at + 1e-6 << ":0, " << at + 2e-6 << ":-4, " << at + 3e-6 << ":0";
+    const HistoryRange range = rangeOf(table.str(), 10.0);
+    EXPECT_NEAR(range.largest, 4.0, 1e-12) << table.str();
+    EXPECT_NEAR(range.integral, 4e-6, 1e-12) << table.str();
+  }
+}
+
+/// Load steps see the ends of steps only, and supports their displacement there.
+TEST(RangeOf, KnowsTheTimesThatCount)
+{
+  const HistoryRange alias = rangeOf("sin(2*pi*10*t)", ActingTimes{1.0, 20});
+  EXPECT_NEAR(alias.largest, 1.0, 1e-4);
+  EXPECT_LT(alias.acting, 1e-14);
+  EXPECT_NEAR(alias.integral, 1.0 / (10.0 * std::acos(-1.0)), 1e-6); // 2 / w
+  EXPECT_NEAR(alias.actingIntegral, alias.integral, 1e-6);           // at every second end
+  const HistoryRange back = rangeOf("t < 0.5 ? 1 : -1", ActingTimes{1.0, 1});
+  EXPECT_EQ(back.acting, 1.0);
+  EXPECT_NEAR(back.integral, 0.5, 1e-3);
+  EXPECT_LT(back.actingIntegral, 5e-4);
+  const HistoryRange all = rangeOf("t", 3.0);
+  EXPECT_EQ(all.acting, all.largest);
+  EXPECT_EQ(all.actingIntegral, all.integral);
 }
 
 TEST(ForceOf, IsThatOfTheLoads)

@@ -18,7 +18,7 @@ const GivenLoad pressure{"Face Pressure > Notch", "pressure"};
 
 std::vector<std::string> ofPressure(const std::string& function, double end)
 {
-  return idleMessages(pressure, "Pressure", function, "Pa", end);
+  return idleMessages(pressure, "Pressure", function, "Pa", {end});
 }
 
 } // namespace
@@ -72,7 +72,8 @@ TEST(IdleLoad, OfZeroOrALateHistoryIsSaid)
   list.set("Other", 0.0);
   list.set("Force", pair(0.0, 0.0));
   list.set<std::string>("History", "0:0, 100:1");
-  const Warnings said = idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power", "Force"}, 1e-3);
+  const Warnings said =
+      idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power", "Force"}, {1e-3});
   ASSERT_EQ(said.size(), 3u);
   EXPECT_EQ(said[0], "Thermal > Sources > Torch > Power is zero, so this source does nothing");
   EXPECT_TRUE(say(said, "Torch > Force is zero"));
@@ -81,12 +82,53 @@ TEST(IdleLoad, OfZeroOrALateHistoryIsSaid)
   list.set("Force", pair(0.0, 1.0));
   list.set<std::string>("History", "0:0, 1e-2:2");
   EXPECT_TRUE(
-      say(idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power"}, 1e-3),
+      say(idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power"}, {1e-3}),
           "Torch > History: up to Time > Final Time = 1 ms its factor is at most 0.2, and it reaches 2 "
           "later: does the run end too early?"));
-  EXPECT_TRUE(idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power"}, 3e-3).empty());
+  EXPECT_TRUE(idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power"}, {3e-3}).empty());
   list.set<std::string>("History", "1");
-  EXPECT_TRUE(idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power", "Force"}, 1e-3).empty());
+  EXPECT_TRUE(
+      idleMessages({"Thermal > Sources > Torch", "source"}, list, {"Power", "Force"}, {1e-3}).empty());
+}
+
+/// Static looks at the end only, Quasi-Static at the ends of its load steps.
+TEST(IdleLoad, ThatCountsAtNoTimeOfEquilibriumIsSaid)
+{
+  Teuchos::ParameterList list;
+  list.set("Force", pair(0.0, 1.0));
+  const GivenLoad top{"Boundaries > Top", "boundary"};
+  const auto of = [&](const std::string& history, const ActingTimes& times)
+  {
+    list.set<std::string>("History", history);
+    return idleMessages(top, list, {"Force"}, times);
+  };
+  for (const char* history : {"0:0, 1e-4:1, 2e-4:0", "sin(pi*t/1e-3)", "0:0, 2e-4:1, 1e-3:0"})
+  {
+    EXPECT_TRUE(say(of(history, {1e-3, 1}), "Boundaries > Top > History: its factor reaches 1, and is "))
+        << history;
+    EXPECT_TRUE(of(history, {1e-3}).empty()) << history;
+  }
+  EXPECT_TRUE(of("0:0, 1e-4:1, 1e-3:0.01", {1e-3, 1}).empty());
+  EXPECT_TRUE(say(of("0:0, 0.501:0, 0.52:1, 0.549:0", {1.0, 20}),
+                  "its factor reaches 1 between load steps, and at most 0 at the ends of load steps, where "
+                  "equilibrium is found: use more Time > Load Steps than 20"));
+  EXPECT_TRUE(say(of("sin(2*pi*10*t)", {1.0, 20}), "between load steps"));
+  EXPECT_TRUE(of("0:0, 0.501:0, 0.52:1, 0.549:0", {1.0, 100}).empty());
+  EXPECT_TRUE(of("sin(2*pi*t)", {1.0, 20}).empty());
+  EXPECT_TRUE(say(idleMessages(pressure, "Pressure", "0:0, 2e-4:1e6, 4e-4:0", "Pa", {1e-3, 1}),
+                  "Face Pressure > Notch > Pressure: it reaches 1e+06 Pa, and is 0 Pa at Time > Final Time"));
+}
+
+TEST(IdleSupport, ThatComesBackIsSaid)
+{
+  const GivenLoad grip{"Boundaries > Grip", "support"};
+  const std::string back = "t < 5e-4 ? 1 : -1";
+  EXPECT_TRUE(say(idleSupportMessages(grip, back, {1e-3, 1}),
+                  "Boundaries > Grip > History: the integral of its factor reaches 0.000"));
+  EXPECT_TRUE(idleSupportMessages(grip, back, {1e-3, 4}).empty()); // half the way is an end of a step
+  EXPECT_TRUE(idleSupportMessages(grip, back, {1e-3}).empty());
+  EXPECT_TRUE(idleSupportMessages(grip, "1", {1e-3, 1}).empty());
+  EXPECT_TRUE(say(idleSupportMessages(grip, "sin(2*pi*10*t)", {1.0, 10}), "between load steps"));
 }
 
 } // namespace Test

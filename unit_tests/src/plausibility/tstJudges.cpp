@@ -2,6 +2,8 @@
 
 #include "Warnings.hpp"
 
+#include <random>
+
 namespace Rhegma
 {
 namespace Test
@@ -177,6 +179,67 @@ TEST(ThinParts, AreEndlessBetweenMirrorsOnly)
   EXPECT_FALSE(say(warningsOf(plate("Symmetry")), slab));
   EXPECT_FALSE(say(warningsOf(plate("Sides")), slab));
   EXPECT_TRUE(say(warningsOf(plate("All")), slab));
+}
+
+/// Tractions on one side, from either end, of any size; not of another side, or where one comes later.
+TEST(Loads, ThatCancelAreSaid)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> size(1e3, 1e8);
+  const std::string words = "Boundaries > Pull: it acts on the same points as Boundaries > Other, and their "
+                            "forces add up to nothing at all times";
+  for (int k = 0; k < 5; ++k)
+    for (const std::string change : {"", "size", "side", "history", "turned"})
+    {
+      const auto scene = freePlate();
+      const double stress = size(random);
+      pull(*scene, stress);
+      Teuchos::ParameterList& other = boundary(*scene, "Other", "Traction");
+      other.setParameters(scene->sublist("Boundaries").sublist("Pull"));
+      other.set("Stress", pair(change == "size" ? -0.99 * stress : -stress, 0.0));
+      if (change == "side")
+        other.set("From", pair(0.0, 0.0)).set("To", pair(0.0, 1.0));
+      if (change == "history")
+        other.set<std::string>("History", "t");
+      if (change == "turned")
+        other.set("From", pair(1.0, 1.0)).set("To", pair(1.0, 0.0));
+      EXPECT_EQ(say(warningsOf(scene), words), change.empty() || change == "turned") << change;
+    }
+}
+
+/// What they leave is rounding, and no instability.
+TEST(Loads, ThatCancelDoNotStopARun)
+{
+  const auto scene = freePlate();
+  pull(*scene, 1e6);
+  boundary(*scene, "Other", "Traction").setParameters(scene->sublist("Boundaries").sublist("Pull"));
+  scene->sublist("Boundaries").sublist("Other").set("Stress", pair(-1e6, 0.0));
+  Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), scene);
+  simulation.initialize();
+  simulation.sampleEvery(1e-5, [](double, const Simulation::Row&) {}); // of energy, too
+  EXPECT_NO_THROW(simulation.advance(1e-3));
+  EXPECT_LT(simulation.report()["energy"]["kinetic"].get<double>(), 1e-19); // of 1.6e11 J
+}
+
+/// Gone at the end, which alone counts in a static analysis.
+TEST(Loads, OfNoTimeThatCountsAreSaid)
+{
+  for (const std::string analysis : {"Static", "Dynamic"})
+  {
+    const auto scene = freePlate();
+    scene->sublist("Time").set("Analysis", analysis);
+    hold(*scene, "Grip", pair(-0.1, -0.1), pair(0.1, 1.1));
+    hold(*scene, "Shake", pair(0.9, -0.1), pair(1.1, 1.1), pair(0.0, 1e-3))
+        .set<std::string>("History", "t < 5e-4 ? 1 : -1");
+    Teuchos::ParameterList& top = boundary(*scene, "Top", "Traction");
+    top.set<std::string>("Body", "Plate");
+    top.set("From", pair(1.0, 1.0)).set("To", pair(0.0, 1.0)).set("Stress", pair(0.0, 1e6));
+    top.set<std::string>("History", "0:0, 1e-4:1, 2e-4:0");
+    EXPECT_EQ(say(warningsOf(scene), "Boundaries > Top > History: its factor reaches 1, and is 0 at Time"),
+              analysis == "Static");
+    EXPECT_EQ(say(warningsOf(scene), "Boundaries > Shake > History: the integral of its factor reaches"),
+              analysis == "Static");
+  }
 }
 
 /// A support that holds nothing moves no body to it.

@@ -59,6 +59,23 @@ TEST(TimeFunction, TableIsLinearBetweenAndConstantOutside)
   EXPECT_EQ(f(1e9), -2.0);
 }
 
+/// A table is taken over a step exactly, wherever its corners are; an expression in the middle.
+TEST(TimeFunction, OfATableLosesNothingOverSteps)
+{
+  const TimeFunction pulse = TimeFunction::parse("0:0, 5:0, 5.005:1, 5.01:0");
+  EXPECT_EQ(pulse.corners().size(), 4u);
+  EXPECT_NEAR(pulse.overStep(4.95, 5.05), 0.05, 1e-12); // 5 ms in 100 ms
+  EXPECT_NEAR(pulse.overStep(5.0, 5.005), 0.5, 1e-12);
+  EXPECT_EQ(pulse.overStep(6.0, 7.0), 0.0);
+  double sum = 0.0;
+  for (int k = 0; k < 7; ++k)
+    sum += 10.0 / 7.0 * pulse.overStep(10.0 * k / 7.0, 10.0 * (k + 1) / 7.0);
+  EXPECT_NEAR(sum, 0.005, 1e-12);
+  const TimeFunction square = TimeFunction::parse("t*t");
+  EXPECT_TRUE(square.corners().empty());
+  EXPECT_EQ(square.overStep(1.0, 3.0), 4.0);
+}
+
 TEST(TimeFunction, OnePairIsAConstant)
 {
   const auto f = TimeFunction::parse("0:7");
