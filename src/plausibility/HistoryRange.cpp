@@ -63,7 +63,7 @@ HistoryRange rangeOf(const std::function<double(double)>& function, const std::v
 
 HistoryRange rangeOf(const std::string& history, const ActingTimes& times)
 {
-  constexpr std::size_t most = 1024;
+  constexpr std::size_t most = 65536; // some megabytes
   thread_local std::map<std::tuple<std::string, double, int>, HistoryRange> kept;
   const auto key = std::make_tuple(history, times.end, times.steps);
   if (const auto at = kept.find(key); at != kept.end())

@@ -48,7 +48,7 @@ struct HistoryRange
 HistoryRange rangeOf(const std::function<double(double)>& function, const std::vector<double>& corners,
                      const ActingTimes& times);
 
-/// The same of a text. Ranges of the last texts are kept, because many loads have the same.
+/// The same of a text. Ranges of many texts are kept, because many loads have the same.
 HistoryRange rangeOf(const std::string& history, const ActingTimes& times);
 
 /// The same where all times count.
