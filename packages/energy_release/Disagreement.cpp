@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "energy_release/FrontDisk.hpp"
+#include "energy_release/NegativeRelease.hpp"
 #include "material/Laws.hpp"
 #include "material/MaterialTable.hpp"
 
@@ -48,7 +49,7 @@ std::vector<std::string> warningsOfDisagreement(const State<2>& state,
                                                 const std::vector<FrontSample<2>>& samples, double time)
 {
   constexpr double most = 0.1;   // of G: 5 % of K
-  constexpr double small = 0.05; // of the largest G: less is noise
+  constexpr double small = 0.05; // of the largest G, and of the usual one: less is noise
   double largest = 0.0;
   for (const FrontSample<2>& sample : samples)
     if (!sample.J.empty() && std::isfinite(sample.J[0]))
@@ -64,7 +65,8 @@ std::vector<std::string> warningsOfDisagreement(const State<2>& state,
       continue;
     const Properties material = lawAtFront(state, frontNow(state, sample.front));
     const double release = K2 / elasticity(material).effectiveModulus;
-    if (material.law != lawIndex<LinearElastic> || !(std::fabs(release - J) > most * J))
+    if (material.law != lawIndex<LinearElastic> || !(std::fabs(release - J) > most * J) ||
+        !(J > small * usualRelease(state, sample.front.crack)))
       continue;
     warnings.push_back("Energy Release: K_I and K_II of " + frontName(state.cracks, sample.front) +
                        " at t = " + readableTime(time) + " give G = K^2 / E' = " + formatShort(release) +

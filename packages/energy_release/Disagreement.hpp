@@ -13,7 +13,8 @@ namespace Rhegma::energy_release
 /// domain integral, by more than 10 % of it: (K_I^2 + K_II^2) / E' = J (Irwin 1957) holds for every load.
 /// Both are integrals over the same particles, and where these are few, or next to a surface or another
 /// crack, their errors differ. Fronts that have grown have waves and cohesive faces inside the integral,
-/// which K sees otherwise than J. In 3D K is scaled to J, so nothing is said.
+/// which K sees otherwise than J. Nothing is said of a G below a twentieth of the largest or of the usual
+/// one. In 3D K is scaled to J, so nothing is said.
 ///
 /// \param samples the last ones
 /// \param time of them [s]

@@ -30,10 +30,17 @@ double volumeOf(const State<D>& state)
 } // namespace
 
 template <int D>
+double usualRelease(const State<D>& state, int crack)
+{
+  constexpr double pi = 3.14159265358979;
+  return 2.0 * pi * state.energy.strain / volumeOf(state) * extentOf(state, state.cracks.cracks[crack]);
+}
+
+template <int D>
 std::vector<std::string> warningsOfNegativeRelease(const State<D>& state,
                                                    const std::vector<FrontSample<D>>& samples, double time)
 {
-  constexpr double noise = 0.05, pi = 3.14159265358979;
+  constexpr double noise = 0.05;
   std::vector<std::string> warnings;
   double largest = 0.0, least = 0.0;
   for (const FrontSample<D>& sample : samples)
@@ -44,12 +51,10 @@ std::vector<std::string> warningsOfNegativeRelease(const State<D>& state,
   }
   if (least >= -noise * largest) // without a look at all particles
     return warnings;
-  const double density = state.energy.strain / volumeOf(state);
   for (const FrontSample<D>& sample : samples)
   {
     const double release = meanAlong(sample.front, sample.J);
-    const double usual = 2.0 * pi * density * extentOf(state, state.cracks.cracks[sample.front.crack]);
-    if (release < -noise * std::max(largest, usual))
+    if (release < -noise * std::max(largest, usualRelease(state, sample.front.crack)))
       warnings.push_back("Energy Release: G_J of " + frontName(state.cracks, sample.front) + " is " +
                          formatShort(release) + " J/m2 at t = " + readableTime(time) +
                          ", but no crack without tractions has a negative one: the domain integral from " +
@@ -61,6 +66,8 @@ std::vector<std::string> warningsOfNegativeRelease(const State<D>& state,
   return warnings;
 }
 
+template double usualRelease(const State<2>&, int);
+template double usualRelease(const State<3>&, int);
 template std::vector<std::string> warningsOfNegativeRelease(const State<2>&,
                                                             const std::vector<FrontSample<2>>&, double);
 template std::vector<std::string> warningsOfNegativeRelease(const State<3>&,

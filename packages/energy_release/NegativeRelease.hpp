@@ -9,10 +9,14 @@
 namespace Rhegma::energy_release
 {
 
+/// 2 pi a U / V, the G of a crack of the extent a in a body that has the mean density of energy U / V
+/// everywhere (Griffith 1921) [J/m2]. Collective.
+template <int D>
+double usualRelease(const State<D>& state, int crack);
+
 /// A warning for each front whose G_J (in 3D its mean) is negative by more than noise: that of a crack that
 /// is free of tractions, of inertia too, is K^2 / E'. Noise is a twentieth of the largest G of all fronts,
-/// and of 2 pi a U / V, the G of a crack of the extent a in a body that has the mean density of energy U / V
-/// everywhere (Griffith 1921). Collective.
+/// and of the usual one. Collective.
 /// \param samples the last ones, in the order of the fronts \param time of them [s]
 template <int D>
 std::vector<std::string> warningsOfNegativeRelease(const State<D>& state,

@@ -1,5 +1,6 @@
 #include "program/CheckText.hpp"
 
+#include "base/MemoryNeed.hpp"
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "plan/EffectSchema.hpp"
@@ -114,7 +115,8 @@ std::string sizeAsText(const Teuchos::ParameterList& scene)
 {
   constexpr double bytes = 1.2e3; // of a particle with its nodes and output (docs/performance.md)
   const double particles = estimateParticles(scene);
-  if (particles < manyParticles)
+  // What does not fit at all is refused, with its reasons, as soon as its lattice is known.
+  if (particles < manyParticles || bytes * particles > 2.0 * freeMemoryBytes())
     return {};
   char text[160];
   std::snprintf(text, sizeof text,

@@ -125,11 +125,11 @@ class Forecast(ProgramTest):
         self.assertTrue(answer.output.startswith("Accuracy 3 %: "), answer)
 
     def test_a_large_scene_is_announced(self):
-        """1 m by 1 m in cells of 0.5 mm, 2 x 2 particles each."""
-        path = self.write("large.xml", plate().set("Domain > Cell Size", 5e-4).text())
+        """1 m by 1 m in cells of 0.8 mm, 2 x 2 particles each."""
+        path = self.write("large.xml", plate().set("Domain > Cell Size", 8e-4).text())
         child = subprocess.Popen([PROGRAM, path, "--check"], stdout=subprocess.PIPE, text=True)
         try:
-            self.assertEqual(child.stdout.readline(), "Bodies: about 16 million particles, which take some 19 GB and a minute or "
+            self.assertEqual(child.stdout.readline(), "Bodies: about 6.2 million particles, which take some 7.5 GB and a minute or "
                                                       "more to set up\n")
         finally:
             child.kill()

@@ -15,7 +15,7 @@ CRACKS = [
     ("crack_that_crosses_itself", plate().set(NOTCH, [0.2, 0.2, 0.8, 0.8, 0.8, 0.2, 0.2, 0.8]),
      one(NOTCH, "crosses itself")),
     ("cracks_that_cross", plate().set("Cracks > Other", {"Points": [0.3, 0.3, 0.3, 0.7]}),
-     one("Cracks > Notch", "Cracks > Other", "smaller cells")),
+     one("Cracks > Notch", "crosses Cracks > Other", "not at the start")),
     ("absurdly_long_crack", plate().set(NOTCH, [0.0, 0.5, 1e308, 0.5]), one(NOTCH, "cells long", "metres")),
     ("contour_outside_of_the_body", plate().set("Energy Release > Outer Radius", 0.7),
      one("Energy Release > Outer Radius", "leaves the body", "at most")),

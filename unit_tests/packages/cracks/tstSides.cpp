@@ -177,6 +177,8 @@ TEST(Overlap, OfAPartOfTheFacesIsReported)
     Kokkos::deep_copy(state.cracks.face, face);
     return warningOfOverlap(state, 0);
   };
+  EXPECT_EQ(bend(0.5, 0.03 * cell), ""); // waves may do that
+  state.clock.settled = true;
   EXPECT_NE(bend(0.5, 0.03 * cell).find(" % of the crack, because the scene has no contact"),
             std::string::npos);
   EXPECT_EQ(bend(0.5, 0.003 * cell), "");

@@ -14,10 +14,14 @@ namespace
 
 /// What is said of fronts whose K_I and K_II, equal ones, give a fraction of their J of 10 J/m2.
 std::vector<std::string> saidOf(const std::vector<double>& fractions, double speed = 0.0,
-                                const std::vector<double>& release = {10.0, 10.0})
+                                const std::vector<double>& release = {10.0, 10.0}, double energy = 0.0)
 {
   State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Gimp);
+  state.energy.strain = energy;
   CrackFront<2> front = addFront(state, {{0.0, 0.0}}, 0.0);
+  state.cracks.cracks[0].numVertices = 2;
+  state.cracks.vertex = View<double* [2]>("rhegma::vertex", 2);
+  state.cracks.vertex(1, 0) = 4e-3;
   front.nodes[0].speed = speed;
   const double modulus = elasticity(state.materials.properties[0]).effectiveModulus;
   std::vector<FrontSample<2>> samples;
@@ -55,4 +59,7 @@ TEST(Disagreement, IsNotSaidOfWhatMayDiffer)
   EXPECT_TRUE(saidOf({FrontSample<2>::notYet, 1.0}).empty());
   EXPECT_TRUE(saidOf({0.5, 1.0}, 0.0, {0.49, 10.0}).empty());
   EXPECT_EQ(saidOf({0.5, 1.0}, 0.0, {0.51, 10.0}).size(), 1u);
+  const double usual = 100.0 * 4e-4 * thickness / (2.0 * 3.14159265358979 * 4e-3); // energy for 100 J/m2
+  EXPECT_TRUE(saidOf({0.5}, 0.0, {4.9}, usual).empty());
+  EXPECT_EQ(saidOf({0.5}, 0.0, {5.1}, usual).size(), 1u);
 }
