@@ -81,7 +81,7 @@ class OddCracks(ProgramTest):
 
     def test_contour_through_the_cells_of_the_front(self):
         scene = plate().set("Energy Release", {"Inner Radius": 0.06, "Outer Radius": 0.2})
-        self.reports(scene, "below two cells", where="Energy Release > Inner Radius")
+        self.reports(scene, "Inner Radius is 1.2 cells: below two cells", "less than the", where="Energy Release")
 
     def wedged(self, behind, kind="Point Load"):
         """The plate with its notch opened by two forces this far behind the front. J is of the ring from 0.15 to 0.3 m."""
@@ -95,7 +95,7 @@ class OddCracks(ProgramTest):
     def test_forces_in_the_ring_of_the_contour(self):
         where = "Energy Release: Boundaries > "
         self.reports(self.wedged(0.2), "acts in the domain integral from 150 mm to 300 mm around crack Notch, front 0",
-                  "acts in the domain integral", where=where)
+                     "acts in the domain integral", "K_I and K_II of crack Notch, front 0", where="Energy Release: ")
         self.reports(self.wedged(0.05), where=where)  # within the ring: their work is in the integral
         self.reports(self.wedged(0.4), where=where)
         self.reports(self.wedged(0.0, "Line Load"), "acts in the domain integral", "acts in the domain integral", where=where)
@@ -117,8 +117,8 @@ class OddCracks(ProgramTest):
             self.reports(plate().set("Boundaries > Pin", pin), *words, where="Energy Release: Boundaries > Pin")
         frame = {"Type": "Velocity", "Nodes": "Outside", "Lower Corner": [-0.2, 0.25], "Upper Corner": [0.85, 0.85],
                  "Value": [0.0, 0.0]}
-        self.reports(plate().set("Boundaries > Frame", frame), "prescribes nodes",
-                  where="Energy Release: Boundaries > Frame")
+        self.reports(plate().set("Boundaries > Frame", frame), "Energy Release: Boundaries > Frame prescribes nodes",
+                     "Boundaries > Pull: it acts where Boundaries > Frame prescribes", where="")
 
     def test_run_that_ends_before_it_rests(self):
         scene = plate().set("Damping", {"Mass Rate": 1.0, "Stop When Settled": True})
