@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace Rhegma::program
 {
@@ -52,6 +53,23 @@ std::string stoppedFronts(const nlohmann::json& summary)
          " (not arrest): later results of this run are not valid";
 }
 
+/// The terms of the energy balance that not every scene has, where they are more than rounding.
+/// \param given the largest of those that every scene has [J]
+std::string otherEnergies(const nlohmann::json& energy, double given)
+{
+  constexpr double rounding = 1e-9;
+  static const std::set<std::string> ofAll{"external_work", "strain", "kinetic", "fracture", "residual"};
+  std::string text;
+  for (const auto& [name, value] : energy.items())
+    if (value.is_number() && ofAll.count(name) == 0 && std::fabs(value.get<double>()) > rounding * given)
+    {
+      std::string words = name;
+      std::replace(words.begin(), words.end(), '_', ' ');
+      text += ", " + words + " " + readableEnergy(value.get<double>());
+    }
+  return text;
+}
+
 /// What the energy balance does not account for, of what was given.
 std::string energyBalance(const nlohmann::json& summary)
 {
@@ -69,9 +87,9 @@ std::string energyBalance(const nlohmann::json& summary)
   return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +
          ", strain " + readableEnergy(numberOrZero(energy, "strain")) + ", kinetic " +
          readableEnergy(numberOrZero(energy, "kinetic")) + ", fracture " +
-         readableEnergy(numberOrZero(energy, "fracture")) + "; not accounted for " +
-         readableEnergy(residual) + " (" + formatShort(100.0 * std::fabs(residual) / given) +
-         " % of the largest of these)";
+         readableEnergy(numberOrZero(energy, "fracture")) + otherEnergies(energy, given) +
+         "; not accounted for " + readableEnergy(residual) + " (" +
+         formatShort(100.0 * std::fabs(residual) / given) + " % of the largest of these)";
 }
 
 /// Warnings that are named, and the longest name [characters].
