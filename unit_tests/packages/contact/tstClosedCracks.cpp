@@ -118,7 +118,7 @@ TEST(ClosedCracks, InsideAFreeBodyNeedNoSupport)
   EXPECT_EQ(run.state().failure, "");
   const Vector<2> traction = meanTraction(run.state());
   EXPECT_NEAR(traction[0], 0.5 * press, 0.1 * press); // that of the block without a crack
-  EXPECT_NEAR(traction[1], 0.0, 1e-12 * press); // no friction
+  EXPECT_NEAR(traction[1], 0.0, 1e-12 * press);       // no friction
 }
 
 /// Above the angle of friction the upper part slides off, which no equilibrium holds.
