@@ -121,6 +121,13 @@ void Simulation::onStep(std::function<void(double, long)> progress)
 {
   engine_->afterStep = std::move(progress);
 }
+
+bool Simulation::sampleNextStep()
+{
+  engine_->sampleNext = !engine_->sampled;
+  return engine_->sampleNext;
+}
+
 const Simulation::Row& Simulation::observe() const { return engine_->last; }
 
 std::vector<std::string> Simulation::particleFields() const

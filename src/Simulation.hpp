@@ -100,6 +100,11 @@ public:
   /// steps
   void onStep(std::function<void(double time, long step)> progress);
 
+  /// Makes the next step end with a sample, from which observe() and report() answer; the observer of
+  /// sampleEvery() gets it only where its interval has passed. Collective. \return false: the last step was
+  /// sampled, and nothing is to do
+  bool sampleNextStep();
+
   /// The last sample.
   const Row& observe() const;
 

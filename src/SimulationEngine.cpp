@@ -46,16 +46,19 @@ public:
     {
       const double dt = run_->stableTimeStep();
       const bool ends = state.clock.time + dt >= until || state.clock.step + 1 >= state.clock.maximumSteps;
-      const bool sample = interval > 0.0 && (ends || state.clock.time + dt >= next_);
-      run_->step(until, sample);
+      const bool due = interval > 0.0 && (ends || state.clock.time + dt >= next_);
+      sampled = due || sampleNext;
+      run_->step(until, sampled);
+      sampleNext = false;
       if (state.warnings.size() > mostWarnings)
         state.warnings = foldMessages(state.warnings);
-      if (sample)
+      if (sampled)
+        Engine::last = state.sample.row;
+      if (due)
       {
         // Samples missed by a step are left out.
         while (next_ <= state.clock.time)
           next_ += interval;
-        Engine::last = state.sample.row;
         if (observer)
           observer(state.clock.time, state.sample.row);
       }

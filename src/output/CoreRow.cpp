@@ -43,6 +43,9 @@ std::vector<Entry> entries(const EnergyBalance& energy)
           {"residual", energy.residual(), false, true}};
 }
 
+/// kinetic + strain energy when the run began [J], which the residual counts; only in the summary
+constexpr const char* atStart = "start";
+
 } // namespace
 
 template <int D>
@@ -72,6 +75,7 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
     energy[entry.column] = known || !entry.sampled ? entry.value : unknown;
   if (canDissipate(state.materials.properties))
     energy["plastic"] = known ? state.energy.plastic : unknown;
+  energy[atStart] = state.energy.start;
   summary["cells"] = {{"largest", state.mesh.grid.spacing}, {"smallest", state.mesh.smallestSpacing()}};
   nlohmann::json& momentum = summary["momentum"];
   momentum = nlohmann::json::array();

@@ -53,15 +53,18 @@ std::string stoppedFronts(const nlohmann::json& summary)
          " (not arrest): later results of this run are not valid";
 }
 
+/// Energies below this part of the largest are not named.
+constexpr double rounding = 1e-9;
+
 /// The terms of the energy balance that not every scene has, where they are more than rounding.
 /// \param given the largest of those that every scene has [J]
 std::string otherEnergies(const nlohmann::json& energy, double given)
 {
-  constexpr double rounding = 1e-9;
   static const std::set<std::string> ofAll{"external_work", "strain", "kinetic", "fracture", "residual"};
   std::string text;
   for (const auto& [name, value] : energy.items())
-    if (value.is_number() && ofAll.count(name) == 0 && std::fabs(value.get<double>()) > rounding * given)
+    if (value.is_number() && name != "start" && ofAll.count(name) == 0 &&
+        std::fabs(value.get<double>()) > rounding * given)
     {
       std::string words = name;
       std::replace(words.begin(), words.end(), '_', ' ');
@@ -77,9 +80,9 @@ std::string energyBalance(const nlohmann::json& summary)
   if (!energy.contains("residual"))
     return {};
   double given = 0.0;
-  for (const char* name : {"external_work", "combustion", "kinetic", "strain"})
+  for (const char* name : {"external_work", "combustion", "kinetic", "strain", "start"})
     given = std::max(given, std::fabs(numberOrZero(energy, name)));
-  const double residual = numberOrZero(energy, "residual");
+  const double residual = numberOrZero(energy, "residual"), start = numberOrZero(energy, "start");
   if (!std::isfinite(given) || !std::isfinite(residual))
     return "energy balance: not available, because energies are not finite";
   if (!(given > 0.0))
@@ -88,6 +91,7 @@ std::string energyBalance(const nlohmann::json& summary)
          ", strain " + readableEnergy(numberOrZero(energy, "strain")) + ", kinetic " +
          readableEnergy(numberOrZero(energy, "kinetic")) + ", fracture " +
          readableEnergy(numberOrZero(energy, "fracture")) + otherEnergies(energy, given) +
+         (start > rounding * given ? ", stored at the start " + readableEnergy(start) : std::string()) +
          "; not accounted for " + readableEnergy(residual) + " (" +
          formatShort(100.0 * std::fabs(residual) / given) + " % of the largest of these)";
 }

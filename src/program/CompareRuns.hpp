@@ -23,7 +23,8 @@ struct RunResults
 
 /// Compares two runs of a scene.
 /// \param asIs, half of the scene as it is, and with cells of half the size
-/// \return {"answers": [{"name", "unit", "as_is", "half", "change" or "cells", "extrapolated", "order",
+/// \return {"answers": [{"name", "unit", "as_is", "half", "change" or "cells", "extrapolated",
+/// "extrapolated_order_2", "order",
 /// "resolved", "verdict"}], "resolved", "verdict", "open", "cell" [m], "runs": {"as_is", "half": {"status",
 /// "time" [s], "steps"}}}. An answer is resolved where it moves by at most 5 %; a path or position where it
 /// moves by at most a cell of the first run. Runs that stopped are never resolved as a whole.

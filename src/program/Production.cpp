@@ -159,7 +159,11 @@ std::string Production::runToEnd()
   }
   catch (const RunError& error)
   {
-    failure = error.what() + (stopRequested_ ? std::string() : retries_.inVain() + checkpoints_.atFailure());
+    failure = error.what();
+    if (!stopRequested_)
+      failure += retries_.inVain() + checkpoints_.atFailure();
+    else if (failure.rfind(stoppedBySignal, 0) != 0) // the step for the last sample has failed
+      failure += toGoOn_;
   }
   catch (const OutputError& error)
   {
@@ -261,6 +265,8 @@ void Production::advanceFromFieldToField()
 
 bool Production::stopIfRequested(double time, long step)
 {
+  if (stopRequested_)
+    stopBySignal(time, step);
   // One reduction for all reasons; the first letter distinguishes them.
   const std::string signal = signal_.name();
   const std::string why = ranks_.firstText(!unwritten_.empty()                           ? "W" + unwritten_
@@ -271,9 +277,21 @@ bool Production::stopIfRequested(double time, long step)
     throw OutputError(why.substr(1));
   stopRequested_ = !why.empty() && why[0] == 'S';
   if (stopRequested_)
-    throw RunError(stoppedBySignal + why.substr(1) + " at t = " + readableTime(time) + ", step " +
-                   std::to_string(step) + checkpoints_.atStop());
+  {
+    signalName_ = why.substr(1);
+    toGoOn_ = checkpoints_.atStop(); // before the extra sample, which the run that continues has not
+    if (!simulation_.sampleNextStep())
+      stopBySignal(time, step);
+    return false;
+  }
   return !why.empty();
+}
+
+void Production::stopBySignal(double time, long step)
+{
+  onFirstRank<OutputError>(ranks_, [&] { history_.write(time, simulation_.observe()); });
+  throw RunError(stoppedBySignal + signalName_ + " at t = " + readableTime(time) + ", step " +
+                 std::to_string(step) + toGoOn_);
 }
 
 std::string Production::stoppedBy(const std::string& reason) const

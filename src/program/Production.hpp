@@ -61,9 +61,12 @@ private:
   void advanceFromFieldToField();
   /// Continues after a failure with shorter steps. \return whether that may help
   bool retry(const RunError& failure);
-  /// Throws where a signal or a file that can't be written, on any rank, ends the run.
-  /// \return whether a checkpoint is due by the clock
+  /// Throws where a signal or a file that can't be written, on any rank, ends the run. Where the step of a
+  /// signal was not sampled, the run ends after one more, so that the history and the summary are of the same
+  /// time as the last fields. \return whether a checkpoint is due by the clock
   bool stopIfRequested(double time, long step);
+  /// Throws what ends a run that a signal has stopped, with the last row of its history.
+  [[noreturn]] void stopBySignal(double time, long step);
   std::string stoppedBy(const std::string& reason) const;
 
   Ranks ranks_;
@@ -78,6 +81,8 @@ private:
   StopSignal signal_;
   std::string unwritten_;      ///< why the history could not be written
   bool stopRequested_ = false; ///< a signal to some rank has ended the run
+  std::string signalName_;     ///< of the signal that has stopped the run
+  std::string toGoOn_;         ///< how a run that a signal has stopped continues
   Checkpoints checkpoints_;
   Retries retries_;
   bool continued_;

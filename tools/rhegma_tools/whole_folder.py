@@ -16,6 +16,7 @@ import numpy as np
 
 MAGIC = b"\x89RHEGMA chk\r\n\x1a\n\x00"
 BLOCK = 512
+STOPPED = "the run was stopped by "  # status of a run that a signal has stopped
 
 
 class Found:
@@ -187,7 +188,7 @@ def check_frames(folder, guide, found):
     if any(later <= earlier for earlier, later in zip(times, times[1:])):
         found.faults.append(f"{path}: the times of its frames do not grow.")
     if not damaged and not missing:
-        found.notes.append(f"{path}: {len(names)} whole frames.")
+        found.notes.append(f"{path}: {len(names)} whole {"frame" if len(names) == 1 else "frames"}.")
     return times
 
 
@@ -287,7 +288,10 @@ def how_it_stands(folder):
         return f"A run is going on in {folder}."
     if os.path.exists(os.path.join(folder, "run.lock")) and is_running(folder) is None:
         return f"A run of another machine may be going on in {folder}: {folder}/run.lock says which."
-    return f"The run in {folder} was cut off: --restart with its checkpoint continues it, else run it again."
+    checkpoint = os.path.join(folder, "checkpoint.h5")
+    if os.path.exists(checkpoint):
+        return f"The run in {folder} was cut off: --output {folder} --restart {checkpoint} continues it."
+    return f"The run in {folder} was cut off and has no checkpoint: run it again."
 
 
 def check_folder(folder):
@@ -311,7 +315,13 @@ def check_folder(folder):
     read(check_checkpoint, folder)
     frames = read(check_frames, folder, read(check_guide, folder), failed=[])
     rows = read(check_history, folder, manifest)
-    read(compare_times, folder, rows, frames, read(check_summary, folder, manifest))
-    if not found.ended and not found.faults:
+    summary = read(check_summary, folder, manifest)
+    read(compare_times, folder, rows, frames, summary)
+    status = summary.get("status") if summary else None
+    if found.ended and isinstance(status, str) and status.startswith(STOPPED):
+        found.ended = False
+        if not found.faults:
+            found.notes.append(f"{status[0].upper()}{status[1:]}.")
+    elif not found.ended and not found.faults:
         found.notes.append(how_it_stands(folder))
     return found

@@ -62,6 +62,9 @@ TEST(CompareRuns, ExtrapolatesARateAtRest)
   const json release = answer(comparison, "G_J of Notch.0");
   EXPECT_NEAR(release["extrapolated"].get<double>(), 10.0, 1e-12);
   EXPECT_EQ(release["order"], 1);
+  // An error of the second order: 10.2 - 0.2 / 3.
+  EXPECT_NEAR(release["extrapolated_order_2"].get<double>(), 10.2 - 0.2 / 3.0, 1e-12);
+  EXPECT_NE(comparisonAsText(comparison).find(" 10.13 to 10 "), std::string::npos);
   EXPECT_NEAR(release["change"].get<double>(), -0.2 / 10.2, 1e-12);
   EXPECT_TRUE(comparison["resolved"].get<bool>());
   EXPECT_EQ(comparison.dump().find("K_II"), std::string::npos);
@@ -91,6 +94,25 @@ TEST(CompareRuns, MeasuresPathsInCells)
   EXPECT_NEAR(answer(alike, "last position of Notch.0")["cells"].get<double>(), 10.0, 1e-9);
   EXPECT_FALSE(alike["resolved"].get<bool>());
   EXPECT_FALSE(answer(alike, "speed of Notch.0").contains("extrapolated"));
+}
+
+/// A front that starts at once does so in the first of 100 steps of 1 us, at times whose ratio says nothing; one that starts two steps
+/// later does differ.
+TEST(CompareRuns, TimesWithinAStepAreTheSame)
+{
+  const auto starting = [](double time, int steps)
+  {
+    RunResults run = running(0.0, 0.1);
+    run.summary["cracks"][0]["fronts"][0]["initiated"] = time;
+    run.summary["time"] = 1e-4;
+    run.summary["steps"] = steps;
+    return run;
+  };
+  const json atOnce = answer(compareRuns(starting(9e-7, 100), starting(4e-7, 200)), "initiation of Notch.0");
+  EXPECT_EQ(atOnce["verdict"], "differs by less than a time step: resolved");
+  EXPECT_NEAR(atOnce["change"].get<double>(), -1.25, 1e-12);
+  const json later = answer(compareRuns(starting(9e-7, 100), starting(29e-7, 200)), "initiation of Notch.0");
+  EXPECT_FALSE(later["resolved"].get<bool>());
 }
 
 /// In equilibrium under a factor a front starts in the first load step whatever the cells; the factor moves.

@@ -1,0 +1,46 @@
+#pragma once
+/// Collects the answers of two runs and judges how far they moved.
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace Rhegma::program
+{
+
+/// Answers of a scene as it is and with cells of half the size. All are added before result() is called.
+class Comparison
+{
+public:
+  /// \param cell smallest of the scene as it is [m]
+  explicit Comparison(double cell) : cell_(cell) {}
+
+  /// A number of both runs; not a number where a run has none. \param order lowest that its error may have in
+  /// the size of the cells; 0: not smooth, so not extrapolated. Nor are answers of runs that stopped.
+  /// \param unseen difference that the runs can't tell from none, in `unit`
+  void value(const std::string& name, const std::string& unit, double asIs, double half, int order,
+             double unseen = 0.0);
+
+  /// \param distance between what the runs found [m]; not a number: none
+  void distance(const std::string& name, double distance);
+
+  void word(const std::string& name, const std::string& asIs, const std::string& half);
+
+  /// Of runs one of which stopped, or both: what comes after that is not known.
+  void stops(bool asIs, bool half);
+
+  /// {"answers", "resolved", "open", "verdict", "cell"}, as compareRuns() describes them
+  nlohmann::json result() const;
+
+private:
+  void add(nlohmann::json answer, bool resolved, const std::string& what);
+
+  double cell_;
+  nlohmann::json answers_ = nlohmann::json::array();
+  std::string open_; ///< answers that are not resolved, and what of them
+  std::string advice_ = "use smaller cells";
+  bool known_ = false;   ///< there is an answer that is not zero
+  bool stopped_ = false; ///< then the runs end at different times
+};
+
+} // namespace Rhegma::program
