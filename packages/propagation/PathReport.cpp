@@ -86,8 +86,9 @@ void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor,
   entry["unstable_from"] = entryOf(path, events.falls);
   entry["unstable_to"] = entryOf(path, events.again);
   entry["snap_back_from"] = entryOf(path, events.snapsBack);
-  std::string text = "factor of the loads of Time > Final Time: cracks start at " +
-                     formatShort(path.front().factor) + ", largest " + asText(path[events.largest]);
+  std::string text = "cracks start at " + formatShort(path.front().factor) +
+                     " times the loads of Time > Final Time; the largest factor is " +
+                     asText(path[events.largest]);
   if (events.falls < 0)
     text += path.size() > 1 ? "; growth is stable under these loads" : "";
   else

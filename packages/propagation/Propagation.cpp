@@ -119,7 +119,12 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 EffectEntry propagationEntry()
 {
   EffectEntry entry{propagationSection(), checkPropagation, make<2>, make<3>, true, declareGrowth};
-  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.running = needs.equal = true; };
+  entry.cells.addNeeds = [](const Teuchos::ParameterList& scene, CellNeeds& needs, auto&)
+  {
+    // Cells don't follow a front that grows, and in equilibrium no front runs.
+    needs.equal = true;
+    needs.running = !isEquilibrium(scene);
+  };
   return entry;
 }
 

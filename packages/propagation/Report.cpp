@@ -25,6 +25,18 @@ constexpr const char* adviceAtStop =
     "; use smaller cells (Domain > Cell Size), or let the rest of the run go on (Propagation > On Stop = "
     "Continue)";
 
+/// \param closest largest G over its initiation toughness, below one
+std::string reachedAtMost(double closest)
+{
+  constexpr double least = 0.001;
+  if (!(closest > 0.0))
+    return "G was never above 0: no load has come to the front";
+  if (closest < least)
+    return "G stayed below " + formatReal(least) + " of the initiation toughness";
+  return "G reached at most " + formatReal(least * std::floor(closest / least)) +
+         " of the initiation toughness";
+}
+
 /// How close a front that has not initiated came to initiation, in its entry and in a warning.
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, double startTime,
@@ -41,9 +53,8 @@ void reportRest(const State<D>& state, const CrackFront<D>& front, double closes
         " (Propagation > Start Time), and the run ended at " + readableTime(state.clock.time));
     return;
   }
-  const double rounded = 0.001 * std::floor(1000.0 * closest); // below one
-  summary["warnings"].push_back(frontName(state.cracks, front) + ": not initiated; G reached at most " +
-                                formatReal(rounded) + " of the initiation toughness" +
+  summary["warnings"].push_back(frontName(state.cracks, front) + ": not initiated; " +
+                                reachedAtMost(closest) +
                                 (entry.value("closed", false) // by Energy Release
                                      ? ", also where it closes the crack; at the end K_I < 0, so it is closed"
                                      : ""));

@@ -280,6 +280,27 @@ void describePart(const Section& root, const std::vector<std::string>& names, Pl
   writer.section(*section, path, note);
 }
 
+/// Adds the paths of all sections and parameters with a name. \param name in lower case
+void findNamed(const Section& section, const std::string& path, const std::string& name,
+               std::vector<std::string>& found)
+{
+  const auto add = [&](const std::string& own)
+  {
+    const std::string whole = scenePath(path, own);
+    if (lowerCase(own) == name && std::find(found.begin(), found.end(), whole) == found.end())
+      found.push_back(whole);
+  };
+  for (const Parameter& p : parametersOf(section))
+    add(p.name);
+  for (const Section* sub : subsections(section))
+  {
+    add(sub->name);
+    findNamed(*sub, scenePath(path, sub->name), name, found);
+  }
+  for (const Section& entry : section.entry)
+    findNamed(entry, scenePath(path, "<" + entry.name + ">"), name, found);
+}
+
 /// A cell of a Markdown table.
 std::string cell(const std::string& text)
 {
@@ -293,8 +314,8 @@ std::string cell(const std::string& text)
 std::string anchor(const std::string& heading)
 {
   std::string link;
-  for (const char c : heading)
-    link += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char c : lowerCase(heading))
+    link += c == ' ' ? '-' : c;
   return link;
 }
 
@@ -340,7 +361,19 @@ std::string describe(const SceneSchema& schema, const std::string& path)
     for (const auto& s : schema.root().sections)
       writer.section(s, s.name, presenceAsText(s));
   else
-    describePart(schema.root(), partsOf(path), writer);
+  {
+    // A name that is no section's may be that of parts anywhere.
+    const std::vector<std::string> parts = partsOf(path);
+    const auto& top = schema.root().sections;
+    std::vector<std::string> found;
+    if (parts.size() == 1 &&
+        std::none_of(top.begin(), top.end(), [&](const Section& s) { return s.name == parts[0]; }))
+      findNamed(schema.root(), "", lowerCase(parts[0]), found);
+    if (found.empty())
+      found.push_back(path);
+    for (const std::string& one : found)
+      describePart(schema.root(), partsOf(one), writer);
+  }
   return writer.text();
 }
 

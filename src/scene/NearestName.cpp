@@ -6,17 +6,12 @@
 namespace Rhegma
 {
 
-namespace
-{
-
 std::string lowerCase(std::string text)
 {
   for (char& c : text)
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
-
-} // namespace
 
 int editDistance(const std::string& a, const std::string& b)
 {

@@ -7,6 +7,9 @@
 namespace Rhegma
 {
 
+/// The text with ASCII letters in lower case.
+std::string lowerCase(std::string text);
+
 /// Fewest letters to insert, delete, change or swap with a neighbour, blind to case (Damerau 1964; each pair
 /// of neighbours at most once).
 int editDistance(const std::string& a, const std::string& b);

@@ -336,6 +336,11 @@ def draw_history(history, summary, title, path):
         if len(time) == 1:
             for line in ax.lines:
                 line.set_marker("o")
+            low, high = ax.get_ylim()  # from zero, so that differences of a few 1e-4 do not fill the picture
+            if low > 0.0:
+                ax.set_ylim(bottom=0.0, top=1.1 * high)
+            elif high < 0.0:
+                ax.set_ylim(bottom=1.1 * low, top=0.0)
     axes[-1, 0].set_xlabel(f"time [{unit}]")
     figure.suptitle(title, x=0.01, ha="left", fontsize=13, fontweight="bold")
     style.save(figure, path)

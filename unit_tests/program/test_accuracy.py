@@ -65,6 +65,16 @@ class Accuracy(ProgramTest):
             print(f"{quantity}: {100 * error:.2f} %")
             self.assertLess(error, 0.03)
 
+    def test_growth_in_equilibrium(self):
+        """No front runs there: the cells are those of a front at rest, the same everywhere. The load that starts the crack, half of
+        whose error is that of G, by quadratic finite elements (the references of these scenes)."""
+        for scene, exact in (("dcb_growth_static", 3.38358), ("bend_growth_static", 1.90427)):
+            for accuracy in ("10 %", "3 %", "1 %")[: 3 if scene.startswith("dcb") else 1]:
+                error = self.error(f"verification/{scene}.xml", accuracy, "propagation.initiation.load_factor", exact,
+                                   "Time:Load Steps=2", "Output:Fields=false")
+                print(f"{scene}, {accuracy}: {100 * error:.2f} %")
+                self.assertLess(error, 0.5 * SHARES[accuracy])
+
     def test_a_source_that_moves(self):
         """Beside cells of 0.3125 mm, extrapolated; the numbers of cells are from the moving disk of heat_moving_disk.xml."""
         for accuracy in self.accuracies("10 %", "3 %", "1 %", "0.3 %"):

@@ -162,6 +162,15 @@ class Information(ProgramTest):
         for section in SECTIONS + EFFECTS:
             self.assertRegex(text, rf"(?m)^{section}  \((required|optional)\)$")
 
+    def test_describe_a_name_that_is_not_a_section(self):
+        """All parts of that name, with their paths; in any case."""
+        self.assertEqual(self.said("--describe", "cell size"), self.said("--describe", "Domain:Cell Size"))
+        text = self.said("--describe", "Toughness")
+        self.assertIn("Propagation > Toughness", text)
+        radii = self.said("--describe", "Radius")
+        for path in ("Bodies > <body> > Radius", "Thermal > Sources > <source> > Radius", "Cracks > <crack> > Radius"):
+            self.assertIn(path, radii)
+
     def test_describe_one_section(self):
         everything = self.said("--describe")
         for section in SECTIONS + EFFECTS:
