@@ -188,7 +188,7 @@ def check_frames(folder, guide, found):
     if any(later <= earlier for earlier, later in zip(times, times[1:])):
         found.faults.append(f"{path}: the times of its frames do not grow.")
     if not damaged and not missing:
-        found.notes.append(f"{path}: {len(names)} whole {"frame" if len(names) == 1 else "frames"}.")
+        found.notes.append(f"{path}: {len(names)} whole frame{'' if len(names) == 1 else 's'}.")
     return times
 
 

@@ -7,6 +7,7 @@ with the same tool.
 """
 
 import fcntl
+import json
 import os
 import signal
 import subprocess
@@ -66,6 +67,30 @@ class OneRun(RestartTest):
         self.run_to_its_end(self.write("short.xml", scene().text()), folder)
         self.assertEqual(check_tool(folder)[0], 0)
         self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
+
+    def test_a_run_that_a_signal_stops_is_whole_and_not_at_its_end(self):
+        """Its last row, frame and summary are of one time; what goes on from its checkpoint is the run that was not stopped."""
+        static = plate().set("Time > Final Time", FOREVER).set("Time > Analysis", "Quasi-Static").set("Time > Load Steps", 10**6)
+        wall = {"Type": "Symmetry", "Axis": "x", "Position": 0.0}
+        static.set("Time > Rigid Modes", "Remove").set("Boundaries > Wall", wall)
+        for name, content in (("moving", plate().set("Time > Final Time", FOREVER)), ("static", static)):
+            with self.subTest(name):
+                folder = self.path(name)
+                run = self.start(self.write(f"{name}.xml", content.text()), "--output", folder, "--quiet")
+                self.addCleanup(run.kill)
+                self.wait_for(run, os.path.join(folder, "manifest.json"))
+                run.send_signal(signal.SIGINT)
+                self.assertEqual(run.wait(PATIENCE), 2)
+                status, output, messages = check_tool(folder)
+                self.assertEqual(status, 2, output + messages)
+                self.assertIn("The run was stopped by SIGINT at t = ", output)
+                self.assertIn(f"--output {folder} --restart {folder}/checkpoint.h5 continues from", output)
+                with open(os.path.join(folder, "history.csv"), encoding="utf-8") as file:
+                    last = float(file.read().splitlines()[-1].split(",")[0])
+                with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+                    self.assertEqual(last, json.load(file)["time"])
+                with h5py.File(os.path.join(folder, "fields.h5")) as fields:
+                    self.assertEqual(float(fields[max(fields)].attrs["time"]), last)
 
     def test_reader_of_fields_does_not_stop_the_run(self):
         """HDF5 locks a file that is read, as h5py and ParaView have it open."""
