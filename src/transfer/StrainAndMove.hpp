@@ -53,8 +53,8 @@ struct BundleMotion
   double dt, strainTime, largestBox;
   bool strain, move, boxes;
 
-  /// \param at with the particles' velocity and its gradient
-  KOKKOS_FUNCTION void run(int bundle, int begin, int end, Lanes& at, double& fastest) const
+  /// \param at with the particles' velocity and its gradient; of the caller, so no field of particles overlaps it
+  KOKKOS_FUNCTION void run(int bundle, int begin, int end, Lanes& KOKKOS_RESTRICT at, double& fastest) const
   {
     if (move)
       moveLanes(begin, end, blocks.bundleBlock(bundle), at);
@@ -66,7 +66,7 @@ struct BundleMotion
       updateBoxes(begin, end, at);
   }
 
-  KOKKOS_INLINE_FUNCTION void moveLanes(int begin, int end, int block, const Lanes& at) const
+  KOKKOS_INLINE_FUNCTION void moveLanes(int begin, int end, int block, const Lanes& KOKKOS_RESTRICT at) const
   {
     bool left = false;
     int cell[lanes] = {}; // of the particle now, by its lowest node
@@ -108,14 +108,15 @@ struct BundleMotion
     return any;
   }
 
-  KOKKOS_INLINE_FUNCTION void loadDeformation(int begin, int end, Lanes& at) const
+  KOKKOS_INLINE_FUNCTION void loadDeformation(int begin, int end, Lanes& KOKKOS_RESTRICT at) const
   {
     for (int k = 0; k < gradientSize<D>; ++k)
       for (int p = begin; p < end; ++p)
         at.F[k][p - begin] = deformation(p, k);
   }
 
-  KOKKOS_INLINE_FUNCTION void strainLanes(int begin, int end, Lanes& at, double& fastest) const
+  KOKKOS_INLINE_FUNCTION void strainLanes(int begin, int end, Lanes& KOKKOS_RESTRICT at,
+                                          double& fastest) const
   {
     if (rate.extent(1) > 0)
       for (int k = 0; k < D * D; ++k)
