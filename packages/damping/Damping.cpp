@@ -309,7 +309,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
     if (stop && over && !s.clock.settled && s.failure.empty())
       summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
-                                    "its results are not static; raise Time > Final Time or the damping");
+                                    "its results are not static; raise Time > Final Time, or bring Damping > "
+                                    "Mass Rate nearer to critical damping" +
+                                    criticalAsText(s));
   };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->serialize(archive); };
   return effect;

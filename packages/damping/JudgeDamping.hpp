@@ -22,19 +22,56 @@ struct JudgedDamping
   double settled;     ///< part of an oscillation that is left when the run is to end at rest; 1: never
 };
 
-/// Warns of a run that is to end at rest and hardly damps any motion. With mass damping r an oscillation
-/// falls as exp(-r t / 2), with a viscosity as exp(-w^2 t (2 eta + zeta) / (2 M)); that of the longest wave
-/// of the quickest body lasts shorter than slower ones, by viscosity.
+/// Rate at which a mode of the angular frequency w falls to rest with mass damping r [1/s]: r / 2 up to
+/// critical damping r = 2 w; above it the slower of two rates, which falls towards w^2 / r.
+inline double slowRate(double damping, double frequency)
+{
+  const double half = 0.5 * damping, under = half * half - frequency * frequency;
+  return under > 0.0 ? frequency * frequency / (half + std::sqrt(under)) : half;
+}
+
+/// Body whose longest wave has the shortest period; nullptr without bodies.
+template <int D>
+const BodyMeasure<D>* quickest(const std::vector<BodyMeasure<D>>& bodies)
+{
+  const BodyMeasure<D>* quick = nullptr;
+  for (const BodyMeasure<D>& body : bodies)
+    if (quick == nullptr || body.longest / body.speed < quick->longest / quick->speed)
+      quick = &body;
+  return quick;
+}
+
+/// Angular frequency of the longest wave of a body, pi c / L [1/s].
+template <int D>
+double lowestFrequency(const BodyMeasure<D>& body)
+{
+  constexpr double pi = 3.14159265358979;
+  return pi * body.speed / body.longest;
+}
+
+/// Warns of a run that is to end at rest and hardly damps any motion, or so strongly that bodies creep. With
+/// mass damping r an oscillation falls as slowRate says, with a viscosity as exp(-w^2 t (2 eta + zeta) /
+/// (2 M)); that of the longest wave of the quickest body lasts shorter than slower ones.
 template <int D>
 void judgeSettling(const JudgedDamping& damping, const BodyMeasure<D>& quick, State<D>& state)
 {
-  constexpr double pi = 3.14159265358979, most = 0.1; // loads that rise slowly make an oscillation of less
-  const double frequency = pi * quick.speed / quick.longest;
+  constexpr double most = 0.1; // loads that rise slowly make an oscillation of less
+  const double frequency = lowestFrequency(quick);
   const double retardation = (2.0 * damping.shear + damping.bulk) / quick.moduli.constrainedModulus;
   const double rate = damping.rate + frequency * frequency * retardation;
-  const double left = std::exp(-0.5 * rate * damping.end);
+  const double left = std::exp(-slowRate(rate, frequency) * damping.end);
   if (damping.settled >= most || left <= most)
     return;
+  if (rate > 2.0 * frequency)
+  {
+    state.warnings.push_back(
+        "Damping > Mass Rate is " + formatReal(damping.rate) + " 1/s, " +
+        formatShort(0.5 * rate / frequency) + " times the critical damping of the longest " + "wave of " +
+        quick.name + ", which creeps to equilibrium: when damping ends (after " + readableTime(damping.end) +
+        "), " + formatShort(100.0 * left) + " % of the way is left, so results are not static; write about " +
+        formatShort(2.0 * frequency) + " 1/s");
+    return;
+  }
   state.warnings.push_back(
       "Damping > Mass Rate is " + formatReal(damping.rate) + " 1/s: when damping ends, " +
       formatShort(100.0 * left) + " % of an oscillation is left (after " + readableTime(damping.end) +
@@ -64,17 +101,14 @@ inline void judgeSamples(double interval, double end, int samples, std::vector<s
 template <int D>
 void judgeDamping(const JudgedDamping& damping, State<D>& state)
 {
-  constexpr double pi = 3.14159265358979;
   const double rate = damping.rate, end = damping.end;
-  const BodyMeasure<D>* quick = nullptr;
   const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
-  for (const BodyMeasure<D>& body : bodies)
-    if (quick == nullptr || body.longest / body.speed < quick->longest / quick->speed)
-      quick = &body;
+  const BodyMeasure<D>* quick = quickest(bodies);
   if (quick == nullptr)
     return;
-  const double frequency = pi * quick->speed / quick->longest, creep = rate / (frequency * frequency);
-  if (creep > end)
+  const double frequency = lowestFrequency(*quick), creep = rate / (frequency * frequency);
+  const bool creeps = creep > end;
+  if (creeps)
     state.warnings.push_back("Damping > Mass Rate is " + formatReal(rate) + " 1/s: body " + quick->name +
                              ", " + readableLength(quick->longest) +
                              " long, creeps to equilibrium in about " + readableTime(creep) +
@@ -87,7 +121,8 @@ void judgeDamping(const JudgedDamping& damping, State<D>& state)
                              " times 1 / (stable time step): a body loses its velocity in each step, and its "
                              "motion depends on the step; write less than " +
                              formatShort(0.1 * rate / ofStep) + " 1/s");
-  judgeSettling(damping, *quick, state);
+  if (!creeps)
+    judgeSettling(damping, *quick, state);
   const double retardation = (2.0 * damping.shear + damping.bulk) / quick->moduli.constrainedModulus;
   if (retardation > end / 3.0)
     state.warnings.push_back(
@@ -96,6 +131,17 @@ void judgeDamping(const JudgedDamping& damping, State<D>& state)
         ": the retardation time, viscosity over stiffness, is " + readableTime(retardation) +
         ", but damping lasts only " + readableTime(end) +
         ", so the body hardly strains; viscosities are in Pa s");
+}
+
+/// The mass damping at which the longest wave of the quickest body is critically damped, for a message.
+template <int D>
+std::string criticalAsText(const State<D>& state)
+{
+  const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
+  const BodyMeasure<D>* quick = quickest(bodies);
+  return quick == nullptr ? std::string()
+                          : " (the longest wave of " + quick->name + " is critically damped at " +
+                                formatShort(2.0 * lowestFrequency(*quick)) + " 1/s)";
 }
 
 } // namespace Rhegma::damping

@@ -25,9 +25,9 @@ const CrackFront<2>& frontNow(const State<2>& state, const CrackFront<2>& front)
   return front;
 }
 
-std::string reasonOf(const FrontSample<2>& sample)
+std::string reasonOf(const State<2>& state, const FrontSample<2>& sample)
 {
-  if (sample.front.grown)
+  if (frontNow(state, sample.front).grown)
     return "the front has grown, and waves and its new faces, which still hold together, disturb K more than "
            "G_J: do not use K of this front";
   return "at least one of them is wrong by as much, because the domain integral from " +
@@ -61,18 +61,19 @@ std::vector<std::string> warningsOfDisagreement(const State<2>& state,
       continue;
     const double K2 = sample.modeI[0] * sample.modeI[0] + sample.modeII[0] * sample.modeII[0];
     const double J = sample.J[0];
-    if (!std::isfinite(K2) || !(J > small * largest))
-      continue;
     const Properties material = lawAtFront(state, frontNow(state, sample.front));
-    const double release = K2 / elasticity(material).effectiveModulus;
-    if (material.law != lawIndex<LinearElastic> || !(std::fabs(release - J) > most * J) ||
-        !(J > small * usualRelease(state, sample.front.crack)))
+    const double release = K2 / elasticity(material).effectiveModulus, larger = std::max(J, release);
+    if (!std::isfinite(larger) || !(larger > small * largest))
       continue;
-    warnings.push_back("Energy Release: K_I and K_II of " + frontName(state.cracks, sample.front) +
-                       " at t = " + readableTime(time) + " give G = K^2 / E' = " + formatShort(release) +
-                       " J/m2, " + formatShort(std::round(100.0 * std::fabs(release / J - 1.0))) + " % " +
-                       (release > J ? "more" : "less") + " than the " + formatShort(J) +
-                       " J/m2 of G_J: " + reasonOf(sample));
+    if (material.law != lawIndex<LinearElastic> || !(std::fabs(release - J) > most * std::fabs(J)) ||
+        !(larger > small * usualRelease(state, sample.front.crack)))
+      continue;
+    warnings.push_back(
+        "Energy Release: K_I and K_II of " + frontName(state.cracks, sample.front) +
+        " at t = " + readableTime(time) + " give G = K^2 / E' = " + formatShort(release) + " J/m2, " +
+        formatShort(std::round(100.0 * std::fabs(release / std::max(std::fabs(J), 1e-9 * larger) - 1.0))) +
+        " % " + (release > J ? "more" : "less") + " than the " + formatShort(J) +
+        " J/m2 of G_J: " + reasonOf(state, sample));
   }
   return warnings;
 }

@@ -13,6 +13,7 @@
 #include "energy_release/HeldFronts.hpp"
 #include "energy_release/JudgeStrain.hpp"
 #include "energy_release/JudgeYield.hpp"
+#include "energy_release/LargestRelease.hpp"
 #include "energy_release/LoadsInRing.hpp"
 #include "energy_release/NegativeRelease.hpp"
 #include "energy_release/ReadOptions.hpp"
@@ -38,6 +39,7 @@ struct Samples
 {
   std::vector<FrontSample<D>> last;
   double time = 0.0;             ///< of these [s]
+  LargestRelease largest;        ///< of all samples
   std::vector<LoadRegion> loads; ///< that may act near fronts (2D)
   FrontSet inclined;             ///< fronts that did not start along the grid: without crack closure (2D)
   FrontSet warned;               ///< fronts whose tube has left the body during the run
@@ -177,6 +179,7 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples)
     samples.last.push_back(s);
     s.addTo(state.sample.row, columnName(state, front), options);
   }
+  samples.largest.add(samples.last, samples.time);
 }
 
 /// Checks the tubes, and prepares samples: what will be reported is known from the start, though its values
@@ -215,6 +218,7 @@ void serialize(Samples<D>& samples, Archive& archive)
     const Archive::Group group(archive, "front " + std::to_string(k));
     samples.last[k].serialize(archive);
   }
+  samples.largest.serialize(archive);
   storeFronts(samples.warned, "warned", archive);
   storeFronts(samples.unclosed, "unclosed", archive);
 }
@@ -260,9 +264,16 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
     {
       nlohmann::json& crack = summary["cracks"][s.front.crack];
       crack["name"] = state.cracks.cracks[s.front.crack].name;
-      s.report(options, crack["fronts"][s.front.number]);
+      nlohmann::json& front = crack["fronts"][s.front.number];
+      s.report(options, front);
+      if (options.contour && !state.method.equilibrium())
+      {
+        const LargestRelease::Peak largest = samples->largest.of(s.front.crack, s.front.number);
+        front["largest_G_J"] = largest.release;
+        front["time_of_largest_G_J"] = largest.time;
+      }
     }
-    addAnswers(state.cracks, samples->last, samples->time, summary);
+    addAnswersOfHeldFronts(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);
     for (const auto find : {warningsOfNegativeRelease<D>, warningsOfDisagreement<D>})

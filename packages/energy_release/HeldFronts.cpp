@@ -62,11 +62,24 @@ std::string closedAsText(const nlohmann::json& entry, const std::string& release
          " of G would advance it";
 }
 
+/// The largest G of a run where it was not the last one, by more than 1 %.
+std::string largestAsText(const nlohmann::json& entry)
+{
+  const char* const name = "largest_G_J";
+  if (!isKnown(entry, name) || !isKnown(entry, "G_J"))
+    return {};
+  const double largest = entry[name].get<double>(), last = entry["G_J"].get<double>();
+  return largest > 1.01 * std::max(last, 0.0)
+             ? "; the largest G of all samples was " + releaseAsText(largest) +
+                   " at t = " + readableTime(entry["time_of_largest_G_J"].get<double>())
+             : std::string();
+}
+
 } // namespace
 
 template <int D>
-void addAnswers(const CrackSet<D>& set, const std::vector<FrontSample<D>>& samples, double time,
-                nlohmann::json& summary)
+void addAnswersOfHeldFronts(const CrackSet<D>& set, const std::vector<FrontSample<D>>& samples, double time,
+                            nlohmann::json& summary)
 {
   std::vector<std::pair<double, std::string>> lines; // G and what is said
   for (std::size_t f = 0; f < set.fronts.size() && f < samples.size(); ++f)
@@ -82,8 +95,8 @@ void addAnswers(const CrackSet<D>& set, const std::vector<FrontSample<D>>& sampl
     for (const char* name : {"K_I", "K_II", "K_III"})
       if (isKnown(entry, name))
         text += ", " + quantityAsText(entry, name, name, intensityAsText);
-    lines.emplace_back(entry[release].get<double>(),
-                       text + " at t = " + readableTime(time) + closedAsText(entry, release));
+    lines.emplace_back(entry[release].get<double>(), text + " at t = " + readableTime(time) +
+                                                         largestAsText(entry) + closedAsText(entry, release));
   }
   const std::size_t count = lines.size();
   if (count > mostLines)
@@ -97,7 +110,9 @@ void addAnswers(const CrackSet<D>& set, const std::vector<FrontSample<D>>& sampl
                                  "; summary.json has all");
 }
 
-template void addAnswers(const CrackSet<2>&, const std::vector<FrontSample<2>>&, double, nlohmann::json&);
-template void addAnswers(const CrackSet<3>&, const std::vector<FrontSample<3>>&, double, nlohmann::json&);
+template void addAnswersOfHeldFronts(const CrackSet<2>&, const std::vector<FrontSample<2>>&, double,
+                                     nlohmann::json&);
+template void addAnswersOfHeldFronts(const CrackSet<3>&, const std::vector<FrontSample<3>>&, double,
+                                     nlohmann::json&);
 
 } // namespace Rhegma::energy_release

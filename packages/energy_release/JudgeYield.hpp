@@ -41,11 +41,11 @@ void judgeYield(const Teuchos::ParameterList& scene, State<D>& state)
     state.warnings.push_back(where + load->where + " stresses the body with about " +
                              formatShort(load->stress) + " Pa, so that it yields as a whole" + advice);
   else if (zone > smallZone * part)
-    state.warnings.push_back(where + "under the " + formatShort(load->stress) + " Pa of " + load->where +
-                             " some " + readableLength(zone) + " ahead of a crack of " +
-                             readableLength(crack) + " yield (Irwin), more than a tenth of the " +
-                             (crack < soft->shortest ? "crack" : "body's " + readableLength(soft->shortest)) +
-                             advice);
+    state.warnings.push_back(
+        where + "under the " + formatShort(load->stress) + " Pa of " + load->where + " some " +
+        readableLength(2.0 * zone) + " ahead of a crack of " + readableLength(crack) +
+        " yield (twice Irwin's radius), more than a fifth of the " +
+        (crack < soft->shortest ? "crack" : "body's " + readableLength(soft->shortest)) + advice);
 }
 
 } // namespace Rhegma::energy_release

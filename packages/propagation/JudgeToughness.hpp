@@ -119,7 +119,7 @@ void judgeBonds(const JudgedToughness<D>& judged, std::vector<std::string>& mess
                        ", so that no crack runs: speeds are in m/s");
   // Ice has the smallest K_Ic of solids of that stiffness, 1e5 Pa m^0.5. Where the stress next to a front
   // exceeds E / 10, bonds break: in E' Gc / (2 pi (E / 10)^2), of which single crystals that cleave have an
-  // atom's distance.
+  // atom's distance or a little less.
   constexpr double smallestK = 1e5, atom = 0.2e-9;
   const double K = std::sqrt(soft.effectiveModulus * judged.most);
   const double zone =

@@ -39,7 +39,9 @@ void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summar
   nlohmann::json& entry = summary["propagation"];
   entry["unstable_from"] = entryOf(path, rises == path.end() ? -1 : static_cast<int>(rises - path.begin()));
   if (rises != path.end())
-    summary["answers"].push_back("growth is unstable at t = " + readableTime(rises->time) +
+    summary["answers"].push_back("growth is unstable at a time between " +
+                                 readableTime(rises == path.begin() ? 0.0 : (rises - 1)->time) + " and " +
+                                 readableTime(rises->time) + ", a load step" +
                                  ": G rises as the crack grows under the loads of that time, new area " +
                                  formatShort(rises->area) + " m2");
 }

@@ -53,11 +53,11 @@ void reportRest(const State<D>& state, const CrackFront<D>& front, double closes
         " (Propagation > Start Time), and the run ended at " + readableTime(state.clock.time));
     return;
   }
-  summary["warnings"].push_back(frontName(state.cracks, front) + ": not initiated; " +
-                                reachedAtMost(closest) +
-                                (entry.value("closed", false) // by Energy Release
-                                     ? ", also where it closes the crack; at the end K_I < 0, so it is closed"
-                                     : ""));
+  const bool closed = entry.value("closed", false); // by Energy Release
+  summary["warnings"].push_back(
+      frontName(state.cracks, front) + ": not initiated" +
+      (closed ? ", and closed at the end (K_I < 0); counting also the G that closes it, " : "; ") +
+      reachedAtMost(closest));
 }
 
 /// All runs of a front, for its entry.
@@ -133,6 +133,9 @@ struct FrontEnd
   bool inPart = false; ///< other nodes have neither stopped nor landed
   /// Of the node that can advance and is closest to its toughness [J/m2]; 0: there is none
   double release = 0.0, toughness = 0.0;
+  /// Running, but with G below the toughness and without an advance for three times the mean time between
+  /// two: its speed is then only a bound (2D)
+  bool pauses = false;
 
   FrontEnd(const State<D>& state, const Options& options, const CrackFront<D>& front,
            const FrontState<D>& own)
@@ -167,6 +170,9 @@ struct FrontEnd
       fate = Fate::Growing;
     else
       fate = release < toughness ? Fate::Arrested : Fate::AtRest;
+    const double between = own.increments > 1 ? (own.lastTime - own.firstTime) / (own.increments - 1) : 0.0;
+    pauses = D == 2 && fate == Fate::Running && release < toughness && own.increments > 1 &&
+             state.clock.time - own.lastTime > 3.0 * between;
   }
 };
 
@@ -196,7 +202,11 @@ std::string fateAsText(const CrackFront<D>& front, const FrontState<D>& own, con
     return front.arrival.happened() ? front.arrival.what + " at t = " + readableTime(front.arrival.time)
                                     : "whole front at a surface since t = " + readableTime(own.lastTime);
   case Fate::Running:
-    return runs;
+    return end.pauses
+               ? "no advance since t = " + readableTime(own.lastTime) + ", G = " + formatShort(end.release) +
+                     " J/m2 below Gc = " + formatShort(end.toughness) +
+                     " J/m2, but too short ago to count as arrested: run longer (Time > Final Time)"
+               : runs;
   case Fate::Arrested:
   {
     const auto [release, toughness] = own.arrest();
@@ -225,7 +235,7 @@ std::string statusOf(const CrackFront<D>& front, const FrontEnd<D>& end)
   case Fate::Ended:
     return "ended";
   case Fate::Running:
-    return "running";
+    return end.pauses ? "pausing" : "running";
   case Fate::Growing:
     return "growing";
   case Fate::NotInitiated:
@@ -319,7 +329,8 @@ std::vector<CrackRun> reportFront(const CrackFront<D>& front, const FrontState<D
   entry["last_advance"] = moved ? own.lastTime : notYet;
   if (!equilibrium)
   {
-    entry["settled_speed"] = own.settledSpeed();
+    const double speed = own.settledSpeed();
+    entry["settled_speed"] = speed > 0.0 ? speed : notYet; // too few increments
     entry["speed_limit"] = own.speedLimit;
   }
   entry["energy_of_new_faces"] = front.budget.required;

@@ -35,6 +35,7 @@ struct Cluster
   double mass = 0.0;         ///< [kg]
   std::vector<int> bodies{}; ///< their numbers
   Vector<D> moment{};        ///< of all its loads [kg m]
+  double moments = 0.0;      ///< sum of their amounts [kg m]
   const Push<D>* hardest{};  ///< the largest of them
 };
 
@@ -79,8 +80,10 @@ template <int D>
 class Flights
 {
 public:
-  Flights(const JudgedScene<D>& judged, const std::vector<Push<D>>& pushes)
+  /// \param end of the run [s]
+  Flights(const JudgedScene<D>& judged, const std::vector<Push<D>>& pushes, double end)
       : judged_(judged),
+        end_(end),
         supports_(boundaryRegions(judged.scene)),
         cell_(judged.state.mesh.grid.spacing),
         bounds_(boundsOf(judged.bodies)),
@@ -110,6 +113,7 @@ private:
       gather(push.body);
     Cluster<D>& cluster = clusters_[clusterOf_[push.body]];
     cluster.moment = cluster.moment + push.moment;
+    cluster.moments += norm(push.moment);
     if (cluster.hardest == nullptr || norm(push.moment) > norm(cluster.hardest->moment))
       cluster.hardest = &push;
   }
@@ -190,6 +194,16 @@ private:
     return room && oneSided;
   }
 
+  /// How far the loads of a cluster would stretch its hardest-loaded body if they balanced [m]: by their mean
+  /// force over its section.
+  double stretchOf(const Cluster<D>& cluster) const
+  {
+    const BodyMeasure<D>& body = judged_.bodies[cluster.hardest->body];
+    const double force = 2.0 * cluster.moments / (end_ * end_);
+    const double density = body.moduli.constrainedModulus / (body.speed * body.speed);
+    return force * body.longest * body.longest * density / (body.mass * body.moduli.young);
+  }
+
   void judgeOne(int number, Messages& messages) const
   {
     const Cluster<D>& cluster = clusters_[number];
@@ -202,18 +216,24 @@ private:
         axes += std::string(axes.empty() ? "" : ", ") + "xyz"[d];
     const Vector<D> extents = cluster.bounds.upper - cluster.bounds.lower;
     const double size = *std::max_element(extents.c, extents.c + D), far = norm(by);
-    if (!std::isfinite(far) || far <= size || isThrown(cluster) || hits(number, by) ||
+    // Fifty times its stretch is where waves have crossed the body ten times: c^2 T^2 / (2 L^2).
+    constexpr double flies = 50.0, unbalanced = 0.1;
+    const double stretch = stretchOf(cluster);
+    const bool carried = far > flies * stretch && norm(by) * cluster.mass > unbalanced * cluster.moments;
+    if (!std::isfinite(far) || (far <= size && !carried) || isThrown(cluster) || hits(number, by) ||
         hasRoom(cluster.bounds, by))
       return;
     messages.push_back(
         cluster.hardest->where + ": no load balances it, and nothing supports Bodies > " +
         judged_.bodies[cluster.hardest->body].name + " along " + axes + ", so it moves by " +
         readableLength(far) + " up to the end (without damping), " + formatShort(far / size) +
-        " times its length of " + readableLength(size) +
+        " times its length of " + readableLength(size) + ", where its loads would stretch it by " +
+        readableLength(stretch) +
         "; add a support (Velocity, Symmetry) or the opposite load, and check its unit (N, Pa)");
   }
 
   const JudgedScene<D>& judged_;
+  double end_;
   std::vector<BoundaryRegion> supports_;
   double cell_;                   ///< [m]
   std::vector<Bounds<D>> bounds_; ///< of the bodies
@@ -233,8 +253,9 @@ Messages judgeFlight(const JudgedScene<D>& judged)
   const double all = judged.scene.sublist("Time").template get<double>("Final Time");
   const double steps = judged.state.clock.maximumSteps * judged.step;
   std::vector<Push<D>> pushes;
-  const bool known = readPushes(judged, std::isfinite(steps) ? std::min(all, steps) : all, pushes);
-  return known && !pushes.empty() ? Flights<D>(judged, pushes).judge() : Messages{};
+  const double end = std::isfinite(steps) ? std::min(all, steps) : all;
+  const bool known = readPushes(judged, end, pushes);
+  return known && !pushes.empty() ? Flights<D>(judged, pushes, end).judge() : Messages{};
 }
 
 template Messages judgeFlight(const JudgedScene<2>&);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace Rhegma
@@ -103,10 +104,23 @@ std::vector<Loaded<D>> readLoaded(const JudgedScene<D>& judged)
   return loads;
 }
 
-/// Supports with a box.
+/// Supports with a box. A plane of symmetry is a flat one.
+template <int D>
 std::vector<BoundaryRegion> boxesOf(const ParameterList& scene)
 {
   std::vector<BoundaryRegion> supports = boundaryRegions(scene);
+  for (BoundaryRegion& region : supports)
+    if (region.kind == BoundaryRegion::Kind::Mirror && !region.axes.empty())
+    {
+      const int axis = region.axes[0] - 'x';
+      const double at = region.from[axis];
+      region.kind = BoundaryRegion::Kind::Held;
+      for (int d = 0; d < D; ++d)
+      {
+        region.from[d] = d == axis ? at : -std::numeric_limits<double>::infinity();
+        region.to[d] = d == axis ? at : std::numeric_limits<double>::infinity();
+      }
+    }
   supports.erase(std::remove_if(supports.begin(), supports.end(),
                                 [](const BoundaryRegion& region) {
                                   return region.kind != BoundaryRegion::Kind::Held &&
@@ -123,7 +137,7 @@ class Holders
 public:
   explicit Holders(const JudgedScene<D>& judged)
       : judged_(judged),
-        supports_(boxesOf(judged.scene)),
+        supports_(boxesOf<D>(judged.scene)),
         slack_(1e-6 * judged.state.mesh.grid.spacing),
         inside_(insidesOf(supports_))
   {

@@ -1,6 +1,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "plausibility/Judges.hpp"
+#include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,13 +102,34 @@ void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
       "it is in metres, and 1 mm is 0.001 m");
 }
 
+/// Edge of the cells of most of a body [m]: the median at 4^D points of its bounding box, so that cells
+/// refined next to fronts do not count.
+template <int D>
+double usualSpacing(const State<D>& state, const BodyMeasure<D>& body)
+{
+  constexpr int count = 4;
+  std::vector<double> edges;
+  int points = 1;
+  for (int d = 0; d < D; ++d)
+    points *= count;
+  for (int k = 0; k < points; ++k)
+  {
+    Vector<D> x;
+    for (int d = 0, rest = k; d < D; ++d, rest /= count)
+      x[d] = body.lower[d] + (0.5 + rest % count) / count * (body.upper[d] - body.lower[d]);
+    edges.push_back(spacingAt(state, x));
+  }
+  std::nth_element(edges.begin(), edges.begin() + points / 2, edges.end());
+  return edges[points / 2];
+}
+
 /// Bodies with cracks that hardly change their volume: cells lock, which makes parts that bend too stiff.
 template <int D>
 void judgeLocking(const JudgedScene<D>& judged, Messages& messages)
 {
   // A double cantilever beam in plane strain, 4 to 16 cells an arm, Poisson ratios of 0.3 to 0.495: G is too
   // small by 16 % times K / G over the square of the number of cells.
-  constexpr double measured = 0.16, most = 0.02, ofModuli = 8.0; // 0.445 of Poisson's ratio
+  constexpr double measured = 0.16, most = 0.02, ofModuli = 8.0; // 0.44 of Poisson's ratio
   if (judged.state.cracks.cracks.empty() || (D == 2 && judged.state.method.plane == Plane::Stress))
     return;
   std::set<std::string> said;
@@ -115,18 +137,20 @@ void judgeLocking(const JudgedScene<D>& judged, Messages& messages)
   {
     const Elasticity& e = body.moduli;
     const double ratio = (e.lambda + 2.0 / 3.0 * e.shear) / e.shear;
-    const double cells = 0.5 * body.shortest / judged.state.mesh.smallestSpacing();
+    const double cells = 0.5 * body.shortest / usualSpacing(judged.state, body);
     const double error = measured * ratio / (cells * cells);
     if (!(ratio > ofModuli) || !(error > most) || !said.insert(body.material).second)
       continue;
-    messages.push_back("Materials > " + body.material + ": its bulk modulus is " + formatShort(ratio) +
-                       " times its shear modulus (Poisson ratio " + formatShort(e.poisson) +
-                       "), and cells resist such bending: parts of Bodies > " + body.name +
-                       " half as thick as it, " + formatShort(cells) + " cells, bend by some " +
-                       formatShort(std::round(100.0 * error / (1.0 + error))) +
-                       " % too little, and G is too small by as much; use " +
-                       formatShort(std::ceil(cells * std::sqrt(error / most))) +
-                       " cells or more for half of the thickness, or plane stress if the body is thin");
+    messages.push_back(
+        "Materials > " + body.material + ": its bulk modulus is " + formatShort(ratio) +
+        " times its shear modulus (Poisson ratio " + formatShort(e.poisson) +
+        "), and cells resist such bending: parts of Bodies > " + body.name + " half as thick as it, " +
+        formatShort(cells) + " cells, bend by some " +
+        formatShort(std::round(100.0 * error / (1.0 + error))) +
+        " % too little, so that G is too small by as much under given forces and too large under "
+        "given displacements; use " +
+        formatShort(std::ceil(cells * std::sqrt(error / most))) +
+        " cells or more for half of the thickness, or plane stress if the body is thin");
   }
 }
 

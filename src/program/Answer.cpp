@@ -86,7 +86,9 @@ std::string energyBalance(const nlohmann::json& summary)
   if (!std::isfinite(given) || !std::isfinite(residual))
     return "energy balance: not available, because energies are not finite";
   if (!(given > 0.0))
-    return {};
+    return numberOrZero(summary, "steps") > 0.0
+               ? "energy balance: all energies are zero: no load, motion or heat has acted on the bodies"
+               : std::string();
   return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +
          ", strain " + readableEnergy(numberOrZero(energy, "strain")) + ", kinetic " +
          readableEnergy(numberOrZero(energy, "kinetic")) + ", fracture " +

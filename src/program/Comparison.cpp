@@ -71,11 +71,11 @@ void Comparison::word(const std::string& name, const std::string& asIs, const st
       asIs == half ? "the same" : "differs");
 }
 
-void Comparison::stops(bool asIs, bool half)
+void Comparison::stops(const std::string& name, bool asIs, bool half)
 {
   stopped_ = true;
   const auto text = [](bool stopped) { return stopped ? "stopped" : "finished"; };
-  add({{"name", "end of the run"}, {"unit", ""}, {"as_is", text(asIs)}, {"half", text(half)}}, false,
+  add({{"name", name}, {"unit", ""}, {"as_is", text(asIs)}, {"half", text(half)}}, false,
       asIs == half ? "both stopped" : "differs");
   advice_ = asIs == half ? "see why the runs stopped"
             : asIs

@@ -26,8 +26,9 @@ public:
 
   void word(const std::string& name, const std::string& asIs, const std::string& half);
 
-  /// Of runs one of which stopped, or both: what comes after that is not known.
-  void stops(bool asIs, bool half);
+  /// Of runs one of which stopped, or both, or in which a front did: what comes after that is not known, and
+  /// nothing is resolved. \param name of what is compared
+  void stops(const std::string& name, bool asIs, bool half);
 
   /// {"answers", "resolved", "open", "verdict", "cell"}, as compareRuns() describes them
   nlohmann::json result() const;

@@ -89,7 +89,8 @@ void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
           << " of a load step: the residual stays at "
           << formatReal(last_->residuals.empty() ? 1.0 : last_->residuals.back())
           << " of the forces; the load may exceed what the bodies can bear, or the cells may be too coarse "
-             "for the strain";
+             "for the strain, or, where strains are below 1e-9, rounding hides a load that is too small: "
+             "check its unit";
       if (!last_->reason.empty())
         why << "; " << last_->reason;
       state.failure = why.str();

@@ -273,6 +273,11 @@ def draw_growth(axes, history, moved, time, summary=None, per_second=1.0):
         factor, unit = style.scale(finite_maximum([samples for _, samples in moved]), "m")
         what = f"crack extension [{unit}]"
         grown = [(f"{front[0]}, front {front[1]}", samples) for front, samples in moved]
+        for crack in dict.fromkeys(front[0] for front, _ in moved):  # a front's `length` is that of its whole crack
+            own = [samples for front, samples in moved if front[0] == crack]
+            if len(own) > 1:
+                grown = [(name, samples) for name, samples in grown if not name.startswith(f"{crack}, front ")]
+                grown.append((f"{crack}, all fronts", own[0]))
     for i, (name, samples) in enumerate(grown[: len(style.COLOURS)]):
         axes.plot(time, samples * factor, color=style.COLOURS[i], label=name, lw=width(i, len(grown)))
     draw_ends(axes, ends(summary), per_second)

@@ -1,5 +1,6 @@
 /// Damping that leaves no motion, or never brings a body to rest.
 
+#include "damping/JudgeDamping.hpp"
 #include "src/plausibility/Warnings.hpp"
 
 namespace Rhegma
@@ -46,6 +47,19 @@ TEST(Settling, IsNotSaidOfARunThatGoesOnOrIsDampedWell)
   const auto ended = dampedPlate(2000.0, true);
   ended->sublist("Damping").set("End Time", 1e-4);
   EXPECT_TRUE(say(warningsOf(ended), never));
+}
+
+/// With ten times critical damping the slow rate is w (10 - sqrt(99)) = 0.0501 w. Its wave speed and length
+/// are those of the plate.
+TEST(Settling, ThatCreepsIsSaid)
+{
+  EXPECT_DOUBLE_EQ(damping::slowRate(3.0, 7.0), 1.5);
+  EXPECT_DOUBLE_EQ(damping::slowRate(14.0, 7.0), 7.0);
+  EXPECT_NEAR(damping::slowRate(140.0, 7.0), 7.0 * (10.0 - std::sqrt(99.0)), 1e-12);
+  EXPECT_NEAR(damping::slowRate(1e12, 7.0), 49e-12, 1e-20); // w^2 / r
+  const Warnings mild = warningsOf(dampedPlate(2000.0, true)), strong = warningsOf(dampedPlate(2e7, true));
+  EXPECT_FALSE(say(mild, "creeps to equilibrium"));
+  EXPECT_TRUE(say(strong, "creeps to equilibrium"));
 }
 
 /// Five samples are compared, which take four intervals.

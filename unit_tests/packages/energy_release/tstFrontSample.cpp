@@ -124,7 +124,7 @@ std::vector<std::string> answersOf(const std::vector<double>& release, bool firs
     samples.back().modeII = {-300.0};
     samples.back().report({}, summary["cracks"][0]["fronts"][front.number]);
   }
-  addAnswers(set, samples, 4e-3, summary);
+  addAnswersOfHeldFronts(set, samples, 4e-3, summary);
   return summary["answers"].get<std::vector<std::string>>();
 }
 
@@ -169,7 +169,7 @@ TEST(HeldFronts, SayTheRangeAlongAFront)
   samples[0].J = {10.0, 20.0, 40.0};
   nlohmann::json summary;
   samples[0].report({}, summary["cracks"][0]["fronts"][0]);
-  addAnswers(set, samples, 1e-6, summary);
+  addAnswersOfHeldFronts(set, samples, 1e-6, summary);
   const std::string line = summary["answers"][0];
   EXPECT_EQ(line.rfind("crack Disk, front 0: G = 26.25 J/m2 (10 J/m2 to 40 J/m2 along the front), K_I = ", 0),
             0u)

@@ -96,8 +96,8 @@ TEST(CompareRuns, MeasuresPathsInCells)
   EXPECT_FALSE(answer(alike, "speed of Notch.0").contains("extrapolated"));
 }
 
-/// A front that starts at once does so in the first of 100 steps of 1 us, at times whose ratio says nothing; one that starts two steps
-/// later does differ.
+/// A front that starts at once does so in the first of 100 steps of 1 us, at times whose ratio says nothing;
+/// one that starts two steps later does differ.
 TEST(CompareRuns, TimesWithinAStepAreTheSame)
 {
   const auto starting = [](double time, int steps)
@@ -152,6 +152,21 @@ TEST(CompareRuns, SaysThatEndsDiffer)
   EXPECT_EQ(answer(comparison, "end of Notch.0")["as_is"], "arrested");
   EXPECT_EQ(answer(comparison, "end of Notch.0")["half"], "ended");
   EXPECT_FALSE(comparison["resolved"].get<bool>());
+}
+
+/// A front that the cells stop in both runs, which both go on to their end: what it has then is no answer.
+TEST(CompareRuns, NothingIsResolvedWhereTheCellsStopAFront)
+{
+  RunResults one = running(0.0, 0.1), other = running(0.0, 0.1);
+  EXPECT_TRUE(compareRuns(one, other)["resolved"].get<bool>());
+  for (RunResults* run : {&one, &other})
+    run->summary["cracks"][0]["fronts"][0]["stopped"] = true;
+  const json both = compareRuns(one, other);
+  EXPECT_FALSE(both["resolved"].get<bool>());
+  EXPECT_EQ(answer(both, "fronts stopped by the cells")["half"], "stopped");
+  for (const json& each : both["answers"])
+    EXPECT_FALSE(each["resolved"].get<bool>()) << each;
+  EXPECT_FALSE(compareRuns(running(0.0, 0.1), other)["resolved"].get<bool>());
 }
 
 /// Where a run stops, what both have is compared all the same, nothing is extrapolated, and the reason is
