@@ -266,7 +266,8 @@ private:
       balance_.insert(effect.balance.begin(), effect.balance.end());
     State<D>& state = run.state();
     coreRow(state, balance_);
-    state.energy.start = state.energy.kinetic + state.energy.strain;
+    // A preload may have caused plastic flow already.
+    state.energy.start = state.energy.kinetic + state.energy.strain + state.energy.plastic;
     state.energy.thermalStart = state.energy.thermal;
     state.energy.thermal = 0.0;
     state.sample.row.clear();

@@ -16,6 +16,16 @@ constexpr double roundingOfForces = 1e-6;
 
 constexpr int mostHalvings = 6;
 
+/// The first iteration of a body on its yield surface takes it as elastic, and may increase the residual.
+constexpr double mostRiseAtFirst = 4.0;
+
+/// Largest residual that an iteration may lead to.
+template <int D>
+double mostResidual(const State<D>& state, int iteration, double now)
+{
+  return iteration == 0 && state.particles.has(fields::history) ? mostRiseAtFirst * now : now;
+}
+
 /// Iterations with the stiffness of clipped boxes, after which the boxes are used as they are.
 constexpr int mostClippedIterations = 8;
 
@@ -373,7 +383,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
     // Before the supports have moved there is no residual to compare with.
-    const double bound = moved ? std::numeric_limits<double>::infinity() : now;
+    const double bound = moved ? std::numeric_limits<double>::infinity() : mostResidual(state, k, now);
     if (!answer.solved || !search(state, change, bound, forceTolerance * forces, report.removedFraction))
     {
       report.converged = answer.solved && !moved && now <= roundingOfForces * forces;

@@ -86,12 +86,26 @@ KOKKOS_INLINE_FUNCTION bool invert(const double (&B)[9], double (&inverse)[9])
   return J > 0.0;
 }
 
+/// Whether a law's history changes by more than rounding, as in plastic flow. A particle that lies on the
+/// yield surface at the start of a step does not flow yet.
+template <int D>
+KOKKOS_INLINE_FUNCTION bool historyChanges(const ParticleBefore<D>& before, const double* history)
+{
+  constexpr double relative = 1e-10, absolute = 1e-13;
+  bool changes = false;
+  for (int k = 0; k < before.historyWidth; ++k)
+    changes = changes || !(std::fabs(history[k] - before.history[k]) <=
+                           relative * std::fabs(before.history[k]) + absolute);
+  return changes;
+}
+
 /// First Piola-Kirchhoff stress per volume at F = 1, relative to the configuration before the step: the power
 /// of the particle is V0 P : dG/dt, G the gradient of the displacement over the step with respect to that
-/// configuration. P = tau (1 + G)^-T. \return false where the particle is inverted or not finite
+/// configuration. P = tau (1 + G)^-T. \param flows becomes whether the history changes
+/// \return false where the particle is inverted or not finite
 template <int D>
 KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[D * D],
-                                        double (&P)[D * D])
+                                        double (&P)[D * D], bool& flows)
 {
   double B[D * D], inverse[D * D], F[gradientSize<D>], tau[symmetricSize<D>], history[historyCapacity];
   for (int k = 0; k < D * D; ++k)
@@ -107,6 +121,7 @@ KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const d
     F[4] = before.F[4];
   if (!invert(B, inverse) || !stressAt<D>(before, F, tau, history))
     return false;
+  flows = historyChanges<D>(before, history);
   double sum = 0.0;
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j)
@@ -120,30 +135,46 @@ KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const d
   return std::isfinite(sum);
 }
 
+template <int D>
+KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[D * D],
+                                        double (&P)[D * D])
+{
+  bool flows = false;
+  return trialStress<D>(before, G, P, flows);
+}
+
 /// Change of a gradient for central differences. The error of the tangent, h^2 times the third derivative and
 /// the rounding of the stress over h, is below 1e-9 of it for strains of order one.
 constexpr double differenceStep = 1e-5;
 
 /// Consistent tangent A = dP / dG at G, of (D * i + j) and (D * k + l), by central differences of the law as
-/// it is, history included; symmetric, as the tangents of laws with a potential are. \return false where a
-/// stress does not exist
+/// it is, history included; symmetric, as the tangents of laws with a potential are. Next to the yield
+/// surface, where the difference would mix the elastic with the plastic tangent, it is taken to the side that
+/// flows if the particle flows at G, else to the one that does not: with a mean of both, a body that has
+/// yielded is not brought back to equilibrium. \return false where a stress does not exist
 template <int D>
 KOKKOS_INLINE_FUNCTION bool trialTangent(const ParticleBefore<D>& before, const double (&G)[D * D],
                                          double (&A)[D * D][D * D])
 {
-  bool good = true;
+  bool good = true, flows = false;
+  double here[D * D] = {};
+  if (before.historyWidth > 0)
+    good = trialStress<D>(before, G, here, flows);
   for (int c = 0; c < D * D; ++c)
   {
     double at[D * D], high[D * D] = {}, low[D * D] = {};
+    bool above = false, below = false; // whether it flows there
     for (int k = 0; k < D * D; ++k)
       at[k] = G[k];
     at[c] = G[c] + differenceStep;
     const double up = at[c];
-    good = trialStress<D>(before, at, high) && good;
+    good = trialStress<D>(before, at, high, above) && good;
     at[c] = G[c] - differenceStep;
-    good = trialStress<D>(before, at, low) && good;
+    good = trialStress<D>(before, at, low, below) && good;
+    const bool upwards = above != below && above == flows, downwards = above != below && below == flows;
+    const double from = upwards ? G[c] : at[c], to = downwards ? G[c] : up;
     for (int r = 0; r < D * D; ++r)
-      A[r][c] = (high[r] - low[r]) / (up - at[c]);
+      A[r][c] = ((downwards ? here[r] : high[r]) - (upwards ? here[r] : low[r])) / (to - from);
   }
   for (int r = 0; r < D * D; ++r)
     for (int c = 0; c < r; ++c)

@@ -4,13 +4,13 @@
 namespace Rhegma
 {
 
-/// Energies of a run [J]. The residual is (kinetic + strain) now - at the start + thermal - external work -
+/// Energies of a run [J]. The residual is kinetic + strain - start + thermal - external work -
 /// heat + damped + plastic + contact + fracture + merged + stabilised - combustion.
 struct EnergyBalance
 {
   double kinetic = 0.0;      ///< of the motion, now
   double strain = 0.0;       ///< stored elastically, now
-  double start = 0.0;        ///< kinetic + strain when the run began
+  double start = 0.0;        ///< kinetic + strain + plastic when the run began
   double thermal = 0.0;      ///< heat in the bodies, less that at the start
   double thermalStart = 0.0; ///< heat in the bodies when the run began
   double heat = 0.0;         ///< supplied through the surface, by sources or by crack fronts

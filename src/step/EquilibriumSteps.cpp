@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <limits>
 #include <sstream>
 
 namespace Rhegma
@@ -18,6 +19,12 @@ namespace
 
 /// Length of a step that adds no load, in fractions of the run.
 constexpr double shortStep = 1e-9;
+
+/// Equilibrium at the new positions of the particles moves them again. A dynamic run starts at rest: the
+/// solution is repeated until the forces that the last motion left out of balance are this fraction of all,
+/// or until a repetition no longer reduces them by `leastGain`. Large plastic strain needs a few of them.
+constexpr double forcesAtRest = 1e-6, leastGain = 0.8;
+constexpr int mostRounds = 12;
 
 template <int D>
 void runStages(Plan<D>& plan, State<D>& state, std::initializer_list<Stage> stages)
@@ -140,18 +147,29 @@ void EquilibriumSteps<D>::withoutNewLoads(State<D>& state, const std::function<v
 template <int D>
 void EquilibriumSteps<D>::settleInPlace(const EquilibriumCalls& calls, State<D>& state)
 {
-  withoutNewLoads(state,
-                  [&]
-                  {
-                    calls.between();
-                    calls.solve();
-                    if (last_->converged)
-                      calls.accept();
-                    else
-                      state.warnings.push_back(
-                          "Time > Analysis: equilibrium could not be restored after the last load "
-                          "step moved the particles; stress and G are those before this motion");
-                  });
+  const int rounds = state.method.analysis == Analysis::Preload ? mostRounds : 1;
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < rounds; ++k)
+  {
+    withoutNewLoads(state,
+                    [&]
+                    {
+                      calls.between();
+                      calls.solve();
+                      if (last_->converged)
+                        calls.accept();
+                    });
+    if (!last_->converged)
+    {
+      state.warnings.push_back("Time > Analysis: equilibrium could not be restored after the last load step "
+                               "moved the particles; stress and G are those before this motion");
+      return;
+    }
+    const double outOfBalance = last_->residuals.front();
+    if (outOfBalance <= forcesAtRest || outOfBalance > leastGain * before)
+      return;
+    before = outOfBalance;
+  }
 }
 
 template <int D>
