@@ -61,8 +61,11 @@ void refuseOtherFormulations(Section& s)
       {when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}),
        when::is("Domain", "Shear Strain", {"At Cell Centres"})},
       "shear strain at cell centres is available for dual fields only; write Dual Field or At Particles");
-  s.refuse({when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}), when::equilibrium()},
-           "equilibrium is verified with the dual field only; write Dual Field");
+  for (const char* const section : {"Contact", "Propagation"})
+    s.refuse({when::present(section),
+              when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}),
+              when::equilibrium()},
+             "in equilibrium it has been verified with dual fields only; write Formulation = Dual Field");
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "base/Attempts.hpp"
 #include "base/ReadList.hpp"
 #include "cracks/AdvectedFronts.hpp"
+#include "cracks/BrokenCellsInEquilibrium.hpp"
 #include "cracks/CellsForCracks.hpp"
 #include "cracks/CloseCracks.hpp"
 #include "cracks/CrackGrowth.hpp"
@@ -135,6 +136,8 @@ void start(const Shared<D>& parts, State<D>& state)
   state.cracks.frontSprings = parts->hasSprings;
   if (parts->hasSprings && state.method.equilibrium())
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
+  if (parts->formulation == Formulation::BrokenCell && state.method.equilibrium())
+    state.motion.stepForces.push_back(std::make_shared<BrokenCellsInEquilibrium<D>>());
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
   const double front = std::ldexp(state.mesh.grid.spacing, -parts->levels);

@@ -106,6 +106,16 @@ void NewtonStep<D>::connect(const State<D>& state, const std::vector<Groups>& gr
 }
 
 template <int D>
+std::vector<char> NewtonStep<D>::piecesThatResistRotation(int pieces) const
+{
+  std::vector<char> resists(pieces, 0);
+  for (const auto& force : forces_)
+    for (const int row : force->rowsThatResistRotation())
+      resists[pieceOf_[row]] = 1;
+  return resists;
+}
+
+template <int D>
 void NewtonStep<D>::findFreeMotions()
 {
   int pieces = 0;
@@ -114,8 +124,11 @@ void NewtonStep<D>::findFreeMotions()
   for (const int piece : pieceOf_)
     ++size[piece];
   std::vector<char> unsupported(pieces, 0);
+  const std::vector<char> resists = piecesThatResistRotation(pieces);
   for (const RigidMode<D>& mode : freeModes<D>(pieceOf_, pieces, position_, mass_, held_))
-    if (size[mode.piece] <= (1 << D)) // no more than a cell
+    if (resists[mode.piece] != 0 && mode.turns())
+      continue;                            // as if springs held it to the axes of the cells
+    else if (size[mode.piece] <= (1 << D)) // no more than a cell
       unsupported[mode.piece] = 1;
     else
       modes_.push_back(mode);
@@ -173,7 +186,9 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
   // Shear strain at the cells' centres is that of the cells' axes at the start of the step: as the body
   // deforms and turns, the torque of its internal forces is of the order of the strain that varies in a cell,
   // times strain.
-  if (good && !modes_.empty() && state.method.shear == ShearStrain::AtCellCentres)
+  // The same holds where corrected broken cells at the edge of a body resist a rotation.
+  const bool turnsFreely = state.method.shear == ShearStrain::AtParticles && state.cracks.dualField;
+  if (good && !modes_.empty() && !turnsFreely)
     removeResultants(modes_, pieceOf_, now, mass_, r);
   return good;
 }

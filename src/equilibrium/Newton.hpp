@@ -82,6 +82,7 @@ private:
   /// Couples the rows of ghost penalty and forces. \param joining whether forces that join pieces count
   void connect(const State<D>& state, const std::vector<Groups>& groups, bool joining, RowGraph& graph) const;
   void findFreeMotions();
+  std::vector<char> piecesThatResistRotation(int pieces) const;
   /// Forces minus resistance at a trial displacement. \return false where a particle is inverted
   bool residual(const State<D>& state, const Values& u, const Values& r, double& removed) const;
   /// \return whether the stiffness is that of a trial displacement that exists

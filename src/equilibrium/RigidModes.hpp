@@ -42,6 +42,15 @@ struct RigidMode
     return u;
   }
 
+  /// Whether it is no mere translation.
+  bool turns() const
+  {
+    bool any = false;
+    for (int m = D; m < rigidMotions<D>; ++m)
+      any = any || std::fabs(coefficient[m]) > 1e-9;
+    return any;
+  }
+
   /// Such as "can move along x" or "can turn freely about z". A motion that turns is named by its axis alone:
   /// that its centre moves says where the axis is.
   std::string asText() const;

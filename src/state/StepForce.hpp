@@ -59,6 +59,9 @@ public:
   /// Where the force resists motion now, in addition to supports.
   virtual std::vector<HeldDirection<D>> heldDirections() const { return {}; }
 
+  /// Rows whose pieces resist a rotation by their functions, without a support.
+  virtual std::vector<int> rowsThatResistRotation() const { return {}; }
+
   /// Whether pieces that only this force joins may have free motions, as closed faces that slide.
   virtual bool joinsPieces() const { return false; }
 
