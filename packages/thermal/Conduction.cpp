@@ -21,6 +21,17 @@ constexpr double waitingFraction = 0.25;
 /// pi^2 (MeetingMaterials.hpp).
 constexpr double joining = 9.8696044010893586;
 
+/// Length of a steady step, in times in which heat crosses the domain.
+constexpr double crossings = 1e8;
+
+/// Passes of a steady step where conductivities depend on temperature, and the change of temperatures, as a
+/// fraction of their range, that ends them.
+constexpr int mostPasses = 100;
+constexpr double passTolerance = 1e-9;
+
+/// Range of temperatures that no body has [K].
+constexpr double widestRange = 1e6;
+
 } // namespace
 
 template <int D>
@@ -55,6 +66,8 @@ void Conduction<D>::measure(const State<D>& state)
 template <int D>
 double Conduction<D>::stepLimit(const State<D>& state) const
 {
+  if (integrator.method == Method::Steady)
+    return std::numeric_limits<double>::infinity();
   const double ratio = integrator.method == Method::Explicit ? 1.0 : integrator.stepRatio;
   return ratio * explicitLimit(state);
 }
@@ -120,8 +133,10 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
   return power;
 }
 
+/// \param dt length of the step \param begin of the time over which functions of time act \param end of it,
+/// at which temperatures are held
 template <int D>
-void Conduction<D>::once(State<D>& state, double dt, double time, const View<double*>& supplied)
+void Conduction<D>::once(State<D>& state, double dt, double begin, double end, const View<double*>& supplied)
 {
   const double h = state.mesh.smallestSpacing();
   // Differences that nodes do not resolve decay in the time of diffusion through a cell, ten times slower
@@ -143,18 +158,68 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   faces.merge(state, nodes, join);
   if (several)
     joinMaterials(state, nodes);
-  boundaries.hold(state, nodes, time + dt);
-  double heat = dt * boundaries.addFlux(state, nodes, time, dt);
+  boundaries.hold(state, nodes, end);
+  double heat = dt * boundaries.addFlux(state, nodes, begin, end - begin);
   fluxToNodes(state, nodes, supplied);
   sumOverRanks(state, nodes.rate.data(), 2, 0, 1);
   if (integrator.method != Method::Explicit)
     heat += integrator.findRate(state, nodes, boundaries, faces, dt, explicitLimit(state));
-  heat += changeTemperature(state, nodes, dt);
+  if (integrator.method == Method::Steady)
+    heat = integrator.takeSteadyChange(state, nodes);
+  else
+    heat += changeTemperature(state, nodes, dt);
   if (integrator.method == Method::Explicit)
     heat += faces.exchange(state, nodes, dt);
   ++stepsTaken;
   changeToParticles(state, nodes, fading, supplied, dt);
   state.energy.heat += heat;
+}
+
+template <int D>
+void Conduction<D>::solveSteady(State<D>& state)
+{
+  const auto materials = onHost(state.materials.thermo.material);
+  bool linear = true;
+  for (std::size_t m = 0; m < materials.extent(0); ++m)
+    linear = linear && materials(m).count == 1;
+  double length = 0.0;
+  for (int d = 0; d < D; ++d)
+    length += state.mesh.grid.cells[d] * state.mesh.grid.spacing;
+  const double dt = crossings * length * length / diffusivity;
+  const double at = state.method.analysis == Analysis::Static ? finalTime : state.clock.time + state.clock.dt;
+  facesKnown = false;
+  double range = 0.0, changed = std::numeric_limits<double>::infinity();
+  std::vector<double> before;
+  for (int k = 0; k < mostPasses && changed > passTolerance * range && state.failure.empty(); ++k)
+  {
+    supplyAll(state, 0.0, at);
+    once(state, dt, at, at, supply.extent(0) > 0 ? supply : View<double*>());
+    std::vector<double> now;
+    const auto value = onHost(nodes.value);
+    const auto capacity = onHost(nodes.sums);
+    const auto held = onHost(nodes.held);
+    for (int i = 0; i < state.mesh.nodes.numActive(); ++i)
+      if (const int n = activeNode(state.mesh.nodes, i); capacity(n, HeatNodes<D>::capacityAt) > 0.0)
+        now.push_back(value(n, 0) + (held(n) == 0 ? value(n, 1) : 0.0));
+    const auto [low, high] = std::minmax_element(now.begin(), now.end());
+    range = now.empty() ? 0.0 : *high - *low;
+    if (range > widestRange && state.failure.empty())
+      state.failure = "steady conduction: the temperatures of bodies differ by " + formatReal(range) +
+                      " K; heat flows into a body that no Temperature or Convection (Boundaries) lets out; "
+                      "check heat sources and fluxes, or prescribe a temperature of this body";
+    if (before.size() == now.size())
+      changed = 0.0;
+    for (std::size_t i = 0; i < before.size() && before.size() == now.size(); ++i)
+      changed = std::max(changed, std::fabs(now[i] - before[i]));
+    before = std::move(now);
+    if (linear)
+      changed = 0.0;
+  }
+  if (changed > passTolerance * range && state.failure.empty())
+    state.failure = "steady conduction with conductivities that depend on temperature did not converge";
+  reportFronts(state);
+  pending = 0.0;
+  waited = 0;
 }
 
 template <int D>
@@ -188,6 +253,8 @@ void Conduction<D>::step(State<D>& state)
           source.ball && !word.empty())
         state.warnings.push_back(word);
   }
+  if (integrator.method == Method::Steady)
+    return solveSteady(state);
   const double steps = substeps(state, pending);
   if (!(steps <= mostSubsteps))
   {
@@ -203,7 +270,7 @@ void Conduction<D>::step(State<D>& state)
     const double time = begin + k * dt;
     const double power = supplyAll(state, dt, time);
     state.energy.heat += dt * power;
-    once(state, dt, time, supply.extent(0) > 0 ? supply : none);
+    once(state, dt, time, time + dt, supply.extent(0) > 0 ? supply : none);
   }
   reportFronts(state);
   pending = 0.0;

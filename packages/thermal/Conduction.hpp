@@ -63,7 +63,8 @@ struct Conduction
   std::string tooMany(const State<D>& state, double count) const;
 
 private:
-  void once(State<D>& state, double dt, double time, const View<double*>& supplied);
+  void once(State<D>& state, double dt, double begin, double end, const View<double*>& supplied);
+  void solveSteady(State<D>& state);
   void reportFronts(State<D>& state);              ///< FrontHeat.cpp, as the next
   double heatOfFronts(State<D>& state, double dt); ///< \return what was added [J]
   double supplyAll(State<D>& state, double dt, double time);

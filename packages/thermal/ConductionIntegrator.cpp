@@ -122,8 +122,8 @@ void ConductionIntegrator<D>::reserveRows(const State<D>& state)
   diagonal_ = View<double*>("rhegma::thermal::diagonal", rows);
   stage_ = View<double* [4]>("rhegma::thermal::stages", method == Method::SuperTimeStepping ? rows : 0);
   const std::size_t second = rows - state.mesh.nodes.numLattice;
-  pairs_ = View<double* [pairWidth]>("rhegma::thermal::pairs", method == Method::Implicit ? second : 0);
-  unknown_ = View<char*>("rhegma::thermal::unknown", method == Method::Implicit ? rows : 0);
+  pairs_ = View<double* [pairWidth]>("rhegma::thermal::pairs", isImplicit(method) ? second : 0);
+  unknown_ = View<char*>("rhegma::thermal::unknown", isImplicit(method) ? rows : 0);
 }
 
 /// flow = -K change. \return the power [W] that surfaces take in by it
@@ -188,8 +188,27 @@ double ConductionIntegrator<D>::findRate(State<D>& state, const HeatNodes<D>& no
 {
   reserveRows(state);
   findDiagonal(state, boundaries);
-  return method == Method::Implicit ? implicitStep(state, nodes, boundaries, faces, dt)
-                                    : superTimeStep(state, nodes, boundaries, dt, explicitLimit);
+  return isImplicit(method) ? implicitStep(state, nodes, boundaries, faces, dt)
+                            : superTimeStep(state, nodes, boundaries, dt, explicitLimit);
+}
+
+template <int D>
+double ConductionIntegrator<D>::takeSteadyChange(const State<D>& state, const HeatNodes<D>& heat) const
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<double* [2]> change = change_;
+  double taken = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::steadyChange", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i, double& sum) {
+        const int n = activeNode(nodes, i);
+        if (heat.held(n) == 0)
+          heat.value(n, 1) = change(n, 0);
+        if (isOwnedByThisRank(nodes, n))
+          sum += heat.sums(n, HeatNodes<D>::capacityAt) * heat.value(n, 1);
+      },
+      taken);
+  return taken;
 }
 
 template <int D>

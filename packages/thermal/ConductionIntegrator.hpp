@@ -18,8 +18,12 @@ enum class Method
 {
   Explicit,
   SuperTimeStepping,
-  Implicit
+  Implicit,
+  Steady ///< a single implicit step that is so long that the heat of the nodes no longer matters
 };
+
+/// Whether a method solves for the temperatures at the end of its step.
+inline bool isImplicit(Method method) { return method == Method::Implicit || method == Method::Steady; }
 
 /// Finds the mean heat flow of a step. Heat leaves and enters nodes only as flow from node to node or through
 /// surfaces, so that heat is conserved to round-off with any number of stages and any solver tolerance.
@@ -33,6 +37,8 @@ enum class Method
 /// to the particles.
 ///
 /// Implicit: backward Euler, (C + dt K) theta = dt Q, by conjugate gradients; the flow is then Q - K theta.
+/// Steady: the same, (C / dt + K) theta = Q with a time far longer than that in which heat crosses the
+/// bodies. What remains of C keeps bodies whose temperature nothing prescribes at their mean temperature.
 /// Where faces conduct, the unknowns of a node with two fields are the change of its mean temperature, by
 /// capacities, and its jump at the end: any conductance, however large, is then on the diagonal.
 template <int D>
@@ -45,6 +51,10 @@ public:
   /// their power at the beginning, of this rank
   double findRate(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
                   const CrackConduction<D>& faces, double dt, double explicitLimit);
+
+  /// Gives the nodes the change that a steady step has found, in place of that by their rate. \return the
+  /// heat [J] that the nodes of this rank take up
+  double takeSteadyChange(const State<D>& state, const HeatNodes<D>& nodes) const;
 
   /// Stages of super time stepping for steps of dt.
   static int stages(double dt, double explicitLimit);
@@ -74,6 +84,7 @@ public:
 
 private:
   void reserveRows(const State<D>& state);
+  ConjugateGradients& gradients() { return method == Method::Steady ? ofSteady_ : ofSteps_; }
 
   /// Columns of pairs_: fractions a and b of the jump of the two fields, jump at the beginning [K], dt times
   /// conductance [J/K], unknown jump [K]; a = b = 0 where nothing passes or both are held.
@@ -87,7 +98,9 @@ private:
   View<char*> unknown_;             ///< not 0 for nodes of this rank whose temperature is to be found
   View<double* [pairWidth]> pairs_; ///< of each enriched field
   int numPairs_ = 0;                ///< enriched fields while faces conduct, else 0
-  ConjugateGradients gradients_{1e-8, 1000};
+  ConjugateGradients ofSteps_{1e-8, 1000};
+  /// The error of temperatures is the residual's times the square of the number of cells across a body.
+  ConjugateGradients ofSteady_{1e-12, 20000};
   int capacity_ = 0; ///< number of unknowns that fit
 };
 

@@ -49,7 +49,7 @@ void ConductionIntegrator<D>::numberUnknowns(const State<D>& state, const HeatNo
   // The number of nodes changes as bodies move and cracks grow: a reserve avoids a new solver.
   if (capacity_ < nodes.numActive())
     capacity_ = nodes.numActive() + nodes.numActive() / 8 + 64;
-  gradients_.resize(capacity_, state.mesh.subdomain ? state.ranks : Ranks());
+  gradients().resize(capacity_, state.mesh.subdomain ? state.ranks : Ranks());
 }
 
 template <int D>
@@ -232,7 +232,7 @@ double ConductionIntegrator<D>::implicitStep(State<D>& state, const HeatNodes<D>
           change(n, 0) = unknown(n) != 0 ? scale * from(i) : 0.0;
         });
   };
-  const BorrowedView<double*> right = gradients_.right();
+  const BorrowedView<double*> right = gradients().right();
   // The change of the fields for vanishing jumps belongs to the right side.
   Kokkos::parallel_for(
       "rhegma::thermal::clearChange", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
@@ -251,7 +251,7 @@ double ConductionIntegrator<D>::implicitStep(State<D>& state, const HeatNodes<D>
       });
   residual(state, heat, dt, right);
   const double scale = normalise(state.ranks, right);
-  const SolveResult result = gradients_.solve(
+  const SolveResult result = gradients().solve(
       [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
       {
         setFields(x, 1.0);
@@ -262,9 +262,10 @@ double ConductionIntegrator<D>::implicitStep(State<D>& state, const HeatNodes<D>
       [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
       { precondition(state, heat, dt, x, y); });
   if (!result.converged)
-    state.failure = "implicit conduction did not converge in a step of " + formatReal(dt) +
-                    " s; take a smaller Thermal > Step Ratio";
-  setFields(gradients_.solution(), scale);
+    state.failure = method == Method::Steady ? "steady conduction did not converge"
+                                             : "implicit conduction did not converge in a step of " +
+                                                   formatReal(dt) + " s; take a smaller Thermal > Step Ratio";
+  setFields(gradients().solution(), scale);
   spread(state, 1.0);
   const double power = findFlow(state, boundaries);
   Kokkos::parallel_for(

@@ -15,14 +15,14 @@ namespace Rhegma::thermal
 {
 
 /// The longest step of conduction of a run whose steps may be longer than what a history does [s]; 0 in
-/// dynamics, whose steps are those of waves.
+/// dynamics, whose steps are those of waves, and in steady states.
 template <int D>
 double longestStep(const Teuchos::ParameterList& scene, const Conduction<D>& conduction, double end,
                    const State<D>& state)
 {
   if (!state.method.mechanics)
     return std::min({conduction.stepLimit(state), conduction.sourceLimit(state), end / 100.0});
-  if (!state.method.equilibrium())
+  if (!state.method.equilibrium() || conduction.integrator.method == Method::Steady)
     return 0.0;
   const double whole = largestLoadStep(scene);
   return whole / conduction.substeps(state, whole);

@@ -215,6 +215,8 @@ void judgeTemperatures(const Teuchos::ParameterList& scene, const Conduction<D>&
                      state.warnings);
     ++number;
   }
+  if (conduction.integrator.method == Method::Steady)
+    return; // its heat flows out
   for (const Heating& heating : heatings(scene, conduction, end, state))
     if (std::fabs(heating.rise) > evaporates && std::isfinite(heating.rise))
       state.warnings.push_back(

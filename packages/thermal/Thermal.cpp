@@ -89,6 +89,7 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   const std::string method = list.get<std::string>("Conduction");
   run.conduction.integrator.method = method == "Implicit"              ? Method::Implicit
                                      : method == "Super Time Stepping" ? Method::SuperTimeStepping
+                                     : method == "Steady"              ? Method::Steady
                                                                        : Method::Explicit;
   run.conduction.integrator.stepRatio = list.get<double>("Step Ratio");
   run.conduction.frontFraction = list.get<double>("Front Heat Fraction");
@@ -114,6 +115,10 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   }
   judgeHeat(scene, run.conduction, run.finalTime, state);
   startTemperature(state, scene.sublist("Bodies"), run.initial);
+  if (run.conduction.integrator.method == Method::Steady && !(run.conduction.diffusivity > 0.0))
+    throw std::invalid_argument(
+        "Thermal > Conduction: no material conducts, so there is no steady state; give a "
+        "Conductivity in Materials");
   judgeTemperatures(scene, run.conduction, run.finalTime, state);
   run.tables = tabulated(scene.sublist("Materials"));
   startEnergy(state);

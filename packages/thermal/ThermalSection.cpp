@@ -172,9 +172,16 @@ void addRules(Section& s)
 Section thermalSection()
 {
   Section s("Thermal", "Heat conduction, heat sources, thermal strain and thermomechanical heating.");
+  s.refuse({when::isNot("Thermal", "Conduction", {"Steady"}), when::is("Time", "Analysis", {"Static"})},
+           "heat conduction needs time, which a static analysis does not have; write Conduction = Steady, or "
+           "Analysis = "
+           "Quasi-Static");
+  s.refuse({when::is("Thermal", "Conduction", {"Steady"}), when::is("Time", "Analysis", {"Dynamic"})},
+           "steady conduction belongs to an equilibrium; write Analysis = Static or Quasi-Static, or another "
+           "Conduction");
   s.refuse(
-      {when::present("Thermal"), when::is("Time", "Analysis", {"Static"})},
-      "heat conduction needs time, which a static analysis does not have; write Analysis = Quasi-Static");
+      {when::is("Thermal", "Conduction", {"Steady"}), when::above("Thermal", "Front Heat Fraction", 0.0)},
+      "the heat of a growing front passes with time; write Conduction = Implicit");
   s.refuse({when::present("Thermal"), when::isNot("Time", "Initial State", {"Unloaded"})},
            "the equilibrium at the start does not include thermal stress; write Initial State = Unloaded");
   s.refuse({when::is("Thermal", "Mechanics", {"false"}), when::equilibrium()},
@@ -191,10 +198,12 @@ Section thermalSection()
       .atMost(0.5)
       .byDefault(0.35)
       .meaning("Largest conduction time step, as k dt / (rho c h^2) with h the edge of the finest cells.");
-  s.choice("Conduction", {"Explicit", "Super Time Stepping", "Implicit"})
+  s.choice("Conduction", {"Explicit", "Super Time Stepping", "Implicit", "Steady"})
       .byDefault("Explicit")
       .meaning("Time integration of conduction: explicit; RKL2 super time stepping, stable for much larger "
-               "steps; or backward Euler with conjugate gradients.");
+               "steps; or backward Euler with conjugate gradients. Steady: no time integration, but the "
+               "steady state "
+               "of each load step, with the boundary values at its end (Static: at Final Time).");
   s.real("Step Ratio")
       .atLeast(1.0)
       .byDefault(20.0)
@@ -234,6 +243,24 @@ void checkHistories(const Teuchos::ParameterList& scene, std::vector<SceneError>
                                                 scene.sublist("Time").get<double>("Final Time")))
       errors.push_back({"Thermal > Sources > " + name + " > History", *message});
   }
+}
+
+/// A steady state without a prescribed temperature is only known up to a constant.
+void checkSteady(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (text(scene.sublist("Thermal"), "Conduction") != "Steady")
+    return;
+  bool prescribed = false;
+  forEach(scene, "Boundaries",
+          [&](const Teuchos::ParameterList& list, const std::string&)
+          {
+            const std::string type = text(list, "Type");
+            prescribed = prescribed || type == "Temperature" || type == "Convection";
+          });
+  if (!prescribed)
+    errors.push_back({"Thermal > Conduction",
+                      "a steady state without a prescribed temperature is known only up to a constant; add a "
+                      "boundary of type Temperature or Convection (Boundaries), or write Implicit"});
 }
 
 void checkCrackFaces(const Teuchos::ParameterList& list, std::vector<SceneError>& errors)
@@ -298,6 +325,7 @@ void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
   checkHistories(scene, errors);
   checkSurfaces(scene, errors);
+  checkSteady(scene, errors);
   checkCrackFaces(list, errors);
   if (list.isType<bool>("Mechanics") && !list.get<bool>("Mechanics"))
     checkAlone(scene, errors);

@@ -76,7 +76,7 @@ const std::vector<double>& TimeFunction::corners() const { return m_form->table.
 
 double TimeFunction::overStep(double from, double to) const
 {
-  return m_form->table.empty() ? (*this)(0.5 * (from + to)) : m_form->table.mean(from, to);
+  return m_form->table.empty() || !(to > from) ? (*this)(0.5 * (from + to)) : m_form->table.mean(from, to);
 }
 
 std::optional<std::string> messageIfNotFinite(const std::string& given, double end)
