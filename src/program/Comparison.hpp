@@ -17,7 +17,7 @@ public:
 
   /// A number of both runs; not a number where a run has none. \param order lowest that its error may have in
   /// the size of the cells; 0: not smooth, so not extrapolated. Nor are answers of runs that stopped.
-  /// \param unseen difference that the runs can't tell from none, in `unit`
+  /// \param unseen difference that is smaller than what the runs resolve, in `unit`
   void value(const std::string& name, const std::string& unit, double asIs, double half, int order,
              double unseen = 0.0);
 

@@ -156,7 +156,7 @@ class Extremes(ProgramTest):
             "at a target": {"Domain > Lower Corner": [-0.01, -0.2], "Bodies > Target": target},
             "with room": {"Domain > Lower Corner": [-0.01, -0.2]},
             "held": {"Boundaries > Wall": dict(wall, **{"Lower Corner": [-0.01, 0.078], "Upper Corner": [0.05, 0.09]})},
-            "shortly": {"Time > Final Time": 1e-3},
+            "shortly": {"Time > Final Time": 3e-4},
         }
         for name, changes in meant.items():
             with self.subTest(name):
@@ -180,7 +180,7 @@ class Extremes(ProgramTest):
     def test_plastic_zone(self):
         """Below the stress of the loads, with a zone that is large, and with a small one."""
         law = {"Materials > Acrylic > Model": "J2 Plastic"}
-        for stress, pattern in ((2e6, "so that it yields as a whole"), (8e6, "more than a tenth of the crack"), (1e9, None)):
+        for stress, pattern in ((2e6, "so that it yields as a whole"), (8e6, "more than a fifth of the crack"), (1e9, None)):
             with self.subTest(stress):
                 said = self.changed("examples/edge_crack", **law, **{"Materials > Acrylic > Yield Stress": stress})
                 if pattern:
