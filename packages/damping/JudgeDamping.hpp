@@ -68,7 +68,8 @@ void judgeSettling(const JudgedDamping& damping, const BodyMeasure<D>& quick, St
         "Damping > Mass Rate is " + formatReal(damping.rate) + " 1/s, " +
         formatShort(0.5 * rate / frequency) + " times the critical damping of the longest " + "wave of " +
         quick.name + ", which creeps to equilibrium: when damping ends (after " + readableTime(damping.end) +
-        "), " + formatShort(100.0 * left) + " % of the way is left, so results are not static; write about " +
+        "), " + formatShort(100.0 * left) +
+        " % of the motion to equilibrium is left, so results are not static; write about " +
         formatShort(2.0 * frequency) + " 1/s");
     return;
   }
