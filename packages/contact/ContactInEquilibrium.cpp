@@ -363,6 +363,14 @@ void ContactInEquilibrium<D>::accept(const State<D>& state)
   contact_.accept(state, found, stored, lost);
 }
 
+template <int D>
+std::string ContactInEquilibrium<D>::refusalOnRanks() const
+{
+  return "Contact: contact in equilibrium works on one rank only; start the program without mpirun, or "
+         "remove "
+         "this section";
+}
+
 template class ContactInEquilibrium<2>;
 template class ContactInEquilibrium<3>;
 

@@ -45,6 +45,7 @@ public:
   std::vector<HeldDirection<D>> heldDirections() const override;
   bool joinsPieces() const override { return true; }
   std::string reason() const override;
+  std::string refusalOnRanks() const override;
 
   /// Adds the forces of the points' tractions at the start of a step, as the nodes take them [N], to the
   /// first D columns of a row a node. Needs the nodes of the step.

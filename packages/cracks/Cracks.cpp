@@ -219,7 +219,8 @@ void recordGrowth(State<D>& state)
     state.cracks.growth.area += front.extension.area * (D == 2 ? state.method.thickness : 1.0);
     if (front.ended)
       continue;
-    state.energy.fracture += front.budget.pending;
+    if (state.ranks.rank() == 0) // for all ranks
+      state.energy.fracture += front.budget.pending;
     front.budget.release(front.budget.pending);
   }
 }
@@ -281,7 +282,7 @@ void takeOver(const Parts<D>& parts, State<D>& state, const State<D>& from)
   for (std::size_t n = 0; n < theirs.extent(0); ++n)
     theirs(n, 0) = theirs(n, 0) == last ? parts.surroundings.stamp : -1.0;
   Kokkos::deep_copy(ours, theirs);
-  state.energy.springs = from.energy.springs;
+  state.energy.springs = state.ranks.rank() == 0 ? from.energy.springs : 0.0; // of all ranks
 }
 
 template <int D>

@@ -13,7 +13,7 @@ typename SpringsInEquilibrium<D>::Groups SpringsInEquilibrium<D>::begin(const St
   for (int i = 0; i < nodes.numEnriched && state.cracks.spring.extent(0) > 0; ++i)
   {
     const int n = nodes.parent(i), a = rowOf(n), b = rowOf(nodes.numLattice + i);
-    if (a >= 0 && b >= 0 && state.cracks.spring(n, D) > 0.0)
+    if (a >= 0 && b >= 0 && state.cracks.spring(n, D) > 0.0 && isOwnedByThisRank(nodes, n))
     {
       springs_.push_back({{a, b}, state.cracks.spring(n, D)});
       groups.push_back({a, b});

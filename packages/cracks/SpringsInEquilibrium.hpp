@@ -19,7 +19,8 @@ public:
   using typename StepForce<D>::Groups;
   using typename StepForce<D>::AddBlock;
 
-  /// Lists the springs whose fields both have rows. \return their pairs of rows
+  /// Lists the springs whose fields both have rows, each on the rank that owns its node. \return their pairs
+  /// of rows
   Groups begin(const State<D>& state, const View<int*>& rowOf) override;
   /// Adds opposite forces, stiffness times the difference of the fields [N].
   void add(const Values& displacement, const Values& force) override;

@@ -31,7 +31,7 @@ Section section()
   Section s("Load Balance", "Dynamic load balance: redistributes cells and particles over the MPI ranks. "
                             "Without this section each rank keeps its initial subdomain.");
   s.refuse({when::present("Load Balance"), when::equilibrium()},
-           "an equilibrium is solved on one rank; remove this section");
+           "load steps of an equilibrium keep the first division among ranks; remove this section");
   s.real("Threshold")
       .range(1.0, 1000.0)
       .byDefault(1.1)

@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "base/InOrder.hpp"
 #include "plan/LastStage.hpp"
+#include "state/Subdomain.hpp"
 
 namespace Rhegma
 {
@@ -18,7 +19,11 @@ void addLoadDisplacements(Effect<D>& effect, const Teuchos::ParameterList& scene
               {
                 moved->resize(loads->size(), 0.0);
                 for (std::size_t k = 0; k < loads->size(); ++k)
-                  (*moved)[k] += (*loads)[k].shift(state);
+                {
+                  double more = (*loads)[k].shift(state);
+                  sumParts(state, &more, 1);
+                  (*moved)[k] += more;
+                }
               });
   effect.call(Stage::Observe, "displacements of loads", {}, {}, {},
               [=](State<D>& state)

@@ -185,10 +185,11 @@ void collectReactions(State<D>& state, std::vector<TimedConstraint<D>>& constrai
             const int n = activeNode(nodes, i);
             if (!constraint.appliesAt(positions(latticeNode(nodes, n))))
               return;
-            sum += nodes.sums(n, Nodes<D>::forceAt + d);
+            sum += isOwnedByThisRank(nodes, n) ? nodes.sums(n, Nodes<D>::forceAt + d) : 0.0;
             nodes.sums(n, Nodes<D>::forceAt + d) = 0.0;
           },
           force);
+      sumParts(state, &force, 1);
       constraints[c].force[d] = force;
       constraints[c].displacement[d] += state.clock.dt * constraint.value[d];
     }

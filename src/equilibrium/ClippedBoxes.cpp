@@ -1,6 +1,7 @@
 #include "equilibrium/ClippedBoxes.hpp"
 
 #include "equilibrium/Unknowns.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <cmath>
@@ -71,19 +72,20 @@ ClippedBoxes<D> clipBoxes(const State<D>& state)
   const std::vector<char> clipped = clipAll(state, boxes);
   const auto position = state.particles.template real<D>(fields::position);
   const auto box = state.particles.template real<D>(fields::box);
-  std::vector<char> seen(state.mesh.nodes.sums.extent(0), 0);
+  const View<double*> seen("rhegma::equilibrium::seen", state.mesh.nodes.sums.extent(0));
   bool any = false;
   withStraining(state,
                 [&](const auto& connect)
                 {
                   const auto ofClipped = boxes.in(connect);
                   for (int p = 0; p < count; ++p)
-                    forNodesOf(state, ofClipped, p, [&](int node) { seen[node] = 1; });
+                    forNodesOf(state, ofClipped, p, [&](int node) { seen(node) = 1.0; });
+                  sumOverRanks(state, seen.data(), 1, 0, 1);
                   for (int p = 0; p < count; ++p)
                   {
                     bool all = true;
                     if (clipped[p] != 0)
-                      forNodesOf(state, connect, p, [&](int node) { all = all && seen[node] != 0; });
+                      forNodesOf(state, connect, p, [&](int node) { all = all && seen(node) != 0.0; });
                     any = any || (clipped[p] != 0 && all);
                     for (int d = 0; d < D && !all; ++d)
                     {
@@ -92,7 +94,7 @@ ClippedBoxes<D> clipBoxes(const State<D>& state)
                     }
                   }
                 });
-  return any ? boxes : ClippedBoxes<D>();
+  return ranksOf(state).max(any ? 1.0 : 0.0) > 0.0 ? boxes : ClippedBoxes<D>();
 }
 
 template ClippedBoxes<2> clipBoxes(const State<2>&);

@@ -39,7 +39,7 @@ constexpr double leastReach = 0.01;
 
 /// The boxes of a state with their stencils; empty with linear functions, and where no box is clipped. Nodes
 /// that particles see only by what would be left out keep these particles' boxes, so that every row of the
-/// stiffness has its couplings.
+/// stiffness has its couplings. Collective.
 template <int D>
 ClippedBoxes<D> clipBoxes(const State<D>& state);
 

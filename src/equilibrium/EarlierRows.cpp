@@ -11,23 +11,25 @@ constexpr double mostNewRows = 0.2;
 
 } // namespace
 
-EarlierRows EarlierRows::match(const RowGraph& now, const RowGraph& earlier, int perNode)
+EarlierRows EarlierRows::match(const Ranks& ranks, const std::vector<int>& now,
+                               const std::vector<int>& earlier, int perNode)
 {
-  const View<int*> unknown("rhegma::equilibrium::earlierUnknown", perNode * now.rows);
-  int missing = 0;
-  for (int r = 0, then = 0; r < now.rows; ++r) // rows of both are in the order of the nodes
+  const View<int*> unknown("rhegma::equilibrium::earlierUnknown", perNode * now.size());
+  double rows[] = {0.0, static_cast<double>(now.size())}; // missing, all
+  for (std::size_t r = 0, then = 0; r < now.size(); ++r)
   {
-    while (then < earlier.rows && earlier.nodeOf(then) < now.nodeOf(r))
+    while (then < earlier.size() && earlier[then] < now[r])
       ++then;
-    const bool found = then < earlier.rows && earlier.nodeOf(then) == now.nodeOf(r);
-    missing += found ? 0 : 1;
+    const bool found = then < earlier.size() && earlier[then] == now[r];
+    rows[0] += found ? 0.0 : 1.0;
     for (int d = 0; d < perNode; ++d)
-      unknown(perNode * r + d) = found ? perNode * then + d : -1;
+      unknown(perNode * r + d) = found ? perNode * static_cast<int>(then) + d : -1;
   }
-  if (missing > mostNewRows * now.rows)
+  ranks.sum(rows, 2);
+  if (rows[0] > mostNewRows * rows[1])
     return {};
-  return {unknown, Values("rhegma::equilibrium::earlierIn", perNode * earlier.rows),
-          Values("rhegma::equilibrium::earlierOut", perNode * earlier.rows)};
+  return {unknown, Values("rhegma::equilibrium::earlierIn", perNode * earlier.size()),
+          Values("rhegma::equilibrium::earlierOut", perNode * earlier.size()), true};
 }
 
 void EarlierRows::apply(const Multigrid& multigrid, const View<double*>& diagonal,

@@ -12,13 +12,16 @@ namespace Rhegma::equilibrium
 /// others, which leaves the preconditioner symmetric and positive definite.
 struct EarlierRows
 {
-  View<int*> unknown; ///< of the earlier system, or -1; empty where the multigrid is of this system
+  View<int*> unknown; ///< of the earlier system, or -1
   Values in, out;     ///< values of the unknowns of the earlier system
+  bool used = false;  ///< on all ranks or none; not where the multigrid is of this system
 
-  /// \param perNode unknowns of a row \return nothing where too many rows are new
-  static EarlierRows match(const RowGraph& now, const RowGraph& earlier, int perNode);
+  /// Collective. \param now nodes of the rows of this rank, ascending \param earlier the same of the earlier
+  /// system \param perNode unknowns of a row \return nothing where too many rows are new
+  static EarlierRows match(const Ranks& ranks, const std::vector<int>& now, const std::vector<int>& earlier,
+                           int perNode);
 
-  bool any() const { return unknown.extent(0) > 0; }
+  bool any() const { return used; }
 
   /// y = one cycle for x, by the multigrid of the earlier system and the diagonal of this one.
   void apply(const Multigrid& multigrid, const View<double*>& diagonal, const BorrowedView<const double*>& x,

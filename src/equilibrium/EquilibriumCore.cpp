@@ -83,6 +83,7 @@ StepReport solveOnce(State<D>& state, Account<D>& account, const LastStep& last,
 template <int D>
 void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 {
+  sumOverRanks(state, SharedSums::Force);
   std::unique_ptr<NewtonStep<D>> solved;
   StepReport report = solveOnce(state, account, last, Boxes::MayBeClipped, solved);
   if (!report.converged && !last.trial && solved->hasClippedBoxes())
@@ -195,7 +196,7 @@ void inspect(const Teuchos::ParameterList& scene, const State<D>& state, LastSte
 {
   const NewtonStep<D> step(state);
   last.unknowns = step.unknowns();
-  last.matrixBytes = bytesPerEntry * step.matrixEntries();
+  last.matrixBytes = bytesPerEntry * step.matrixEntries(); // before the particles are divided: of all ranks
   if (scene.sublist("Time").get<std::string>("Rigid Modes") == "Refuse")
   {
     std::string wrong;

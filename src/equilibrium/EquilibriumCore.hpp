@@ -23,7 +23,7 @@ struct LastStep
   std::string solver = "none"; ///< of the linear systems
   std::string reason;          ///< what keeps the step from equilibrium, where that is known; else empty
   double matrixBytes = 0.0;
-  double workOfSupports = 0.0; ///< over the step [J]
+  double workOfSupports = 0.0; ///< over the step, this rank's part [J]
 };
 
 /// The calls of a step of equilibrium: the nodes' displacement over the step is solved for by Newton's method

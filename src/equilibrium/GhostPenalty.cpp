@@ -1,5 +1,8 @@
 #include "equilibrium/GhostPenalty.hpp"
 
+#include "parallel/SendRows.hpp"
+#include "state/Subdomain.hpp"
+
 #include <algorithm>
 
 namespace Rhegma::equilibrium
@@ -10,6 +13,60 @@ namespace
 
 /// A smaller weight of a node at a point is rounding of the point's position.
 constexpr double leastNodeWeight = 1e-6;
+
+/// Whether a position lies in a cell of a lattice.
+template <int D>
+bool isOnLattice(const Grid<D>& grid, const Vector<D>& x)
+{
+  bool on = true;
+  for (int d = 0; d < D; ++d)
+  {
+    const double at = grid.inCells(x[d], d);
+    on = on && at >= 0.0 && at < grid.cells[d];
+  }
+  return on;
+}
+
+/// What a particle fills, a row of numbers: its position, its volume [m3], Young's modulus times volume [N
+/// m], and its side of a crack. Those of this rank, then those of other ranks in this rank's window.
+template <int D>
+std::vector<double> fillings(const State<D>& state)
+{
+  constexpr int width = D + 3;
+  const auto position = state.particles.template real<D>(fields::position);
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto material = state.particles.integer(fields::material);
+  BorrowedView<int*> side;
+  if (state.particles.has(fields::side))
+    side = state.particles.integer(fields::side);
+  std::vector<double> all, sent;
+  std::vector<int> to;
+  std::vector<Grid<D>> windows;
+  for (int r = 0; state.mesh.subdomain && r < state.ranks.size(); ++r)
+    windows.push_back(state.mesh.subdomain->division.window(r));
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    double row[width];
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = row[d] = position(p, d);
+    row[D] = volume(p);
+    row[D + 1] = volume(p) * youngModulus(state.materials.properties[material(p)]);
+    row[D + 2] = side.extent(0) > 0 ? side(p) : 0;
+    all.insert(all.end(), row, row + width);
+    for (int r = 0; r < static_cast<int>(windows.size()); ++r)
+      if (r != state.ranks.rank() && isOnLattice(windows[r], x))
+      {
+        to.push_back(r);
+        sent.insert(sent.end(), row, row + width);
+      }
+  }
+  if (!state.mesh.subdomain)
+    return all;
+  const std::vector<double> received = sendRows(state.ranks, to, sent, width);
+  all.insert(all.end(), received.begin(), received.end());
+  return all;
+}
 
 /// How full leaves are.
 struct Filled
@@ -39,27 +96,23 @@ public:
         thickness_(state.method.thickness),
         filled_(grid_.numNodes + static_cast<int>(state.mesh.tree.leafLevel.extent(0)))
   {
-    const auto position = state.particles.template real<D>(fields::position);
-    const auto volume = state.particles.scalar(fields::volume);
-    const auto material = state.particles.integer(fields::material);
-    BorrowedView<int*> side;
-    if (state.particles.has(fields::side))
-      side = state.particles.integer(fields::side);
+    if (state.mesh.subdomain)
+      own_ = state.mesh.subdomain->own;
     std::vector<char> listed(filled_.all.size(), 0);
-    for (int p = 0; p < state.particles.size(); ++p)
+    const std::vector<double> fill = fillings(state);
+    for (const double* at = fill.data(); at != fill.data() + fill.size(); at += D + 3)
     {
       Vector<D> x;
-      for (int d = 0; d < D; ++d)
-        x[d] = position(p, d);
+      std::copy_n(at, D, x.c);
       const Leaf leaf = sight_.leafAt(x);
       const int n = numberOf(leaf);
       if (listed[n] == 0)
         leaves_.push_back(leaf);
       listed[n] = 1;
-      filled_.all[n] += volume(p);
-      filled_.stiff[n] += volume(p) * youngModulus(state.materials.properties[material(p)]);
-      if (side.extent(0) > 0 && side(p) != 0)
-        (side(p) > 0 ? filled_.plus : filled_.minus)[n] += volume(p);
+      filled_.all[n] += at[D];
+      filled_.stiff[n] += at[D + 1];
+      if (at[D + 2] != 0.0)
+        (at[D + 2] > 0.0 ? filled_.plus : filled_.minus)[n] += at[D];
     }
     // Boxes of particles reach into leaves around those that hold the particles, over corners too.
     for (int round = 0; round < D; ++round)
@@ -69,8 +122,10 @@ public:
   std::vector<SlopeJump> find() const
   {
     std::vector<SlopeJump> jumps;
+    Vector<D> middle;
+    std::fill_n(middle.c, D, 0.5);
     for (const Leaf& leaf : leaves_)
-      for (int axis = 0; axis < D; ++axis)
+      for (int axis = 0; axis < D && own_.hold(pointOf(leaf, middle)); ++axis)
         for (const int direction : {-1, 1})
           findAt(leaf, axis, direction, jumps);
     return jumps;
@@ -97,7 +152,7 @@ private:
             for (int d = 0, bit = 0; d < D; ++d)
               at[d] = d == axis ? 0.5 + 0.75 * direction : (((part >> bit++) & 1) != 0 ? 0.75 : 0.25);
             const Vector<D> x = pointOf(leaves_[k], at);
-            if (!isOnLattice(x))
+            if (!isOnLattice(grid_, x))
               continue;
             const Leaf next = sight_.leafAt(x);
             const int n = numberOf(next);
@@ -105,17 +160,6 @@ private:
               leaves_.push_back(next);
             listed[n] = 1;
           }
-  }
-
-  bool isOnLattice(const Vector<D>& x) const
-  {
-    bool on = true;
-    for (int d = 0; d < D; ++d)
-    {
-      const double at = grid_.inCells(x[d], d);
-      on = on && at >= 0.0 && at < grid_.cells[d];
-    }
-    return on;
   }
 
   /// A point from the lowest corner of a leaf, in its edges.
@@ -133,7 +177,7 @@ private:
     for (int d = 0; d < D; ++d)
       middle[d] = d == axis ? 0.5 + direction : 0.5;
     const Vector<D> over = pointOf(leaf, middle);
-    if (!isOnLattice(over))
+    if (!isOnLattice(grid_, over))
       return;
     const Leaf next = sight_.leafAt(over);
     if (next.level > leaf.level || (next.level == leaf.level && direction < 0))
@@ -232,6 +276,7 @@ private:
   const RowGraph& graph_;
   double thickness_;
   Filled filled_;
+  OwnCells<D> own_;          ///< all cells on one rank
   std::vector<Leaf> leaves_; ///< those with particles, in the order of the particles, and those around them
 };
 

@@ -20,7 +20,8 @@ struct SlopeJump
 /// motions of its nodes that strain none of them; the jump carries the slope of the full cell next to it over
 /// into the cut one. Fields that are linear have none. A cell is cut where the particles in it fill less than
 /// `fullCell` of it on the side in question. Where cells of two sizes meet, A is the face of the smaller one
-/// and the slope in the larger one is that next to the face.
+/// and the slope in the larger one is that next to the face. On several ranks each jump is that of one rank,
+/// which has the smaller leaf. Collective.
 template <int D>
 std::vector<SlopeJump> findSlopeJumps(const State<D>& state, const RowGraph& graph);
 

@@ -3,6 +3,7 @@
 #include "equilibrium/RigidModes.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace Rhegma::equilibrium
@@ -42,19 +43,32 @@ constexpr int mostAged = 2;
 } // namespace
 
 template <int D>
-LinearSystem<D>::LinearSystem(const RowGraph& graph, const std::vector<Vector<D>>& positions,
-                              const Held& held)
-    : graph_(graph),
-      position_(positions),
-      held_("rhegma::equilibrium::held", D * graph.rows),
-      b_("rhegma::equilibrium::right", D * graph.rows),
-      x_("rhegma::equilibrium::solution", D * graph.rows)
+LinearSystem<D>::LinearSystem(const RowGraph& graph, const RowOwners& owners,
+                              const std::vector<Vector<D>>& positions, const Held& held)
+    : graph_(graph), owners_(owners), position_(positions), held_("rhegma::equilibrium::held", D * graph.rows)
 {
-  for (int k = 0; k < D * graph.rows; ++k)
+  std::vector<int> own;
+  double counts[] = {0.0, 0.0}; // unknowns, rows
+  for (int r = 0; r < graph.rows; ++r)
   {
-    held_(k) = held.is[k];
-    unknowns_ += held.is[k] == 0 ? 1 : 0;
+    for (int k = D * r; k < D * (r + 1); ++k)
+    {
+      held_(k) = held.is[k];
+      counts[0] += owners.owns(r) && held.is[k] == 0 ? 1.0 : 0.0;
+    }
+    if (!owners.owns(r))
+      continue;
+    own.push_back(r);
+    nodes_.push_back(graph.nodeOf(r));
   }
+  own_ = View<int*>("rhegma::equilibrium::ownRows", own.size());
+  std::copy(own.begin(), own.end(), own_.data());
+  b_ = Values("rhegma::equilibrium::right", D * own.size());
+  x_ = Values("rhegma::equilibrium::solution", D * own.size());
+  counts[1] = static_cast<double>(own.size());
+  owners.ranks().sum(counts, 2);
+  unknowns_ = static_cast<int>(counts[0]);
+  rowsOfAll_ = static_cast<int>(counts[1]);
 }
 
 template <int D>
@@ -62,8 +76,10 @@ bool LinearSystem<D>::fits(const RowGraph& graph, const Held& held) const
 {
   const auto same = [](const View<int*>& a, const View<int*>& b)
   { return a.extent(0) == b.extent(0) && std::equal(a.data(), a.data() + a.extent(0), b.data()); };
-  return same(graph.nodeOf, graph_.nodeOf) && same(graph.first, graph_.first) &&
-         same(graph.column, graph_.column) && std::equal(held.is.begin(), held.is.end(), held_.data());
+  const bool fit = same(graph.nodeOf, graph_.nodeOf) && same(graph.first, graph_.first) &&
+                   same(graph.column, graph_.column) &&
+                   std::equal(held.is.begin(), held.is.end(), held_.data());
+  return owners_.ranks().max(fit ? 0.0 : 1.0) == 0.0;
 }
 
 template <int D>
@@ -71,7 +87,7 @@ void LinearSystem<D>::adopt(LinearSystem& earlier)
 {
   if (!earlier.multigrid_ || earlier.earlier_.any())
     return;
-  earlier_ = EarlierRows::match(graph_, earlier.graph_, D);
+  earlier_ = EarlierRows::match(owners_.ranks(), nodes_, earlier.nodes_, D);
   if (!earlier_.any())
     return;
   multigrid_ = std::move(earlier.multigrid_);
@@ -93,20 +109,58 @@ void LinearSystem<D>::precondition(const View<double*>& diagonal, const Borrowed
 template <int D>
 void LinearSystem<D>::buildRows()
 {
-  const int rows = graph_.rows;
-  matrix_.first = View<std::size_t*>("rhegma::equilibrium::first", D * rows + 1);
-  const std::size_t entries = static_cast<std::size_t>(D) * D * graph_.column.extent(0);
-  matrix_.column = View<int*>("rhegma::equilibrium::column", entries);
-  matrix_.value = View<double*>("rhegma::equilibrium::value", entries);
-  std::size_t next = 0;
-  for (int r = 0; r < rows; ++r)
-    for (int i = 0; i < D; ++i)
+  const int rows = static_cast<int>(own_.extent(0));
+  // Columns: the rows of this rank, then those of others, both in the order of their numbers.
+  std::vector<int> column(graph_.rows, -1), others;
+  for (int i = 0; i < rows; ++i)
+    column[own_(i)] = i;
+  std::vector<int> entries;
+  entryBegin_ = View<int*>("rhegma::equilibrium::entryBegin", rows + 1);
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int e = graph_.first(own_(i)); e < graph_.first(own_(i) + 1); ++e)
     {
-      for (int e = graph_.first(r); e < graph_.first(r + 1); ++e)
-        for (int k = 0; k < D; ++k)
-          matrix_.column(next++) = D * graph_.column(e) + k;
-      matrix_.first(D * r + i + 1) = next;
+      entries.push_back(e);
+      if (int& at = column[graph_.column(e)]; at < 0)
+      {
+        at = rows;
+        others.push_back(graph_.column(e));
+      }
     }
+    entryBegin_(i + 1) = static_cast<int>(entries.size());
+  }
+  std::sort(others.begin(), others.end(),
+            [this](int a, int b) { return owners_.numberOf(a) < owners_.numberOf(b); });
+  for (std::size_t k = 0; k < others.size(); ++k)
+    column[others[k]] = rows + static_cast<int>(k);
+  matrix_.ranks = owners_.ranks();
+  if (matrix_.ranks.many())
+  {
+    matrix_.number = View<long long*>("rhegma::equilibrium::number", D * (rows + others.size()));
+    for (std::size_t k = 0; k < matrix_.number.extent(0); ++k)
+    {
+      const std::size_t row = k / D;
+      matrix_.number(k) = D * owners_.numberOf(row < own_.extent(0) ? own_(row) : others[row - rows]) + k % D;
+    }
+    for (int i = 0; i < rows; ++i)
+      std::sort(entries.begin() + entryBegin_(i), entries.begin() + entryBegin_(i + 1),
+                [&](int a, int b) { return column[graph_.column(a)] < column[graph_.column(b)]; });
+  }
+  entry_ = View<int*>("rhegma::equilibrium::entries", entries.size());
+  std::copy(entries.begin(), entries.end(), entry_.data());
+  matrix_.first = View<std::size_t*>("rhegma::equilibrium::first", D * rows + 1);
+  matrix_.column = View<int*>("rhegma::equilibrium::column", D * D * entries.size());
+  matrix_.value = View<double*>("rhegma::equilibrium::value", D * D * entries.size());
+  std::size_t next = 0;
+  for (int i = 0; i < rows; ++i)
+    for (int a = 0; a < D; ++a)
+    {
+      for (int e = entryBegin_(i); e < entryBegin_(i + 1); ++e)
+        for (int k = 0; k < D; ++k)
+          matrix_.column(next++) = D * column[graph_.column(entry_(e))] + k;
+      matrix_.first(D * i + a + 1) = next;
+    }
+  columns_ = std::make_unique<ColumnValues>(matrix_);
 }
 
 template <int D>
@@ -115,21 +169,23 @@ void LinearSystem<D>::fill(const StiffnessBlocks& stiffness)
   const RowGraph graph = graph_;
   const SparseMatrix matrix = matrix_;
   const auto held = held_;
+  const View<int*> own = own_, entryBegin = entryBegin_, entry = entry_;
   Kokkos::parallel_for(
-      "rhegma::equilibrium::fillRows", Kokkos::RangePolicy<ExecSpace>(0, graph.rows),
+      "rhegma::equilibrium::fillRows", Kokkos::RangePolicy<ExecSpace>(0, own.extent(0)),
       KOKKOS_LAMBDA(const int r) {
         for (int i = 0; i < D; ++i)
         {
+          const int from = D * own(r) + i;
           std::size_t at = matrix.first(D * r + i);
-          for (int e = graph.first(r); e < graph.first(r + 1); ++e)
+          for (int e = entryBegin(r); e < entryBegin(r + 1); ++e)
             for (int k = 0; k < D; ++k, ++at)
             {
-              const int to = D * graph.column(e) + k;
-              const double entry = stiffness(D * D * static_cast<std::size_t>(e) + D * i + k);
-              if (to == D * r + i)
-                matrix.value(at) = held(to) != 0 && entry <= 0.0 ? 1.0 : entry;
+              const int to = D * graph.column(entry(e)) + k;
+              const double value = stiffness(D * D * static_cast<std::size_t>(entry(e)) + D * i + k);
+              if (to == from)
+                matrix.value(at) = held(to) != 0 && value <= 0.0 ? 1.0 : value;
               else
-                matrix.value(at) = held(D * r + i) == 0 && held(to) == 0 ? entry : 0.0;
+                matrix.value(at) = held(from) == 0 && held(to) == 0 ? value : 0.0;
             }
         }
       });
@@ -142,13 +198,15 @@ void LinearSystem<D>::moveHeldToRight(const StiffnessBlocks& stiffness, const Va
   const RowGraph graph = graph_;
   const auto held = held_;
   const Values b = b_;
+  const View<int*> own = own_;
   Kokkos::parallel_for(
-      "rhegma::equilibrium::rightSide", Kokkos::RangePolicy<ExecSpace>(0, graph.rows),
+      "rhegma::equilibrium::rightSide", Kokkos::RangePolicy<ExecSpace>(0, own.extent(0)),
       KOKKOS_LAMBDA(const int r) {
         for (int i = 0; i < D; ++i)
         {
-          double sum = held(D * r + i) != 0 ? 0.0 : right(D * r + i);
-          for (int e = graph.first(r); e < graph.first(r + 1) && held(D * r + i) == 0; ++e)
+          const int from = D * own(r) + i;
+          double sum = held(from) != 0 ? 0.0 : right(from);
+          for (int e = graph.first(own(r)); e < graph.first(own(r) + 1) && held(from) == 0; ++e)
             for (int k = 0; k < D; ++k)
               if (const int other = D * graph.column(e) + k; held(other) != 0)
                 sum -= stiffness(D * D * static_cast<std::size_t>(e) + D * i + k) * change(other);
@@ -170,7 +228,7 @@ typename LinearSystem<D>::Method LinearSystem<D>::choose()
       direct_.analyse(matrix_) <= mostOperations)
     return Method::Direct;
   gradients_ = std::make_unique<ConjugateGradients>(linearTolerance, mostLinearIterations);
-  gradients_->resize(matrix_.rows());
+  gradients_->resize(matrix_.rows(), owners_.ranks());
   return Multigrid::available() && unknowns_ >= leastMultigridUnknowns<D> ? Method::Multigrid
                                                                           : Method::Diagonal;
 }
@@ -178,13 +236,21 @@ typename LinearSystem<D>::Method LinearSystem<D>::choose()
 template <int D>
 std::vector<std::vector<double>> LinearSystem<D>::nearNullSpace() const
 {
-  Vector<D> low = position_[0], high = low;
+  double ends[2 * D]; // -lowest, highest
+  std::fill(ends, ends + 2 * D, std::numeric_limits<double>::lowest());
   for (const Vector<D>& x : position_)
     for (int d = 0; d < D; ++d)
     {
-      low[d] = std::min(low[d], x[d]);
-      high[d] = std::max(high[d], x[d]);
+      ends[2 * d] = std::max(ends[2 * d], -x[d]);
+      ends[2 * d + 1] = std::max(ends[2 * d + 1], x[d]);
     }
+  owners_.ranks().max(ends, 2 * D);
+  Vector<D> low, high;
+  for (int d = 0; d < D; ++d)
+  {
+    low[d] = -ends[2 * d];
+    high[d] = ends[2 * d + 1];
+  }
   std::vector<std::vector<double>> motions;
   for (int m = 0; m < rigidMotions<D>; ++m)
   {
@@ -193,9 +259,9 @@ std::vector<std::vector<double>> LinearSystem<D>::nearNullSpace() const
     mode.size = 0.5 * norm(high - low);
     mode.coefficient[m] = 1.0;
     std::vector<double> motion(matrix_.rows());
-    for (int r = 0; r < graph_.rows; ++r)
+    for (std::size_t i = 0; i < own_.extent(0); ++i)
       for (int d = 0; d < D; ++d)
-        motion[D * r + d] = mode.at(position_[r])[d];
+        motion[D * i + d] = mode.at(position_[own_(i)])[d];
     motions.push_back(std::move(motion));
   }
   return motions;
@@ -224,21 +290,27 @@ void LinearSystem<D>::makeMultigrid()
   earlier_ = {};
   if (method_ != Method::Multigrid)
     return;
+  double failed = 0.0;
+  const std::vector<std::vector<double>> motions = nearNullSpace();
   try
   {
-    multigrid_ = std::make_unique<Multigrid>(matrix_, D, nearNullSpace());
+    multigrid_ = std::make_unique<Multigrid>(matrix_, D, motions);
   }
   catch (const std::exception&) // a matrix that cannot be aggregated
   {
-    method_ = Method::Diagonal;
+    failed = 1.0;
   }
+  if (owners_.ranks().max(failed) == 0.0)
+    return;
+  multigrid_.reset();
+  method_ = Method::Diagonal;
 }
 
 template <int D>
 SolveResult LinearSystem<D>::runGradients(const View<double*>& diagonal)
 {
   return gradients_->solve([this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
-                           { matrix_.multiply(x, y); },
+                           { matrix_.multiply(columns_->of(x), y); },
                            [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
                            { precondition(diagonal, x, y); });
 }
@@ -249,7 +321,7 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
   double size = 0.0;
   for (int k = 0; k < matrix_.rows(); ++k)
     size += b_(k) * b_(k);
-  size = std::sqrt(size);
+  size = std::sqrt(owners_.ranks().sum(size));
   if (size == 0.0)
   {
     Kokkos::deep_copy(x_, 0.0);
@@ -300,7 +372,7 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
 template <int D>
 void LinearSystem<D>::prepare()
 {
-  if (matrix_.rows() == 0)
+  if (!columns_)
     buildRows();
   if (method_ == Method::Unknown)
     method_ = choose();
@@ -309,7 +381,7 @@ void LinearSystem<D>::prepare()
 template <int D>
 bool LinearSystem<D>::takesUnsymmetric()
 {
-  if (graph_.rows == 0)
+  if (rowsOfAll_ == 0)
     return true;
   prepare();
   return method_ == Method::Direct;
@@ -319,7 +391,7 @@ template <int D>
 LinearAnswer LinearSystem<D>::solve(StiffnessBlocks stiffness, bool symmetric, const Values& right,
                                     double enough, const Values& change)
 {
-  if (graph_.rows == 0)
+  if (rowsOfAll_ == 0)
     return {true, 0, 0};
   prepare();
   fill(stiffness);
@@ -332,10 +404,13 @@ LinearAnswer LinearSystem<D>::solve(StiffnessBlocks stiffness, bool symmetric, c
 template <int D>
 LinearAnswer LinearSystem<D>::solveAgain(const Values& right, double enough, const Values& change)
 {
-  if (graph_.rows == 0)
+  if (rowsOfAll_ == 0)
     return {true, 0, 0};
   for (int k = 0; k < matrix_.rows(); ++k)
-    b_(k) = held_(k) != 0 ? 0.0 : right(k);
+  {
+    const int of = D * own_(k / D) + k % D;
+    b_(k) = held_(of) != 0 ? 0.0 : right(of);
+  }
   if (method_ != Method::Direct)
     return finish(iterate(enough), symmetric_, change);
   DirectSolver& direct = symmetric_ ? direct_ : unsymmetric_;
@@ -354,8 +429,8 @@ LinearAnswer LinearSystem<D>::finish(LinearAnswer answer, bool symmetric, const 
     answer = solveDirectly(symmetric);
   }
   for (int k = 0; k < matrix_.rows(); ++k)
-    if (held_(k) == 0)
-      change(k) = x_(k);
+    if (const int of = D * own_(k / D) + k % D; held_(of) == 0)
+      change(of) = x_(k);
   return answer;
 }
 

@@ -3,6 +3,8 @@
 
 #include "equilibrium/EarlierRows.hpp"
 #include "equilibrium/Particles.hpp"
+#include "equilibrium/RowOwners.hpp"
+#include "solver/ColumnValues.hpp"
 #include "solver/ConjugateGradients.hpp"
 #include "solver/DirectSolver.hpp"
 #include "solver/Multigrid.hpp"
@@ -21,13 +23,16 @@ struct LinearAnswer
 };
 
 /// The matrix of all unknowns, of one graph. Rows of unknowns that supports hold are those of the diagonal
-/// alone, so that each node keeps its D rows.
+/// alone, so that each node keeps its D rows. On several ranks each has the rows that it owns, and all calls
+/// but `unknowns` and `method` are collective.
 template <int D>
 class LinearSystem
 {
 public:
-  /// \param positions of the rows' nodes [m] \param held unknowns that supports hold
-  LinearSystem(const RowGraph& graph, const std::vector<Vector<D>>& positions, const Held& held);
+  /// \param owners of the rows \param positions of the rows' nodes [m] \param held unknowns that supports
+  /// hold
+  LinearSystem(const RowGraph& graph, const RowOwners& owners, const std::vector<Vector<D>>& positions,
+               const Held& held);
 
   /// Whether this is the system of another graph with its supports, so that its order of unknowns and its
   /// preconditioner serve there too.
@@ -37,17 +42,18 @@ public:
   /// diagonal.
   void adopt(LinearSystem& earlier);
 
-  /// Number of unknowns that no support holds.
+  /// Number of unknowns of all ranks that no support holds.
   int unknowns() const { return unknowns_; }
 
   /// Whether matrices that are not symmetric can be solved: by factorisation, not by conjugate gradients.
   bool takesUnsymmetric();
 
   /// Solves for the change of the free unknowns, those that are held changing as given.
-  /// \param stiffness released before the system is solved, if the caller keeps no reference
+  /// \param stiffness complete for the rows that this rank owns; released before the system is solved, if the
+  /// caller keeps no reference
   /// \param symmetric whether the stiffness is \param right forces on all unknowns
   /// \param enough residual that need not be improved on [N] \param change on entry of held unknowns, on exit
-  /// of all
+  /// of all that this rank owns
   LinearAnswer solve(StiffnessBlocks stiffness, bool symmetric, const Values& right, double enough,
                      const Values& change);
 
@@ -84,8 +90,14 @@ private:
   SolveResult runGradients(const View<double*>& diagonal);
 
   RowGraph graph_;
+  RowOwners owners_;
   std::vector<Vector<D>> position_;
   View<char*> held_;
+  View<int*> own_;         ///< rows of this rank, which are those of the matrix, one after another
+  std::vector<int> nodes_; ///< their nodes
+  View<int*> entryBegin_;  ///< of each of them in `entry_`; one more at the end
+  View<int*> entry_;       ///< of the graph, in the order of the matrix
+  int rowsOfAll_ = 0;      ///< of all ranks
   int unknowns_ = 0;
   SparseMatrix matrix_;
   Values b_, x_;
@@ -94,6 +106,7 @@ private:
   bool unsymmetricAnalysed_ = false;
   bool symmetric_ = true; ///< the last matrix
   std::unique_ptr<ConjugateGradients> gradients_;
+  std::unique_ptr<ColumnValues> columns_;
   std::unique_ptr<Multigrid> multigrid_;
   EarlierRows earlier_;       ///< where the multigrid is of an earlier system
   int iterationsWhenNew_ = 0; ///< with the multigrid, when it was made

@@ -1,7 +1,6 @@
 #include "equilibrium/Newton.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -50,9 +49,10 @@ double jumpOf(const SlopeJump& jump, const Values& u, int axis)
 
 template <int D>
 NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier, Boxes boxes)
-    : graph_(numberRows(state))
+    : graph_(numberRows(state)), owners_(findOwners(state, graph_))
 {
-  if (boxes == Boxes::MayBeClipped && LinearSystem<D>::isLarge(graph_.rows))
+  const double rows = owners_.sum(graph_.rows, [](int) { return 1.0; });
+  if (boxes == Boxes::MayBeClipped && LinearSystem<D>::isLarge(static_cast<int>(rows)))
     boxes_ = clipBoxes(state);
   jumps_ = findSlopeJumps(state, graph_);
   std::vector<Groups> groups;
@@ -68,7 +68,7 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
   {
     RowGraph apart = graph_;
     connect(state, groups, false, apart);
-    std::tie(apart_, piecesApart_) = findPieces(apart);
+    std::tie(apart_, piecesApart_) = findPieces(apart, owners_);
   }
   position_ = rowPositions(state, graph_);
   mass_ = rowMasses(state, graph_);
@@ -77,13 +77,13 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
   // Free pieces are held at as few unknowns as their motions take: what they exert there is rounding, for the
   // loads on a free piece balance.
   Held solved = held_;
-  for (const int k : unknownsOfMotions(modes_, pieceOf_, position_, mass_))
+  for (const int k : unknownsOfMotions(modes_, pieceOf_, position_, mass_, owners_))
     solved.is[k] = 1;
   if (earlier && earlier->fits(graph_, solved))
     system_ = std::move(earlier);
   else
   {
-    system_ = std::make_shared<LinearSystem<D>>(graph_, position_, solved);
+    system_ = std::make_shared<LinearSystem<D>>(graph_, owners_, position_, solved);
     if (earlier)
       system_->adopt(*earlier);
   }
@@ -102,30 +102,28 @@ void NewtonStep<D>::connect(const State<D>& state, const std::vector<Groups>& gr
   for (std::size_t k = 0; k < forces_.size(); ++k)
     if (joining || !forces_[k]->joinsPieces())
       all.insert(all.end(), groups[k].begin(), groups[k].end());
-  connectRows(state, all, boxes_, graph);
+  connectRows(state, all, boxes_, owners_, graph);
 }
 
 template <int D>
 std::vector<char> NewtonStep<D>::piecesThatResistRotation(int pieces) const
 {
-  std::vector<char> resists(pieces, 0);
+  std::vector<double> resists(pieces, 0.0);
   for (const auto& force : forces_)
     for (const int row : force->rowsThatResistRotation())
-      resists[pieceOf_[row]] = 1;
-  return resists;
+      resists[pieceOf_[row]] = 1.0;
+  owners_.ranks().max(resists.data(), pieces);
+  return {resists.begin(), resists.end()};
 }
 
 template <int D>
 void NewtonStep<D>::findFreeMotions()
 {
-  int pieces = 0;
-  std::tie(pieceOf_, pieces) = findPieces(graph_);
-  std::vector<int> size(pieces, 0);
-  for (const int piece : pieceOf_)
-    ++size[piece];
-  std::vector<char> unsupported(pieces, 0);
-  const std::vector<char> resists = piecesThatResistRotation(pieces);
-  for (const RigidMode<D>& mode : freeModes<D>(pieceOf_, pieces, position_, mass_, held_))
+  std::tie(pieceOf_, pieces_) = findPieces(graph_, owners_);
+  const std::vector<int> size = sizesOf(pieceOf_, pieces_);
+  std::vector<char> unsupported(pieces_, 0);
+  const std::vector<char> resists = piecesThatResistRotation(pieces_);
+  for (const RigidMode<D>& mode : freeModes<D>(pieceOf_, pieces_, position_, mass_, held_, owners_))
     if (resists[mode.piece] != 0 && mode.turns())
       continue;                            // as if springs held it to the axes of the cells
     else if (size[mode.piece] <= (1 << D)) // no more than a cell
@@ -139,6 +137,18 @@ void NewtonStep<D>::findFreeMotions()
       for (int d = 0; d < D; ++d)
         held_.is[D * r + d] = 1;
     }
+  unsupportedFields_ =
+      static_cast<int>(owners_.sum(graph_.rows, [&](int r) { return unsupported[pieceOf_[r]]; }));
+}
+
+template <int D>
+std::vector<int> NewtonStep<D>::sizesOf(const std::vector<int>& pieceOf, int pieces) const
+{
+  std::vector<double> size(pieces, 0.0);
+  for (std::size_t r = 0; r < pieceOf.size(); ++r)
+    size[pieceOf[r]] += owners_.owns(static_cast<int>(r)) ? 1.0 : 0.0;
+  owners_.ranks().sum(size.data(), pieces);
+  return {size.begin(), size.end()};
 }
 
 template <int D>
@@ -147,7 +157,7 @@ std::string NewtonStep<D>::bodyOf(const State<D>& state, const std::vector<int>&
   const Grid<D>& grid = state.mesh.grid;
   const auto position = state.particles.template real<D>(fields::position);
   const auto body = state.particles.integer(fields::body);
-  std::map<int, int> count;
+  std::vector<double> count(state.bodies.info.size(), 0.0);
   for (int p = 0; p < state.particles.size(); ++p)
   {
     int node = 0;
@@ -155,11 +165,12 @@ std::string NewtonStep<D>::bodyOf(const State<D>& state, const std::vector<int>&
       node += grid.stride[d] * static_cast<int>(grid.inCells(position(p, d), d));
     const int row = graph_.rowOf(node);
     if (row >= 0 && pieceOf[row] == piece)
-      ++count[body(p)];
+      count[body(p)] += 1.0;
   }
-  const auto most = std::max_element(count.begin(), count.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == count.end() ? "a part of a body" : state.bodies.info[most->first].name;
+  owners_.ranks().sum(count.data(), static_cast<int>(count.size()));
+  const auto most = std::max_element(count.begin(), count.end());
+  return most == count.end() || *most == 0.0 ? "a part of a body"
+                                             : state.bodies.info[most - count.begin()].name;
 }
 
 template <int D>
@@ -171,8 +182,10 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
   {
     for (int k = 0; k < D * graph_.rows; ++k)
       now[k / D][k % D] += u(k);
-    removed = removeResultants(modes_, pieceOf_, now, mass_, r);
+    removed = removeResultants(modes_, pieceOf_, now, mass_, owners_, r);
   }
+  for (int k = 0; k < D * graph_.rows; ++k) // loads count once
+    r(k) = owners_.owns(k / D) ? r(k) : 0.0;
   for (const SlopeJump& jump : jumps_)
     for (int d = 0; d < D; ++d)
     {
@@ -182,14 +195,16 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
     }
   for (const auto& force : forces_)
     force->add(u, r);
-  const bool good = subtractInternalForce(state, graph_, u, r);
+  const bool inverted = !subtractInternalForce(state, graph_, u, r);
+  const bool good = owners_.ranks().max(inverted ? 1.0 : 0.0) == 0.0;
+  addOverRanks(state, graph_, r);
   // Shear strain at the cells' centres is that of the cells' axes at the start of the step: as the body
   // deforms and turns, the torque of its internal forces is of the order of the strain that varies in a cell,
   // times strain.
   // The same holds where corrected broken cells at the edge of a body resist a rotation.
   const bool turnsFreely = state.method.shear == ShearStrain::AtParticles && state.cracks.dualField;
   if (good && !modes_.empty() && !turnsFreely)
-    removeResultants(modes_, pieceOf_, now, mass_, r);
+    removeResultants(modes_, pieceOf_, now, mass_, owners_, r);
   return good;
 }
 
@@ -219,7 +234,9 @@ bool NewtonStep<D>::assemble(const State<D>& state)
                                          block[k] += values[k];
                                      }) &&
                  symmetric_;
-  return addStiffness(state, graph_, displacement_, boxes_, stiffness_);
+  const bool inverted = !addStiffness(state, graph_, displacement_, boxes_, stiffness_);
+  owners_.sendEntries(graph_, stiffness_, D * D);
+  return owners_.ranks().max(inverted ? 1.0 : 0.0) == 0.0;
 }
 
 template <int D>
@@ -228,19 +245,15 @@ void NewtonStep<D>::updateForces(const State<D>& state, double& removed)
   bool changed = false;
   for (const auto& force : forces_)
     changed = force->update() || changed;
-  if (changed)
+  if (owners_.ranks().max(changed ? 1.0 : 0.0) > 0.0)
     residual(state, displacement_, residual_, removed);
 }
 
 template <int D>
 std::vector<int> NewtonStep<D>::piecesThatStayWhole() const
 {
-  std::vector<int> all(pieceOf_.size(), 0), apart(piecesApart_, 0), whole(piecesApart_, 0);
-  for (std::size_t r = 0; r < apart_.size(); ++r)
-  {
-    ++all[pieceOf_[r]];
-    ++apart[apart_[r]];
-  }
+  std::vector<int> whole(piecesApart_, 0);
+  const std::vector<int> all = sizesOf(pieceOf_, pieces_), apart = sizesOf(apart_, piecesApart_);
   for (std::size_t r = 0; r < apart_.size(); ++r)
     whole[apart_[r]] = apart[apart_[r]] == all[pieceOf_[r]] ? 1 : 0;
   return whole;
@@ -249,7 +262,7 @@ std::vector<int> NewtonStep<D>::piecesThatStayWhole() const
 template <int D>
 std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
 {
-  if (apart_.empty())
+  if (piecesApart_ == 0)
     return {};
   std::vector<HeldDirection<D>> resisted;
   for (const auto& force : forces_)
@@ -257,12 +270,11 @@ std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
     const std::vector<HeldDirection<D>> its = force->heldDirections();
     resisted.insert(resisted.end(), its.begin(), its.end());
   }
-  std::vector<int> size(piecesApart_, 0);
-  for (const int piece : apart_)
-    ++size[piece];
+  const std::vector<int> size = sizesOf(apart_, piecesApart_);
   std::set<std::string> lines;
   const std::vector<int> whole = piecesThatStayWhole();
-  for (const RigidMode<D>& mode : freeModes<D>(apart_, piecesApart_, position_, mass_, held_, resisted))
+  for (const RigidMode<D>& mode :
+       freeModes<D>(apart_, piecesApart_, position_, mass_, held_, owners_, resisted))
     if (size[mode.piece] > (1 << D) && whole[mode.piece] == 0)
       lines.insert("a part of " + bodyOf(state, apart_, mode.piece) + " " + mode.asText());
   std::string all;
@@ -279,7 +291,7 @@ void NewtonStep<D>::removeRigidMotion(const Values& change) const
   const Values momentum("rhegma::equilibrium::momentum", change.extent(0));
   for (std::size_t k = 0; k < change.extent(0); ++k)
     momentum(k) = mass_[k / D] * change(k);
-  removeResultants(modes_, pieceOf_, position_, mass_, momentum);
+  removeResultants(modes_, pieceOf_, position_, mass_, owners_, momentum);
   // A free motion leaves in place what supports hold: what it has there is rounding.
   for (std::size_t k = 0; k < change.extent(0); ++k)
     if (held_.is[k] == 0 && mass_[k / D] > 0.0)
@@ -291,9 +303,9 @@ double NewtonStep<D>::norm(const Values& r, bool held) const
 {
   double sum = 0.0;
   for (int k = 0; k < D * graph_.rows; ++k)
-    if ((held_.is[k] != 0) == held)
+    if ((held_.is[k] != 0) == held && owners_.owns(k / D))
       sum += r(k) * r(k);
-  return std::sqrt(sum);
+  return std::sqrt(owners_.ranks().sum(sum));
 }
 
 template <int D>
@@ -328,11 +340,12 @@ int NewtonStep<D>::iterationsFor(int most) const
 template <int D>
 bool NewtonStep<D>::supportsAreInPlace() const
 {
+  double apart = 0.0;
   for (int i = 0; i < D * graph_.rows; ++i)
     if (held_.is[i] != 0 &&
         std::fabs(held_.change[i] - displacement_(i)) > 1e-12 * std::fabs(held_.change[i]))
-      return false;
-  return true;
+      apart = 1.0;
+  return owners_.ranks().max(apart) == 0.0;
 }
 
 template <int D>
@@ -355,20 +368,28 @@ void NewtonStep<D>::explain(const State<D>& state, StepReport& report) const
 }
 
 template <int D>
+double NewtonStep<D>::takeLoads(const State<D>& state)
+{
+  for (int k = 0; k < D * graph_.rows; ++k)
+    load_(k) = state.mesh.nodes.sums(graph_.nodeOf(k / D), Nodes<D>::forceAt + k % D);
+  double idle = 0.0;
+  for (const int r : unsupported_)
+  {
+    double square = 0.0;
+    for (int d = 0; d < D && owners_.owns(r); ++d)
+      square += load_(D * r + d) * load_(D * r + d);
+    idle += std::sqrt(square);
+  }
+  return owners_.ranks().sum(idle);
+}
+
+template <int D>
 StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int most)
 {
   StepReport report;
   report.forces = largestForces;
   const int n = D * graph_.rows;
-  for (int k = 0; k < n; ++k)
-    load_(k) = state.mesh.nodes.sums(graph_.nodeOf(k / D), Nodes<D>::forceAt + k % D);
-  for (const int r : unsupported_)
-  {
-    double square = 0.0;
-    for (int d = 0; d < D; ++d)
-      square += load_(D * r + d) * load_(D * r + d);
-    report.unsupportedLoad += std::sqrt(square);
-  }
+  report.unsupportedLoad = takeLoads(state);
   Kokkos::deep_copy(displacement_, 0.0);
   if (!residual(state, displacement_, residual_, report.removedFraction))
     return report;
@@ -378,6 +399,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   report.forces = std::max(report.forces, norm(atStart, false));
   bool keeps = false; // the last stiffness
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
+  moved = owners_.ranks().max(moved ? 1.0 : 0.0) > 0.0;
   most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
   for (int k = 0; k <= most; ++k)
   {
@@ -394,6 +416,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     const LinearAnswer answer =
         keeps ? system_->solveAgain(residual_, enough, change)
               : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, enough, change);
+    copyFromOwners(state, graph_, owners_, change);
     removeRigidMotion(change);
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
@@ -414,7 +437,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   for (int k = 0; k < n; ++k)
   {
     reaction_(k) = held_.is[k] != 0 ? -residual_(k) : 0.0;
-    workOfSupports_ -= held_.is[k] != 0 ? 0.5 * (residual_(k) + atStart(k)) * displacement_(k) : 0.0;
+    workOfSupports_ -=
+        held_.is[k] != 0 && owners_.owns(k / D) ? 0.5 * (residual_(k) + atStart(k)) * displacement_(k) : 0.0;
   }
   return report;
 }

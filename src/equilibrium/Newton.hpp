@@ -39,7 +39,9 @@ enum class Boxes
   AsTheyAre
 };
 
-/// The unknowns of a step and the forces between them.
+/// The unknowns of a step and the forces between them. On several ranks the rows are those of the rank's
+/// window, with the same values on all ranks that have them, and what the rank's particles, jumps and forces
+/// exert is summed over the ranks. The constructor and all calls that get a state are collective.
 template <int D>
 class NewtonStep
 {
@@ -56,13 +58,12 @@ public:
   int unknowns() const { return system_ ? system_->unknowns() : 0; }
   const char* solver() const { return system_ ? system_->method() : "none"; }
   const std::shared_ptr<LinearSystem<D>>& system() const { return system_; }
-  int rows() const { return graph_.rows; }
   double matrixEntries() const { return static_cast<double>(D) * D * graph_.column.extent(0); }
   const std::vector<RigidMode<D>>& freeMotions() const { return modes_; }
   /// Name of the body that has most of a piece.
   std::string bodyOf(const State<D>& state, int piece) const { return bodyOf(state, pieceOf_, piece); }
-  /// Fields that hang on nothing, and stay where they are.
-  int unsupportedFields() const { return static_cast<int>(unsupported_.size()); }
+  /// Fields of all ranks that hang on nothing, and stay where they are.
+  int unsupportedFields() const { return unsupportedFields_; }
 
   /// Finds the displacement under the nodal forces of the state. \return how; `displacement` then holds it
   /// \param largestForces of earlier steps [N]: residuals are fractions of the largest forces of the run
@@ -72,7 +73,7 @@ public:
   const Values& displacement() const { return displacement_; }
   /// Forces of supports on the body [N]; zero on other unknowns.
   const Values& reaction() const { return reaction_; }
-  /// Work of the supports over the step [J], and energy of the ghost penalty.
+  /// Work of the supports over the step [J], and energy of the ghost penalty: this rank's part.
   double workOfSupports() const { return workOfSupports_; }
   double ghostEnergy() const;
   const RowGraph& graph() const { return graph_; }
@@ -83,10 +84,13 @@ private:
   void connect(const State<D>& state, const std::vector<Groups>& groups, bool joining, RowGraph& graph) const;
   void findFreeMotions();
   std::vector<char> piecesThatResistRotation(int pieces) const;
-  /// Forces minus resistance at a trial displacement. \return false where a particle is inverted
+  /// Forces minus resistance at a trial displacement. \return false, on all ranks, where a particle is
+  /// inverted
   bool residual(const State<D>& state, const Values& u, const Values& r, double& removed) const;
-  /// \return whether the stiffness is that of a trial displacement that exists
+  /// \return whether the stiffness is that of a trial displacement that exists, on all ranks
   bool assemble(const State<D>& state);
+  /// Takes the nodal forces of the state as loads. \return sum of those on unsupported pieces [N]
+  double takeLoads(const State<D>& state);
   /// Lets the step's forces learn from an accepted displacement, and finds the residual that then remains.
   void updateForces(const State<D>& state, double& removed);
   /// Which pieces are no larger with the forces of the step that join pieces.
@@ -106,20 +110,25 @@ private:
   /// Takes the mean motion and rotation from the change of free pieces: loads do not turn with a body, so
   /// that the stiffness of a body's rotation is that of its stress, which is as small and may be negative.
   void removeRigidMotion(const Values& change) const;
-  /// Part of a residual on unknowns that are held (true) or free (false), as 2-norm.
+  /// Number of rows of each piece.
+  std::vector<int> sizesOf(const std::vector<int>& pieceOf, int pieces) const;
+  /// Part of a residual on unknowns of all ranks that are held (true) or free (false), as 2-norm.
   double norm(const Values& r, bool held) const;
   /// Moves along the change, halving it until the residual falls. \return false where it does not
   bool search(const State<D>& state, const Values& change, double before, double enough, double& removed);
 
   RowGraph graph_;
+  RowOwners owners_;
   ClippedBoxes<D> boxes_;
   std::vector<SlopeJump> jumps_;
   std::vector<Vector<D>> position_;
   std::vector<double> mass_;
   std::vector<int> pieceOf_;
+  int pieces_ = 0;
   std::vector<RigidMode<D>> modes_;
   Held held_;
   std::vector<int> unsupported_; ///< rows
+  int unsupportedFields_ = 0;
   std::vector<std::shared_ptr<StepForce<D>>> forces_;
   std::vector<int>
       apart_; ///< piece of each row, without the forces that join pieces; empty if there are none

@@ -23,28 +23,25 @@ constexpr double leastHeldMass = 0.1;
 template <int D>
 std::vector<RigidMode<D>> framesOfPieces(const std::vector<int>& pieceOf, int pieces,
                                          const std::vector<Vector<D>>& position,
-                                         const std::vector<double>& mass)
+                                         const std::vector<double>& mass, const RowOwners& owners)
 {
   std::vector<RigidMode<D>> frames(pieces);
-  std::vector<double> all(pieces, 0.0);
+  std::vector<double> sums(static_cast<std::size_t>(D + 1) * pieces, 0.0), size(pieces, 0.0);
   for (std::size_t r = 0; r < pieceOf.size(); ++r)
-  {
-    frames[pieceOf[r]].centre = frames[pieceOf[r]].centre + mass[r] * position[r];
-    all[pieceOf[r]] += mass[r];
-  }
+    for (int d = 0; d <= D && owners.owns(static_cast<int>(r)); ++d)
+      sums[(D + 1) * pieceOf[r] + d] += d < D ? mass[r] * position[r][d] : mass[r];
+  owners.ranks().sum(sums.data(), static_cast<int>(sums.size()));
   for (int k = 0; k < pieces; ++k)
   {
     frames[k].piece = k;
-    frames[k].centre = (1.0 / all[k]) * frames[k].centre;
-    frames[k].size = 0.0;
+    for (int d = 0; d < D; ++d)
+      frames[k].centre[d] = (1.0 / sums[(D + 1) * k + D]) * sums[(D + 1) * k + d];
   }
   for (std::size_t r = 0; r < pieceOf.size(); ++r)
-  {
-    RigidMode<D>& frame = frames[pieceOf[r]];
-    frame.size = std::max(frame.size, norm(position[r] - frame.centre));
-  }
-  for (RigidMode<D>& frame : frames)
-    frame.size = frame.size > 0.0 ? frame.size : 1.0;
+    size[pieceOf[r]] = std::max(size[pieceOf[r]], norm(position[r] - frames[pieceOf[r]].centre));
+  owners.ranks().max(size.data(), pieces);
+  for (int k = 0; k < pieces; ++k)
+    frames[k].size = size[k] > 0.0 ? size[k] : 1.0;
   return frames;
 }
 
@@ -77,6 +74,36 @@ void separateTranslations(std::vector<RigidMode<D>>& modes, int piece)
     std::copy_n(turned[v], n, modes[first + v].coefficient);
 }
 
+/// An unknown: the number of its row among those of all ranks, its axis and position.
+template <int D>
+struct UnknownAt
+{
+  long long number = -1;
+  int axis = 0;
+  Vector<D> position{};
+};
+
+/// The unknown of the rank with the largest value, of the first one with it.
+template <int D>
+UnknownAt<D> largestOfRanks(const Ranks& ranks, double value, const UnknownAt<D>& own)
+{
+  if (!ranks.many())
+    return own;
+  const bool has = own.number >= 0 && value == ranks.max(value);
+  const double first = -ranks.max(has ? -static_cast<double>(ranks.rank()) : -ranks.size());
+  double sent[2 + D] = {};
+  if (first == ranks.rank())
+  {
+    sent[0] = static_cast<double>(own.number + 1);
+    sent[1] = own.axis;
+    std::copy_n(own.position.c, D, sent + 2);
+  }
+  ranks.sum(sent, 2 + D);
+  UnknownAt<D> all{static_cast<long long>(sent[0]) - 1, static_cast<int>(sent[1]), {}};
+  std::copy_n(sent + 2, D, all.position.c);
+  return all;
+}
+
 } // namespace
 
 template <int D>
@@ -97,10 +124,11 @@ std::string RigidMode<D>::asText() const
 template <int D>
 std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
                                     const std::vector<Vector<D>>& position, const std::vector<double>& mass,
-                                    const Held& held, const std::vector<HeldDirection<D>>& resisted)
+                                    const Held& held, const RowOwners& owners,
+                                    const std::vector<HeldDirection<D>>& resisted)
 {
   constexpr int n = rigidMotions<D>;
-  const std::vector<RigidMode<D>> frames = framesOfPieces(pieceOf, pieces, position, mass);
+  const std::vector<RigidMode<D>> frames = framesOfPieces(pieceOf, pieces, position, mass, owners);
   std::vector<std::array<double, n * n>> hold(pieces, std::array<double, n * n>{});
   const auto add = [&](std::size_t row, const Vector<D>& at, const auto& component)
   {
@@ -116,10 +144,12 @@ std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
   };
   for (std::size_t r = 0; r < pieceOf.size(); ++r)
     for (int d = 0; d < D; ++d)
-      if (held.is[D * r + d] != 0)
+      if (held.is[D * r + d] != 0 && owners.owns(static_cast<int>(r)))
         add(r, position[r], [d](const Vector<D>& u) { return u[d]; });
   for (const HeldDirection<D>& by : resisted)
     add(by.row, by.position, [&by](const Vector<D>& u) { return dot(u, by.direction); });
+  for (std::array<double, n * n>& of : hold)
+    owners.ranks().sum(of.data(), n * n);
   std::vector<RigidMode<D>> modes;
   Teuchos::LAPACK<int, double> lapack;
   for (int k = 0; k < pieces; ++k)
@@ -141,7 +171,7 @@ std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
 template <int D>
 double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
                         const std::vector<Vector<D>>& position, const std::vector<double>& mass,
-                        const View<double*>& force)
+                        const RowOwners& owners, const View<double*>& force)
 {
   double largest = 0.0;
   for (std::size_t first = 0; first < modes.size();)
@@ -151,33 +181,39 @@ double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vecto
       ++last;
     const int n = static_cast<int>(last - first);
     Teuchos::SerialDenseMatrix<int, double> inertia(n, n), resultant(n, 1), acceleration(n, 1);
-    double size = 0.0, taken = 0.0;
+    constexpr int most = rigidMotions<D>, sizeAt = most * most + most;
+    double sums[sizeAt + 1] = {}; // inertia, resultant, size
     const auto forRows = [&](const auto& use)
     {
       for (std::size_t r = 0; r < pieceOf.size(); ++r)
         if (pieceOf[r] == modes[first].piece)
-          use(r);
+          use(r, owners.owns(static_cast<int>(r)));
     };
     forRows(
-        [&](std::size_t r)
+        [&](std::size_t r, bool own)
         {
-          for (int a = 0; a < n; ++a)
+          for (int a = 0; a < n && own; ++a)
           {
             const Vector<D> u = modes[first + a].at(position[r]);
             for (int b = 0; b < n; ++b)
-              inertia(a, b) += mass[r] * dot(u, modes[first + b].at(position[r]));
+              sums[most * a + b] += mass[r] * dot(u, modes[first + b].at(position[r]));
             for (int d = 0; d < D; ++d)
-              resultant(a, 0) += u[d] * force(D * r + d);
+              sums[most * most + a] += u[d] * force(D * r + d);
           }
-          for (int d = 0; d < D; ++d)
-            size += std::fabs(force(D * r + d));
+          for (int d = 0; d < D && own; ++d)
+            sums[sizeAt] += std::fabs(force(D * r + d));
         });
+    owners.ranks().sum(sums, sizeAt + 1);
+    for (int k = 0; k < n * n; ++k)
+      inertia(k / n, k % n) = sums[most * (k / n) + k % n];
+    std::copy_n(sums + most * most, n, resultant.values());
     Teuchos::SerialDenseSolver<int, double> solver;
     solver.setMatrix(Teuchos::rcpFromRef(inertia));
     solver.setVectors(Teuchos::rcpFromRef(acceleration), Teuchos::rcpFromRef(resultant));
     solver.solve();
+    double taken = 0.0;
     forRows(
-        [&](std::size_t r)
+        [&](std::size_t r, bool own)
         {
           for (int a = 0; a < n; ++a)
           {
@@ -186,11 +222,12 @@ double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vecto
             {
               const double part = mass[r] * acceleration(a, 0) * u[d];
               force(D * r + d) -= part;
-              taken += std::fabs(part);
+              taken += own ? std::fabs(part) : 0.0;
             }
           }
         });
-    largest = size > 0.0 ? std::max(largest, taken / size) : largest;
+    taken = owners.ranks().sum(taken);
+    largest = sums[sizeAt] > 0.0 ? std::max(largest, taken / sums[sizeAt]) : largest;
     first = last;
   }
   return largest;
@@ -200,55 +237,62 @@ template struct RigidMode<2>;
 template struct RigidMode<3>;
 template <int D>
 std::vector<int> unknownsOfMotions(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
-                                   const std::vector<Vector<D>>& position, const std::vector<double>& mass)
+                                   const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                                   const RowOwners& owners)
 {
   std::vector<int> chosen;
-  std::vector<std::pair<RigidMode<D>, int>> taken; // modes and the unknowns that hold them
+  std::vector<std::pair<RigidMode<D>, UnknownAt<D>>> taken; // modes and the unknowns that hold them
   for (RigidMode<D> mode : modes)
   {
     // A combination that moves no unknown that is held already.
-    for (const auto& [other, k] : taken)
+    for (const auto& [other, by] : taken)
       if (other.piece == mode.piece)
       {
-        const double ratio = mode.at(position[k / D])[k % D] / other.at(position[k / D])[k % D];
+        const double ratio = mode.at(by.position)[by.axis] / other.at(by.position)[by.axis];
         for (int m = 0; m < rigidMotions<D>; ++m)
           mode.coefficient[m] -= ratio * other.coefficient[m];
       }
-    int best = -1;
+    UnknownAt<D> best;
     double largest = 0.0, heaviest = 0.0;
     for (std::size_t r = 0; r < position.size(); ++r)
       heaviest = std::max(heaviest, pieceOf[r] == mode.piece ? mass[r] : 0.0);
+    heaviest = owners.ranks().max(heaviest);
     for (std::size_t r = 0; r < position.size(); ++r)
       for (int d = 0; d < D && pieceOf[r] == mode.piece && mass[r] >= leastHeldMass * heaviest; ++d)
-        if (const double moved = std::fabs(mode.at(position[r])[d]); moved > largest)
+        if (const double moved = std::fabs(mode.at(position[r])[d]);
+            moved > largest && owners.owns(static_cast<int>(r)))
         {
           largest = moved;
-          best = D * static_cast<int>(r) + d;
+          best = {owners.numberOf(static_cast<int>(r)), d, position[r]};
         }
-    if (best < 0)
+    best = largestOfRanks(owners.ranks(), largest, best);
+    if (best.number < 0)
       continue;
     taken.push_back({mode, best});
-    chosen.push_back(best);
+    if (const int row = owners.find(best.number); row >= 0)
+      chosen.push_back(D * row + best.axis);
   }
   return chosen;
 }
 
 template std::vector<RigidMode<2>> freeModes(const std::vector<int>&, int, const std::vector<Vector<2>>&,
-                                             const std::vector<double>&, const Held&,
+                                             const std::vector<double>&, const Held&, const RowOwners&,
                                              const std::vector<HeldDirection<2>>&);
 template std::vector<RigidMode<3>> freeModes(const std::vector<int>&, int, const std::vector<Vector<3>>&,
-                                             const std::vector<double>&, const Held&,
+                                             const std::vector<double>&, const Held&, const RowOwners&,
                                              const std::vector<HeldDirection<3>>&);
 template double removeResultants(const std::vector<RigidMode<2>>&, const std::vector<int>&,
-                                 const std::vector<Vector<2>>&, const std::vector<double>&,
+                                 const std::vector<Vector<2>>&, const std::vector<double>&, const RowOwners&,
                                  const View<double*>&);
 template double removeResultants(const std::vector<RigidMode<3>>&, const std::vector<int>&,
-                                 const std::vector<Vector<3>>&, const std::vector<double>&,
+                                 const std::vector<Vector<3>>&, const std::vector<double>&, const RowOwners&,
                                  const View<double*>&);
 
 template std::vector<int> unknownsOfMotions(const std::vector<RigidMode<2>>&, const std::vector<int>&,
-                                            const std::vector<Vector<2>>&, const std::vector<double>&);
+                                            const std::vector<Vector<2>>&, const std::vector<double>&,
+                                            const RowOwners&);
 template std::vector<int> unknownsOfMotions(const std::vector<RigidMode<3>>&, const std::vector<int>&,
-                                            const std::vector<Vector<3>>&, const std::vector<double>&);
+                                            const std::vector<Vector<3>>&, const std::vector<double>&,
+                                            const RowOwners&);
 
 } // namespace Rhegma::equilibrium

@@ -1,7 +1,7 @@
 #pragma once
 /// Rigid motions that no support prevents.
 
-#include "equilibrium/Unknowns.hpp"
+#include "equilibrium/RowOwners.hpp"
 #include "state/StepForce.hpp"
 
 #include <string>
@@ -56,24 +56,27 @@ struct RigidMode
   std::string asText() const;
 };
 
-/// The free motions of all pieces, orthogonal to each other.
+/// The free motions of all pieces, orthogonal to each other. Collective.
 /// \param resisted directions in which something other than a support holds a piece
 template <int D>
 std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
                                     const std::vector<Vector<D>>& position, const std::vector<double>& mass,
-                                    const Held& held, const std::vector<HeldDirection<D>>& resisted = {});
+                                    const Held& held, const RowOwners& owners,
+                                    const std::vector<HeldDirection<D>>& resisted = {});
 
 /// Takes from forces what would accelerate free pieces: f -= M R (R^T M R)^-1 R^T f, R the modes at the
-/// current positions. \return the largest fraction of a force that was taken
+/// current positions. Collective. \param force on all rows, the same on all ranks that have one \return the
+/// largest fraction of a force that was taken
 template <int D>
 double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
                         const std::vector<Vector<D>>& position, const std::vector<double>& mass,
-                        const View<double*>& force);
+                        const RowOwners& owners, const View<double*>& force);
 
 /// As many unknowns (D * row + axis) as there are modes, which prevent the motions of their pieces when held.
-/// Nodes that a piece hardly touches are not among them.
+/// Nodes that a piece hardly touches are not among them. Collective. \return those that this rank has
 template <int D>
 std::vector<int> unknownsOfMotions(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
-                                   const std::vector<Vector<D>>& position, const std::vector<double>& mass);
+                                   const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                                   const RowOwners& owners);
 
 } // namespace Rhegma::equilibrium

@@ -1,5 +1,7 @@
 #include "equilibrium/Unknowns.hpp"
 
+#include "equilibrium/RowOwners.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <algorithm>
@@ -65,26 +67,28 @@ RowGraph numberRows(const State<D>& state)
   RowGraph graph;
   const int nodes = static_cast<int>(state.mesh.nodes.sums.extent(0));
   graph.rowOf = View<int*>("rhegma::rowOfNode", nodes);
-  std::vector<char> used(nodes, 0);
+  const View<double*> used("rhegma::usedNodes", nodes);
   forEachStencil(state, ClippedBoxes<D>(),
                  [&](const std::vector<int>& of)
                  {
                    for (const int n : of)
-                     used[n] = 1;
+                     used(n) = 1.0;
                  });
-  graph.rows = static_cast<int>(std::count(used.begin(), used.end(), 1));
+  sumOverRanks(state, used.data(), 1, 0, 1);
+  graph.rows = nodes - static_cast<int>(std::count(used.data(), used.data() + nodes, 0.0));
   graph.nodeOf = View<int*>("rhegma::nodeOfRow", graph.rows);
   for (int n = 0, row = 0; n < nodes; ++n)
   {
-    graph.rowOf(n) = used[n] != 0 ? row : -1;
-    if (used[n] != 0)
+    graph.rowOf(n) = used(n) != 0.0 ? row : -1;
+    if (used(n) != 0.0)
       graph.nodeOf(row++) = n;
   }
   return graph;
 }
 
 template <int D>
-void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes, RowGraph& graph)
+void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes,
+                 const RowOwners& owners, RowGraph& graph)
 {
   std::vector<std::vector<int>> coupled(graph.rows);
   std::vector<int> rows;
@@ -98,6 +102,9 @@ void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes
                  });
   for (const std::vector<int>& group : groups)
     addCouplings(group, coupled);
+  for (int r = 0; r < graph.rows; ++r)
+    coupled[r].push_back(r); // also where only particles of other ranks see it
+  owners.sendCouplings(coupled);
   graph.first = View<int*>("rhegma::rowStarts", graph.rows + 1);
   for (int r = 0; r < graph.rows; ++r)
   {
@@ -110,7 +117,7 @@ void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes
     std::copy(coupled[r].begin(), coupled[r].end(), graph.column.data() + graph.first(r));
 }
 
-std::pair<std::vector<int>, int> findPieces(const RowGraph& graph)
+std::pair<std::vector<int>, int> findPieces(const RowGraph& graph, const RowOwners& owners)
 {
   std::vector<int> piece(graph.rows, -1), stack;
   int count = 0;
@@ -133,7 +140,7 @@ std::pair<std::vector<int>, int> findPieces(const RowGraph& graph)
     }
     ++count;
   }
-  return {piece, count};
+  return owners.joinPieces(piece, count);
 }
 
 template <int D>
@@ -178,8 +185,10 @@ Held findHeld(const State<D>& state, const RowGraph& graph)
 
 template RowGraph numberRows(const State<2>&);
 template RowGraph numberRows(const State<3>&);
-template void connectRows(const State<2>&, const Groups&, const ClippedBoxes<2>&, RowGraph&);
-template void connectRows(const State<3>&, const Groups&, const ClippedBoxes<3>&, RowGraph&);
+template void connectRows(const State<2>&, const Groups&, const ClippedBoxes<2>&, const RowOwners&,
+                          RowGraph&);
+template void connectRows(const State<3>&, const Groups&, const ClippedBoxes<3>&, const RowOwners&,
+                          RowGraph&);
 template std::vector<Vector<2>> rowPositions(const State<2>&, const RowGraph&);
 template std::vector<Vector<3>> rowPositions(const State<3>&, const RowGraph&);
 template std::vector<double> rowMasses(const State<2>&, const RowGraph&);

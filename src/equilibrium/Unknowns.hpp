@@ -49,19 +49,26 @@ struct RowGraph
   }
 };
 
+class RowOwners;
+
 /// Rows that are coupled although no particle sees both, one group a list.
 using Groups = std::vector<std::vector<int>>;
 
-/// The rows of the nodes that particles see, without couplings. Needs the stencils of the step.
+/// The rows of the nodes that particles see, those of other ranks included, without couplings. Needs the
+/// stencils of the step. Collective.
 template <int D>
 RowGraph numberRows(const State<D>& state);
 
-/// Finds the coupled rows. \param groups further ones \param boxes in place of those of the particles, if any
+/// Finds the coupled rows: those of all ranks for rows of this rank, for others those of this rank's
+/// particles and groups. Collective. \param groups further ones \param boxes in place of those of the
+/// particles, if any
 template <int D>
-void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes, RowGraph& graph);
+void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes,
+                 const RowOwners& owners, RowGraph& graph);
 
-/// Pieces: rows that are coupled directly or through others. \return the piece of each row, and their number
-std::pair<std::vector<int>, int> findPieces(const RowGraph& graph);
+/// Pieces: rows of all ranks that are coupled directly or through others. Collective. \return the piece of
+/// each row, and their number
+std::pair<std::vector<int>, int> findPieces(const RowGraph& graph, const RowOwners& owners);
 
 /// Positions of the nodes of rows [m].
 template <int D>

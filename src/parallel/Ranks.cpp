@@ -93,6 +93,20 @@ std::vector<int> Ranks::gather(const std::vector<int>& own) const
   return many() ? gathered(*holder_->comm, MPI_INT, own) : own;
 }
 
+std::vector<double> Ranks::scatter(const std::vector<double>& all, int own) const
+{
+  if (!many())
+    return all;
+  const std::vector<int> counts = gather(std::vector<int>{own});
+  std::vector<int> begins(counts.size(), 0);
+  for (std::size_t r = 1; r < begins.size(); ++r)
+    begins[r] = begins[r - 1] + counts[r - 1];
+  std::vector<double> part(own);
+  const MPI_Comm raw = *dynamic_cast<const Teuchos::MpiComm<int>&>(*holder_->comm).getRawMpiComm();
+  MPI_Scatterv(all.data(), counts.data(), begins.data(), MPI_DOUBLE, part.data(), own, MPI_DOUBLE, 0, raw);
+  return part;
+}
+
 std::vector<double> Ranks::gatherOnAll(const std::vector<double>& own) const
 {
   if (!many())

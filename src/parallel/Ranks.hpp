@@ -42,7 +42,9 @@ public:
   /// The numbers of all ranks one after another on rank 0; nothing on others.
   std::vector<double> gather(const std::vector<double>& own) const;
   std::vector<int> gather(const std::vector<int>& own) const;
-  /// The same on all ranks.
+  /// The numbers of each rank, `own` of them, from those of all ranks one after another on rank 0.
+  std::vector<double> scatter(const std::vector<double>& all, int own) const;
+  /// As `gather`, on all ranks.
   std::vector<double> gatherOnAll(const std::vector<double>& own) const;
 
   /// The communicator; null with one rank.

@@ -1,5 +1,5 @@
 #pragma once
-/// Direct solution of sparse systems on this rank, by MUMPS where the library was built with it.
+/// Direct solution of sparse systems, by MUMPS where the library was built with it.
 
 #include "solver/SparseMatrix.hpp"
 
@@ -10,6 +10,8 @@ namespace Rhegma
 
 /// Factorises a matrix, definite or not, as L D L^T if it is symmetric and as L U if it is not, by the
 /// multifrontal method (Amestoy, Duff, L'Excellent and Koster, SIAM J. Matrix Anal. Appl. 23 (2001) 15).
+/// Ranks factorise a matrix together; right sides and solutions pass through the first one. All calls that
+/// take a matrix or a right side, and the destructor, are collective over the matrix' ranks.
 class DirectSolver
 {
 public:
@@ -33,7 +35,8 @@ public:
   /// Negative eigenvalues of the last factorised matrix; 0 where it is not symmetric.
   int negativeEigenvalues() const;
 
-  /// Solves with the last factorised matrix. \param x on entry the right side, on exit the solution
+  /// Solves with the last factorised matrix. \param x on entry the right side of this rank's rows, on exit
+  /// the solution
   void solve(const View<double*>& x);
 
 private:

@@ -45,6 +45,32 @@ Teuchos::ParameterList settings(int perNode)
   return list;
 }
 
+/// The couplings among the rows of this rank; the matrix itself with one rank.
+SparseMatrix amongOwnRows(const SparseMatrix& matrix)
+{
+  if (!matrix.ranks.many())
+    return matrix;
+  const int n = matrix.rows();
+  SparseMatrix own;
+  own.first = View<std::size_t*>("rhegma::Multigrid::first", n + 1);
+  for (int r = 0; r < n; ++r)
+  {
+    own.first(r + 1) = own.first(r);
+    for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
+      own.first(r + 1) += matrix.column(k) < n ? 1 : 0;
+  }
+  own.column = View<int*>("rhegma::Multigrid::column", own.first(n));
+  own.value = View<double*>("rhegma::Multigrid::ownValue", own.first(n));
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < matrix.column.extent(0); ++k)
+    if (matrix.column(k) < n)
+    {
+      own.column(at) = matrix.column(k);
+      own.value(at++) = matrix.value(k);
+    }
+  return own;
+}
+
 /// Fraction of the largest diagonal entry below which a row is weak.
 constexpr double weakDiagonal = 1e-4;
 
@@ -78,16 +104,21 @@ View<double*> withoutWeakRows(const SparseMatrix& matrix)
 struct Multigrid::Hierarchy
 {
   RCP<const Map> map;
-  RCP<Cycle> cycle;
+  RCP<Cycle> cycle; ///< null where there are no rows
+
+  void apply(const BorrowedView<const double*>& x, const BorrowedView<double*>& y) const;
 };
 
 bool Multigrid::available() { return true; }
 
-Multigrid::Multigrid(const SparseMatrix& matrix, int perNode,
+Multigrid::Multigrid(const SparseMatrix& ofRanks, int perNode,
                      const std::vector<std::vector<double>>& rigidMotions)
     : hierarchy_(std::make_unique<Hierarchy>())
 {
+  const SparseMatrix matrix = amongOwnRows(ofRanks);
   const auto n = static_cast<std::size_t>(matrix.rows());
+  if (n == 0)
+    return;
   hierarchy_->map = rcp(new Map(n, 0, rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF))));
   const RCP<Matrix> shared =
       rcp(new Matrix(hierarchy_->map, hierarchy_->map, matrix.first, matrix.column, withoutWeakRows(matrix)));
@@ -105,10 +136,16 @@ Multigrid::~Multigrid() = default;
 
 void Multigrid::apply(const BorrowedView<const double*>& x, const BorrowedView<double*>& y) const
 {
-  MultiVector in(hierarchy_->map, 1), out(hierarchy_->map, 1);
+  if (!hierarchy_->cycle.is_null())
+    hierarchy_->apply(x, y);
+}
+
+void Multigrid::Hierarchy::apply(const BorrowedView<const double*>& x, const BorrowedView<double*>& y) const
+{
+  MultiVector in(map, 1), out(map, 1);
   Kokkos::deep_copy(Kokkos::subview(in.getLocalViewDevice(Tpetra::Access::OverwriteAll), Kokkos::ALL(), 0),
                     x);
-  hierarchy_->cycle->apply(in, out);
+  cycle->apply(in, out);
   Kokkos::deep_copy(y, Kokkos::subview(out.getLocalViewDevice(Tpetra::Access::ReadOnly), Kokkos::ALL(), 0));
 }
 

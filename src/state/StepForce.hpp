@@ -26,6 +26,8 @@ struct HeldDirection
 /// Newton's method needs it. Its value at the start of the step is part of the nodal force before the solve;
 /// `add` adds its change since. Displacements [m] and forces [N] have D numbers a row.
 ///
+/// On several ranks each rank adds its part of the force; displacements are the same on all that have a row.
+///
 /// A law may have branches, such as closed and open: `update` chooses them, `begin` by a first guess.
 template <int D>
 class StepForce
@@ -64,6 +66,9 @@ public:
 
   /// Whether pieces that only this force joins may have free motions, as closed faces that slide.
   virtual bool joinsPieces() const { return false; }
+
+  /// Why a run with this force needs one rank; empty if it doesn't.
+  virtual std::string refusalOnRanks() const { return {}; }
 
   /// What of the force may keep a step from its equilibrium, for a message; empty if there is nothing to say.
   virtual std::string reason() const { return {}; }

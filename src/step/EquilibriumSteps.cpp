@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "plan/LoadOverStep.hpp"
+#include "state/StepForce.hpp"
 #include "state/Subdomain.hpp"
 #include "step/RunStage.hpp"
 
@@ -31,6 +32,7 @@ void runStages(Plan<D>& plan, State<D>& state, std::initializer_list<Stage> stag
 {
   for (const Stage stage : stages)
     runStage(plan, state, stage);
+  agree(state);
 }
 
 /// The stage between steps, after which the nodes are those of the cells.
@@ -38,6 +40,7 @@ template <int D>
 void runBetweenSteps(Plan<D>& plan, State<D>& state)
 {
   runStage(plan, state, Stage::BetweenSteps);
+  agree(state);
   moveNodalFields(state);
 }
 
@@ -58,9 +61,13 @@ LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene) : largest(largestLo
 template <int D>
 void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& plan, State<D>& state)
 {
-  if (state.ranks.many())
-    throw std::invalid_argument("Time > Analysis: an equilibrium is solved on one rank; start the program "
-                                "without mpirun");
+  if (state.ranks.many() && !state.cracks.empty() && !state.cracks.dualField)
+    throw std::invalid_argument(
+        "Cracks > Formulation: broken cells in equilibrium work on one rank only; start the "
+        "program without mpirun, or write Dual Field");
+  for (const auto& force : state.motion.stepForces)
+    if (const std::string refusal = force->refusalOnRanks(); state.ranks.many() && !refusal.empty())
+      throw std::invalid_argument(refusal);
   for (const std::string& name : sublistNames(scene.sublist("Bodies")))
     for (const char* const motion : {"Velocity", "Angular Velocity"})
       for (const double v : scene.sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
@@ -201,7 +208,7 @@ void EquilibriumSteps<D>::take(Plan<D>& plan, State<D>& state, double until)
     settleInPlace(stages, state);
   // Nodes are those of the particles as they lie now, at rest.
   runBetweenSteps(plan, state);
-  runStage(plan, state, Stage::Scatter);
+  runStages(plan, state, {Stage::Scatter});
 }
 
 template struct LoadSteps<2>;

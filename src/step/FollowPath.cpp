@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/RunError.hpp"
 #include "base/ShortNumber.hpp"
+#include "state/Subdomain.hpp"
 #include "step/LoadFactorSearch.hpp"
 #include "step/RunStage.hpp"
 
@@ -114,7 +115,8 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
     if (!solved)
       break;
     accept(state, calls, [&] { return failureOfSearch(state, true) + " (" + state.failure + ")"; });
-    const double work = state.energy.externalWork - before - last.workOfSupports;
+    double work = state.energy.externalWork - before - last.workOfSupports;
+    sumParts(state, &work, 1);
     now.displacement += 2.0 * work / (clock.factor.begin + clock.factor.end);
     search.record(clock.factor.end, growth.drive);
     factor = search.next();

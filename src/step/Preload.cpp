@@ -1,5 +1,7 @@
 #include "step/Preload.hpp"
 
+#include "archive/Archive.hpp"
+#include "archive/BroadcastRecord.hpp"
 #include "base/ReadList.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
@@ -7,6 +9,7 @@
 #include "step/Run.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -108,13 +111,30 @@ void copyFields(const FieldTable& from, const FieldTable& to, const std::vector<
   }
 }
 
+/// The run on this rank alone, with all particles, from one that is divided among ranks. Collective.
+template <int D>
+std::unique_ptr<Run<D>> onOneRank(Run<D>& divided, const Teuchos::ParameterList& scene, const Ranks& ranks)
+{
+  Record record;
+  Archive saving = Archive::saving(record, ranks);
+  divided.serialize(saving);
+  broadcastRecord(ranks, record);
+  auto whole = std::make_unique<Run<D>>(scene);
+  whole->initialize();
+  Archive loading = Archive::loading(record);
+  whole->serialize(loading);
+  return whole;
+}
+
 } // namespace
 
 template <int D>
 void startInEquilibrium(const Teuchos::ParameterList& scene, const Plan<D>& plan, State<D>& state)
 {
   const bool cracks = scene.sublist("Time").get<std::string>("Initial State") == initialState::equilibrium;
-  Run<D> run(sceneOfEquilibrium(scene, cracks));
+  const Teuchos::ParameterList other = sceneOfEquilibrium(scene, cracks);
+  auto owned = std::make_unique<Run<D>>(other, std::vector<Effect<D>>{}, state.ranks);
+  Run<D>& run = *owned;
   try
   {
     run.initialize();
@@ -129,7 +149,9 @@ void startInEquilibrium(const Teuchos::ParameterList& scene, const Plan<D>& plan
   {
     throw std::invalid_argument(std::string("Time > Initial State: ") + error.what());
   }
-  const State<D>& equal = run.state();
+  if (state.ranks.many())
+    owned = onOneRank(run, other, state.ranks);
+  const State<D>& equal = owned->state();
   const std::vector<int> rows = rowsById(equal.particles, state.particles);
   if (equal.particles.size() != state.particles.size() ||
       std::find(rows.begin(), rows.end(), -1) != rows.end())

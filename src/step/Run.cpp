@@ -11,7 +11,6 @@
 #include "plan/KnownEffects.hpp"
 #include "plausibility/Judges.hpp"
 #include "scene/SceneParts.hpp"
-#include "state/EnergySums.hpp"
 #include "state/StateArchive.hpp"
 #include "state/Subdomain.hpp"
 #include "step/CoreStep.hpp"
@@ -215,10 +214,6 @@ void Run<D>::judge(double step, bool driven, const Attempt& attempt)
 template <int D>
 void Run<D>::preload()
 {
-  if (state_.ranks.many())
-    throw std::invalid_argument(
-        "Time > Initial State: an equilibrium is solved on one rank; start the program "
-        "without mpirun, or write Unloaded");
   // The first cells of the run, which the particles then are of.
   plan_.run(Stage::BetweenSteps, state_);
   moveNodalFields(state_);
@@ -269,23 +264,6 @@ void Run<D>::strainBeforeForces()
   for (const Stage stage : {Stage::AfterProjection, Stage::OnParticles})
     plan_.runPass(stage, state_);
   state_.clock.strainPass = {0.5, false};
-}
-
-template <int D>
-void Run<D>::agree()
-{
-  if (!state_.ranks.many())
-    return;
-  double most[] = {state_.clock.fastestSpeed, state_.particles.sorted ? 0.0 : 1.0,
-                   state_.failure.empty() ? 0.0 : 1.0};
-  state_.ranks.max(most, 3);
-  state_.clock.fastestSpeed = most[0];
-  state_.particles.sorted = most[1] == 0.0;
-  if (most[2] == 0.0)
-    return;
-  state_.failure = state_.ranks.firstText(state_.failure);
-  sumEnergyBalance(state_);
-  stopRun(state_);
 }
 
 template <int D>
@@ -348,7 +326,7 @@ void Run<D>::explicitStep(double until)
       if (stage == Stage::Scatter && state_.method.scheme == UpdateScheme::Usavg)
         strainBeforeForces();
     }
-  agree();
+  agree(state_);
   state_.clock.time = state_.clock.dt == left ? until : state_.clock.time + state_.clock.dt;
   ++state_.clock.step;
   state_.particles.particleSteps += allParticles(state_);

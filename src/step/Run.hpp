@@ -74,9 +74,6 @@ private:
   /// Starts in equilibrium. Throws std::invalid_argument.
   void preload();
   void refuseEndless() const;
-  /// Reduces over the ranks what they need for the next step: the fastest speed, whether to sort, and a
-  /// failure. Throws RunError on failure.
-  void agree();
   /// The first of two passes that strain (USAVG).
   void strainBeforeForces();
   /// A step of the explicit method, but for its sample.

@@ -15,4 +15,9 @@ template <int D>
 template <int D>
 void runStage(Plan<D>& plan, State<D>& state, Stage stage);
 
+/// Reduces over the ranks what they need to go on: the fastest speed, whether to sort, and a failure. Throws
+/// RunError on all ranks where one has failed. Collective.
+template <int D>
+void agree(State<D>& state);
+
 } // namespace Rhegma

@@ -1,6 +1,7 @@
 /// Boxes that end at rows of nodes, for the stiffness of large systems.
 
 #include "equilibrium/ClippedBoxes.hpp"
+#include "equilibrium/RowOwners.hpp"
 #include "equilibrium/Unknowns.hpp"
 #include "src/step/Bodies.hpp"
 #include "transfer/ParticleViews.hpp"
@@ -98,8 +99,8 @@ TEST(ClippedBoxes, KeepTheirRowsAndLongReaches)
   run.initialize();
   const State<3>& state = run.state();
   equilibrium::RowGraph clipped = equilibrium::numberRows(state), whole = equilibrium::numberRows(state);
-  equilibrium::connectRows(state, {}, equilibrium::clipBoxes(state), clipped);
-  equilibrium::connectRows(state, {}, equilibrium::ClippedBoxes<3>(), whole);
+  equilibrium::connectRows(state, {}, equilibrium::clipBoxes(state), equilibrium::RowOwners(), clipped);
+  equilibrium::connectRows(state, {}, equilibrium::ClippedBoxes<3>(), equilibrium::RowOwners(), whole);
   EXPECT_EQ(clipped.rows, 6 * 6 * 6);
   EXPECT_LT(2 * clipped.column.extent(0), whole.column.extent(0) * 3);
   for (int r = 0; r < clipped.rows; ++r)

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Equilibria on several ranks are those of one rank."""
+
+import json
+import os
+import random
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import rhegma  # noqa: E402
+from ranks import LAUNCHER, ROOT, OnRanks  # noqa: E402
+from scenes import Scene, ball, plate  # noqa: E402
+
+# Rounding of forces, 1e-16 of them, times the condition of the systems: cells that an edge cuts are held by a ghost
+# penalty of 1e-3 of the stiffness, and bodies have some 50 cells: 1e-16 x 1e3 x 50^2 is below 1e-9.
+WITHIN = 1e-8
+
+# Supports and loads from the left to the right of a body of any angle.
+SUPPORT = {"Type": "Velocity", "Lower Corner": [-9.0, -9.0], "Components": "xy", "Value": [0.0, 0.0]}
+
+
+def uncut(draw):
+    """A plate at any angle and position in its cells, which its own cells' edges cut; held at its left, pulled right."""
+    scene = plate().remove("Cracks").remove("Energy Release").remove("Boundaries")
+    scene.set("Domain > Lower Corner", [-0.8, -0.8]).set("Domain > Upper Corner", [1.8, 1.8])
+    scene.set("Domain > Cell Size", 0.06)
+    scene.set("Bodies > Plate > Lower Corner", [draw.uniform(0.0, 0.06), draw.uniform(0.0, 0.06)])
+    scene.set("Bodies > Plate > Rotation", draw.uniform(-30.0, 30.0))
+    scene.set("Time", {"Analysis": "Static", "Final Time": 1.0})
+    scene.set("Boundaries", {
+        "Grip": {**SUPPORT, "Upper Corner": [draw.uniform(0.2, 0.3), 9.0]},
+        "Weight": {"Type": "Gravity", "Acceleration": [draw.uniform(0.0, 500.0), draw.uniform(-500.0, 500.0)]},
+    })
+    return scene
+
+
+def cracked(draw):
+    """A free plate with an inclined crack under tension, in cells that are refined at its fronts."""
+    scene = plate().remove("Cracks").remove("Boundaries")
+    low, high = draw.uniform(0.0, 0.05), 1.0 + draw.uniform(0.0, 0.05)
+    scene.set("Bodies > Plate > Lower Corner", [low, low]).set("Bodies > Plate > Upper Corner", [high, high])
+    scene.set("Time", {"Analysis": "Static", "Final Time": 1.0, "Rigid Modes": "Remove"})
+    corners = [[low, low], [high, low], [high, high], [low, high]]
+    outward = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]]
+    scene.set("Boundaries", {
+        name: {"Type": "Traction", "Body": "Plate", "From": corners[k], "To": corners[(k + 1) % 4],
+               "Stress": [1e6 * n for n in outward[k]]}
+        for k, name in enumerate(("Bottom", "Right", "Top", "Left"))
+    })
+    x, y, dx, dy = (draw.uniform(a, b) for a, b in ((0.3, 0.35), (0.4, 0.5), (0.3, 0.4), (0.05, 0.2)))
+    scene.set("Cracks", {"Slit": {"Points": [x, y, x + dx, y + dy]}})
+    scene.set("Adaptivity", {"Maximum Level": 2, "Front Cells": 4.0})
+    return scene.set("Energy Release", {})
+
+
+def block(draw):
+    """A block with a surface-breaking crack, clamped below and pulled above."""
+    side = {"Lower Corner": [draw.uniform(0.0, 0.1) for _ in range(3)],
+            "Upper Corner": [draw.uniform(0.95, 1.05) for _ in range(3)]}
+    y, depth = draw.uniform(0.45, 0.55), draw.uniform(0.4, 0.5)
+    scene = Scene({
+        "Domain": {"Dimension": 3, "Lower Corner": [-0.4] * 3, "Upper Corner": [1.4] * 3, "Cell Size": 0.1},
+        "Time": {"Analysis": "Static", "Final Time": 1.0},
+        "Materials": plate_materials(),
+        "Bodies": {"Block": {"Material": "Polymer", "Shape": "Box", **side}},
+        "Boundaries": {
+            "Base": {"Type": "Velocity", "Lower Corner": [-9.0] * 3, "Upper Corner": [9.0, 0.12, 9.0], "Components": "xyz",
+                     "Value": [0.0, 0.0, 0.0]},
+            "Head": {"Type": "Velocity", "Lower Corner": [-9.0, 0.88, -9.0], "Upper Corner": [9.0] * 3, "Components": "y",
+                     "Value": [0.0, draw.uniform(1e-4, 3e-4), 0.0]},
+        },
+        "Cracks": {"Edge": {"Points": [-0.2, y, -0.3, depth, y, -0.3, depth, y, 1.3, -0.2, y, 1.3]}},
+        "Energy Release": {"Inner Radius": 0.1, "Outer Radius": 0.25},
+    })
+    return scene
+
+
+def plate_materials():
+    return {"Polymer": {"Model": "Linear Elastic", "Density": 1200.0, "Young Modulus": 3e9, "Poisson Ratio": 0.3}}
+
+
+def growing(draw):
+    """A crack that grows where its load factor is an unknown, in a plate that nothing supports."""
+    scene = cracked(draw).remove("Adaptivity")
+    scene.set("Time", {"Analysis": "Quasi-Static", "Final Time": 1.0, "Load Steps": 4, "Rigid Modes": "Remove"})
+    return scene.set("Propagation", {"Toughness": 100.0, "Direction": "Straight", "Increment": draw.uniform(0.5, 1.0)})
+
+
+class EquilibriumOnRanks(OnRanks):
+    def agree_for(self, make, **how):
+        seed = random.randrange(10**6)
+        with self.subTest(seed=seed):
+            print(f"seed {seed}")
+            self.agree(self.write(make(random.Random(seed))), within=WITHIN, **how)
+
+    def test_uncut_bodies(self):
+        self.agree_for(uncut)
+
+    def test_cracks_in_refined_cells(self):
+        self.agree_for(cracked)
+
+    def test_three_dimensions(self):
+        self.agree_for(block)
+
+    def test_growth(self):
+        self.agree_for(growing)
+
+    def test_a_soft_body_in_several_steps(self):
+        """Particles go to other ranks; laws have other tangents."""
+        draw = random.Random(7)
+        scene = uncut(draw).set("Materials > Polymer", {"Model": "Neo-Hookean", "Density": 1200.0, "Young Modulus": 4e6,
+                                                        "Poisson Ratio": 0.3})
+        scene.set("Time > Analysis", "Quasi-Static").set("Time > Load Steps", 5)
+        fields = self.agree(self.write(scene), within=WITHIN)
+        self.assertGreater(abs(fields["displacement"]).max(), 0.06, "no particle has left its cell")
+
+    def test_iterative_solutions(self):
+        """Above the limit of direct solutions: linear systems are solved to 1e-8 of the residual, Newton's method to 1e-9 of
+        the forces."""
+        scene = ball().set("Time", {"Analysis": "Static", "Final Time": 1.0}).set("Domain > Cell Size", 0.009)
+        scene.set("Boundaries > Hold", {"Type": "Velocity", "Lower Corner": [-1.0, -1.0, -1.0], "Upper Corner": [1.0, 1.0, -0.045],
+                                        "Components": "xyz", "Value": [0.0, 0.0, 0.0]})
+        self.agree(self.write(scene), ranks=(3,), within=WITHIN)
+        with open(os.path.join(self.folder, "on3", "summary.json"), encoding="utf-8") as file:
+            self.assertIn("conjugate gradients", json.load(file)["equilibrium"]["solver"])
+
+    def test_starts_in_equilibrium(self):
+        scene = cracked(random.Random(11)).remove("Adaptivity")
+        scene.set("Time", {"Final Time": 2e-5, "Initial State": "Equilibrium"})
+        scene.set("Boundaries > Hold", {**SUPPORT, "Upper Corner": [0.1, 9.0]})
+        self.agree(self.write(scene), within=WITHIN)
+
+    def test_contact_needs_one_rank(self):
+        scene = cracked(random.Random(3)).set("Contact", {"Friction Coefficient": 0.3, "Law": "Coulomb"})
+        answer = rhegma(self.write(scene), launcher=(*LAUNCHER, "-np", "2"), **ROOT)
+        self.assertEqual(answer.status, 1, answer)
+        self.assertIn("contact in equilibrium works on one rank only", answer.messages)
+
+    def test_what_is_free_to_move_is_refused(self):
+        scene = uncut(random.Random(5)).remove("Boundaries > Grip")
+        for ranks in (1, 3):
+            launcher = (*LAUNCHER, "-np", str(ranks)) if ranks > 1 else ()
+            answer = rhegma(self.write(scene), launcher=launcher, **ROOT)
+            self.assertEqual(answer.status, 1, answer)
+            self.assertIn("Bodies > Plate can move along", answer.messages)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
