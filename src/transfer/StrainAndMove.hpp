@@ -53,7 +53,8 @@ struct BundleMotion
   double dt, strainTime, largestBox;
   bool strain, move, boxes;
 
-  /// \param at with the particles' velocity and its gradient; of the caller, so no field of particles overlaps it
+  /// \param at with the particles' velocity and its gradient; of the caller, so no field of particles
+  /// overlaps it
   KOKKOS_FUNCTION void run(int bundle, int begin, int end, Lanes& KOKKOS_RESTRICT at, double& fastest) const
   {
     if (move)
