@@ -217,9 +217,10 @@ private:
     const Vector<D> extents = cluster.bounds.upper - cluster.bounds.lower;
     const double size = *std::max_element(extents.c, extents.c + D), far = norm(by);
     // Fifty times its stretch is where waves have crossed the body ten times: c^2 T^2 / (2 L^2).
-    constexpr double flies = 50.0, unbalanced = 0.1;
+    constexpr double flies = 50.0, unbalanced = 0.1, visible = 0.03; // of its length
     const double stretch = stretchOf(cluster);
-    const bool carried = far > flies * stretch && norm(by) * cluster.mass > unbalanced * cluster.moments;
+    const bool carried = far > std::max(flies * stretch, visible * size) &&
+                         norm(by) * cluster.mass > unbalanced * cluster.moments;
     if (!std::isfinite(far) || (far <= size && !carried) || isThrown(cluster) || hits(number, by) ||
         hasRoom(cluster.bounds, by))
       return;

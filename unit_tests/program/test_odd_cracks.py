@@ -81,7 +81,7 @@ class OddCracks(ProgramTest):
 
     def test_contour_through_the_cells_of_the_front(self):
         scene = plate().set("Energy Release", {"Inner Radius": 0.06, "Outer Radius": 0.2})
-        self.reports(scene, "Inner Radius is 1.2 cells: below two cells", "less than the", where="Energy Release")
+        self.reports(scene, "Inner Radius is 1.2 cells: below two cells", where="Energy Release")
 
     def wedged(self, behind, kind="Point Load"):
         """The plate with its notch opened by two forces this far behind the front. J is of the ring from 0.15 to 0.3 m."""
@@ -95,7 +95,7 @@ class OddCracks(ProgramTest):
     def test_forces_in_the_ring_of_the_contour(self):
         where = "Energy Release: Boundaries > "
         self.reports(self.wedged(0.2), "acts in the domain integral from 150 mm to 300 mm around crack Notch, front 0",
-                     "acts in the domain integral", "K_I and K_II of crack Notch, front 0", where="Energy Release: ")
+                     "acts in the domain integral", where="Energy Release: ")
         self.reports(self.wedged(0.05), where=where)  # within the ring: their work is in the integral
         self.reports(self.wedged(0.4), where=where)
         self.reports(self.wedged(0.0, "Line Load"), "acts in the domain integral", "acts in the domain integral", where=where)
@@ -109,12 +109,13 @@ class OddCracks(ProgramTest):
         """The notch ends in the middle of the plate; J is of the ring from 0.15 to 0.3 m."""
         for lower, upper, words in (
             ([0.69, 0.69], [0.71, 0.71],
-             ["prescribes nodes in the domain integral from 150 mm to 300 mm around crack Notch, front 0"]),
+             ["Boundaries > Pin prescribes nodes in the domain integral from 150 mm to 300 mm around crack Notch, front 0",
+              "G_J of crack Notch, front 0 is -0."]),
             ([0.49, 0.59], [0.51, 0.61], []),  # within the ring
             ([0.79, 0.79], [0.81, 0.81], []),
         ):
             pin = {"Type": "Velocity", "Lower Corner": lower, "Upper Corner": upper, "Value": [0.0, 0.0]}
-            self.reports(plate().set("Boundaries > Pin", pin), *words, where="Energy Release: Boundaries > Pin")
+            self.reports(plate().set("Boundaries > Pin", pin), *words, where="Energy Release: ")
         frame = {"Type": "Velocity", "Nodes": "Outside", "Lower Corner": [-0.2, 0.25], "Upper Corner": [0.85, 0.85],
                  "Value": [0.0, 0.0]}
         self.reports(plate().set("Boundaries > Frame", frame), "Energy Release: Boundaries > Frame prescribes nodes",
