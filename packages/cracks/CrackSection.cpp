@@ -61,11 +61,11 @@ void refuseOtherFormulations(Section& s)
       {when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}),
        when::is("Domain", "Shear Strain", {"At Cell Centres"})},
       "shear strain at cell centres is available for dual fields only; write Dual Field or At Particles");
-  for (const char* const section : {"Contact", "Propagation"})
-    s.refuse({when::present(section),
-              when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"}),
-              when::equilibrium()},
-             "in equilibrium it has been verified with dual fields only; write Formulation = Dual Field");
+  const auto brokenCells = when::is("Cracks", "Formulation", {"Broken Cell", "Corrected Broken Cell"});
+  const char* const verified =
+      "in equilibrium it has been verified with dual fields only; write Formulation = Dual Field";
+  s.refuse({when::present("Contact"), brokenCells, when::equilibrium()}, verified);
+  s.refuse({when::present("Propagation"), brokenCells, when::equilibrium()}, verified);
 }
 
 } // namespace
