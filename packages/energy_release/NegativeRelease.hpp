@@ -10,7 +10,8 @@ namespace Rhegma::energy_release
 {
 
 /// 2 pi a U / V, the G of a crack of the extent a in a body that has the mean density of energy U / V
-/// everywhere (Griffith 1921) [J/m2]. Collective.
+/// everywhere (Griffith 1921), or, where that is less as in slender arms, U over the area of the crack
+/// [J/m2]. Collective.
 template <int D>
 double usualRelease(const State<D>& state, int crack);
 
