@@ -74,11 +74,11 @@ private:
   const Teuchos::ParameterList& scene_;
   Simulation& simulation_;
   double finalTime_;
+  StopSignal signal_;             ///< first of what makes files: with any of them the run can be stopped
   std::unique_ptr<RunLock> lock_; ///< of the first rank
   Manifest manifest_;             ///< of the first rank
   History history_;
   Progress progress_;
-  StopSignal signal_;
   std::string unwritten_;      ///< why the history could not be written
   bool stopRequested_ = false; ///< a signal to some rank has ended the run
   std::string signalName_;     ///< of the signal that has stopped the run

@@ -27,6 +27,7 @@ void expectFullCells(const std::string& shape)
   std::cout << "seed " << seed << '\n';
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> some(0.0, 1.0);
+  int full = 0; // cells looked at; a hole next to the fine cells may leave few in one trial
   for (int trial = 0; trial < (D == 2 ? 6 : 2); ++trial)
   {
     Vector<D> centre{}, lower{}, upper{};
@@ -66,7 +67,6 @@ void expectFullCells(const std::string& shape)
     const double round = D == 2 ? M_PI * radius * radius : 4.0 / 3.0 * M_PI * radius * radius * radius;
     EXPECT_NEAR(volume, std::pow(5.0, D) - round, 2e-3 * round);
     EXPECT_NEAR(all, density * volume, 1e-9 * all);
-    int full = 0;
     for (const auto& [cell, m] : mass)
     {
       Vector<D> middle;
@@ -84,8 +84,8 @@ void expectFullCells(const std::string& shape)
           << "cell at " << middle[0] << ", " << middle[1] << ", hole of radius " << radius << " at "
           << centre[0] << ", " << centre[1];
     }
-    EXPECT_GT(full, 20);
   }
+  EXPECT_GT(full, 100);
 }
 
 } // namespace
