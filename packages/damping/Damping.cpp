@@ -302,15 +302,18 @@ Effect<D> make(const Teuchos::ParameterList& scene)
               {},
               [settling](State<D>& s)
               { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); });
-  effect.report = [stop, until, settling](const State<D>& s, nlohmann::json& summary)
+  effect.report = [stop, until, rate, settling](const State<D>& s, nlohmann::json& summary)
   {
     if (s.clock.settled)
       reportSettled(s.clock.time, settling->mayStillChange(), summary);
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
     if (stop && over && !s.clock.settled && s.failure.empty())
       summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
-                                    "its results are not static; raise Time > Final Time, or bring Damping > "
-                                    "Mass Rate nearer to critical damping" +
+                                    "its results are not static; raise Time > Final Time, or " +
+                                    (rate > 0.0 ? std::string("bring Damping > Mass Rate nearer to critical "
+                                                              "damping")
+                                                : std::string("damp by a Mass Rate near critical damping "
+                                                              "instead of a viscosity")) +
                                     criticalAsText(s));
   };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->serialize(archive); };

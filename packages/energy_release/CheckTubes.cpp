@@ -129,20 +129,23 @@ void checkTube(State<3>& state, const CrackFront<3>& front, const Options& optio
 /// box inside of its border.
 template <int D>
 void warnOfMaterials(State<D>& state, const OtherMaterials<D>& others, const CrackFront<D>& front,
-                     const ContourRadii& radii)
+                     const ContourRadii& radii, const GivenRadii& given)
 {
   const OtherMaterial other = others.nearest(front, radii.outer);
   if (other.material < 0)
     return;
-  state.warnings.push_back("Energy Release: the domain integral around " + frontName(state.cracks, front) +
-                           ", from " + readableLength(radii.inner) + " to " + readableLength(radii.outer) +
-                           ", contains Materials > " + state.materials.names[other.material] + ", " +
-                           readableLength(other.distance) +
-                           " from the front, and K assumes the moduli at the front; so does G_J unless the "
-                           "border of the materials is "
-                           "parallel to the crack: write an Outer Radius of less than this distance, or use "
-                           "smaller cells (Domain > "
-                           "Cell Size)");
+  state.warnings.push_back(
+      "Energy Release: the domain integral around " + frontName(state.cracks, front) + ", from " +
+      readableLength(radii.inner) + " to " + readableLength(radii.outer) + ", contains Materials > " +
+      state.materials.names[other.material] + ", " + readableLength(other.distance) +
+      " from the front, and K assumes the moduli at the front; so does G_J unless the "
+      "border of the materials is "
+      "parallel to the crack: " +
+      (other.distance > smallestOuter(given, spacingAt(state, front.position))
+           ? "write an Outer Radius of less than this distance, or use smaller cells "
+             "(Domain > Cell Size)"
+           : "no contour fits between; if the crack is meant to lie on the border, use G "
+             "and not K, else use smaller cells (Domain > Cell Size)"));
 }
 
 /// Closer contours contain the inaccurate cells at the tip.
@@ -167,7 +170,7 @@ void checkTubes(State<D>& state, const Options& options)
   const OtherMaterials<D> others(state);
   for (const CrackFront<D>& front : state.cracks.fronts)
     if (others.any() && front.numFacets > 0)
-      warnOfMaterials(state, others, front, fittingTube(state, front, options.radii).radii);
+      warnOfMaterials(state, others, front, fittingTube(state, front, options.radii).radii, options.radii);
   const double cell = spacingAt(state, state.cracks.fronts.front().position);
   if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(

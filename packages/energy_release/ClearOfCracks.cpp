@@ -1,5 +1,6 @@
 #include "energy_release/ClearOfCracks.hpp"
 
+#include "energy_release/FrontPoints.hpp"
 #include "surface/Returns.hpp"
 
 #include <algorithm>
@@ -9,17 +10,6 @@ namespace Rhegma::energy_release
 
 namespace
 {
-
-template <int D>
-std::vector<Vector<D>> positionsOf(const CrackFront<D>& front)
-{
-  if constexpr (D == 2)
-    return {front.position};
-  std::vector<Vector<D>> positions;
-  for (const FrontNode<D>& node : front.nodes)
-    positions.push_back(node.position);
-  return positions;
-}
 
 /// A crack of a set, its vertices and simplices counted from 0. \param vertex and the others are the set's,
 /// on the host
@@ -45,22 +35,19 @@ surface::CrackMesh<D> meshOf(const Crack<D>& crack, const Vertices& vertex, cons
   return mesh;
 }
 
-/// Whether the bounds of a crack come within a distance of those of points.
+/// Bounds of a crack; empty bounds of one without vertices.
 template <int D, class Vertices>
-bool isNear(const Crack<D>& crack, const Vertices& vertex, const Geometry::Bounds<D>& points, double reach)
+Geometry::Bounds<D> boundsOf(const Crack<D>& crack, const Vertices& vertex)
 {
-  bool near = crack.numVertices > 0;
-  for (int d = 0; d < D && near; ++d)
+  Geometry::Bounds<D> bounds = Geometry::emptyBounds<D>();
+  for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
   {
-    double low = vertex(crack.firstVertex, d), high = low;
-    for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
-    {
-      low = std::min(low, vertex(v, d));
-      high = std::max(high, vertex(v, d));
-    }
-    near = low <= points.upper[d] + reach && high >= points.lower[d] - reach;
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = vertex(v, d);
+    bounds.include(x);
   }
-  return near;
+  return bounds;
 }
 
 /// Nodes nearer than a cell to a crack are split by it, and particles of both of its sides strain by them.
@@ -75,15 +62,13 @@ double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, doub
 {
   constexpr double slack = 1.5; // cells
   const double margin = marginCells * cell;
-  const std::vector<Vector<D>> points = positionsOf(front);
+  const std::vector<Vector<D>> points = pointsOf(front);
   if (points.empty() || front.numFacets == 0)
     return radius;
   const auto vertex = onHost(cracks.vertex);
   const auto simplex = onHost(cracks.simplex), neighbour = onHost(cracks.neighbour),
              frontFacet = onHost(cracks.frontFacet);
-  Geometry::Bounds<D> bounds = Geometry::emptyBounds<D>();
-  for (const Vector<D>& x : points)
-    bounds.include(x);
+  const Geometry::Bounds<D> bounds = boundsOf(points);
   for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
   {
     const Crack<D>& crack = cracks.cracks[c];
@@ -91,7 +76,7 @@ double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, doub
     if (c == front.crack && crack.numSimplices > 1)
       for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
         start.push_back(frontFacet(f, 0) - crack.firstSimplex);
-    if ((c == front.crack && start.empty()) || !isNear(crack, vertex, bounds, radius + margin))
+    if ((c == front.crack && start.empty()) || !areNear(boundsOf(crack, vertex), bounds, radius + margin))
       continue;
     const surface::CrackMesh<D> mesh = meshOf(crack, vertex, simplex, neighbour);
     const double found = surface::Returns<D>(mesh).find(start, points, radius + margin, slack * cell);

@@ -1,5 +1,6 @@
 #include "energy_release/OtherMaterials.hpp"
 
+#include "energy_release/FrontPoints.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -25,11 +26,7 @@ double distanceTo(const State<D>& state, const CrackFront<D>& front, int materia
   const auto position = state.particles.template real<D>(fields::position);
   const auto of = state.particles.integer(fields::material);
   double nearest = std::numeric_limits<double>::infinity();
-  std::vector<Vector<D>> from{front.position};
-  for (const FrontNode<D>& node : front.nodes)
-    if (D == 3)
-      from.push_back(node.position);
-  for (const Vector<D>& x : from)
+  for (const Vector<D>& x : pointsOf(front))
   {
     double least = nearest;
     Kokkos::parallel_reduce(
@@ -80,21 +77,6 @@ Geometry::Bounds<D> boundsOf(const State<D>& state, int material)
   return bounds;
 }
 
-/// Whether a front comes within a distance of bounds.
-template <int D>
-bool isNear(const CrackFront<D>& front, const Geometry::Bounds<D>& bounds, double distance)
-{
-  Geometry::Bounds<D> own = Geometry::emptyBounds<D>();
-  own.include(front.position);
-  for (const FrontNode<D>& node : front.nodes)
-    if (D == 3)
-      own.include(node.position);
-  bool near = true;
-  for (int d = 0; d < D; ++d)
-    near = near && own.lower[d] <= bounds.upper[d] + distance && own.upper[d] >= bounds.lower[d] - distance;
-  return near;
-}
-
 } // namespace
 
 template <int D>
@@ -115,7 +97,7 @@ OtherMaterial OtherMaterials<D>::nearest(const CrackFront<D>& front, double radi
   const int own = materialAt(state_, front.position);
   for (int m = 0; m < static_cast<int>(all.size()); ++m)
   {
-    if (haveSameModuli(all[m], all[own]) || !isNear(front, bounds_[m], radius))
+    if (haveSameModuli(all[m], all[own]) || !areNear(boundsOf(pointsOf(front)), bounds_[m], radius))
       continue;
     const double distance = distanceTo(state_, front, m);
     if (distance < (found.material < 0 ? radius : found.distance))

@@ -143,7 +143,11 @@ EffectEntry facePressureEntry()
   entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
   {
     for (const std::string& name : sublistNames(list))
+    {
       options.pressedCracks.insert(name);
+      if (list.sublist(name).isType<std::string>("Pressure")) // else the scene is refused
+        options.facePressures.push_back(list.sublist(name).get<std::string>("Pressure"));
+    }
   };
   entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.facesLoaded = true; };
   return entry;

@@ -169,13 +169,14 @@ void judgeZones(const JudgedToughness<D>& judged, std::vector<std::string>& mess
 }
 
 /// Compares the loads' stress with that of Griffith, sqrt(E' Gc / (pi a)). Margins are wide, as the loads'
-/// stress is nominal.
+/// stress is nominal. \param pressure largest on the faces of cracks [Pa] \param others whether loads of
+/// unknown stress act
 template <int D>
-void judgeLoads(const JudgedToughness<D>& judged, const std::vector<LoadEstimate>& loads, bool others,
-                std::vector<std::string>& messages)
+void compareLoads(const JudgedToughness<D>& judged, const std::vector<LoadEstimate>& loads, double pressure,
+                  bool others, std::vector<std::string>& messages)
 {
   constexpr double margin = 8.0;
-  double highest = 0.0;
+  double highest = pressure;
   for (const LoadEstimate& load : loads)
     highest = std::max(highest, load.highest);
   const LoadEstimate* load = largestStrain(loads);
@@ -199,7 +200,7 @@ void judgeLoads(const JudgedToughness<D>& judged, const std::vector<LoadEstimate
 /// A body that its own weight would break, in a scene without gravity: its lengths are hardly meant in
 /// metres.
 template <int D>
-void judgeWeight(const JudgedToughness<D>& judged, std::vector<std::string>& messages)
+void compareWeight(const JudgedToughness<D>& judged, std::vector<std::string>& messages)
 {
   constexpr double g = 9.81;
   for (const BodyMeasure<D>& body : judged.bodies)
@@ -241,11 +242,15 @@ void judgeToughness(const Teuchos::ParameterList& scene, const RunOptions& run, 
   judgeBonds(judged, state.warnings);
   judgeZones(judged, state.warnings);
   if (!hasGravity(scene))
-    judgeWeight(judged, state.warnings);
+    compareWeight(judged, state.warnings);
   if (options.equilibrium && run.loadFactor) // which is found
     return;
-  const bool others = run.heat() || !run.pressedCracks.empty(); // load the crack, too
-  judgeLoads(judged, estimateLoads(scene, state, judged.bodies), others, state.warnings);
+  const double end = scene.sublist("Time").get<double>("Final Time");
+  double pressure = 0.0;
+  for (const std::string& text : run.facePressures)
+    pressure = std::max(pressure, rangeOf(text, end).largest);
+  compareLoads(judged, estimateLoads(scene, state, judged.bodies), pressure, run.heat() || run.burning,
+               state.warnings);
 }
 
 } // namespace Rhegma::propagation

@@ -37,13 +37,27 @@ void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summar
 {
   const auto rises = std::find_if(path.begin(), path.end(), [](const PathState& s) { return s.rise > 0.0; });
   nlohmann::json& entry = summary["propagation"];
-  entry["unstable_from"] = entryOf(path, rises == path.end() ? -1 : static_cast<int>(rises - path.begin()));
+  entry["initiation"] = {{"time", nullptr}, {"from", nullptr}, {"to", nullptr}};
+  if (!path.empty())
+  {
+    const PathState& first = path.front();
+    entry["initiation"] = {{"time", first.reached}, {"from", first.from}, {"to", first.time}};
+    summary["answers"].push_back("cracks start at about t = " + readableTime(first.reached) +
+                                 ", in the load step from " + readableTime(first.from) + " to " +
+                                 readableTime(first.time));
+  }
+  entry["unstable_from"] = nullptr;
   if (rises != path.end())
-    summary["answers"].push_back("growth is unstable at a time between " +
-                                 readableTime(rises == path.begin() ? 0.0 : (rises - 1)->time) + " and " +
-                                 readableTime(rises->time) + ", a load step" +
-                                 ": G rises as the crack grows under the loads of that time, new area " +
-                                 formatShort(rises->area) + " m2");
+    entry["unstable_from"] = {{"new_area", rises->area}, {"time", rises->time}};
+  if (rises != path.end())
+    summary["answers"].push_back(
+        "growth is unstable at a time between " + readableTime(rises->from) + " and " +
+        readableTime(rises->time) +
+        ", a load step: G rises as the crack grows under the loads of that time, new "
+        "area " +
+        formatShort(rises->area) +
+        " m2. What is released above the toughness becomes motion in a real body; "
+        "here it is missing from the energy balance");
 }
 
 } // namespace
@@ -107,14 +121,15 @@ void storeGrowth(EquilibriumGrowth& growth, Archive& archive)
   const Archive::Group group(archive, "growth in equilibrium");
   archive("drive", growth.drive);
   archive("area", growth.area);
-  constexpr std::size_t width = 5;
+  constexpr std::size_t width = 7;
   std::vector<double> rows;
   for (const PathState& s : growth.path)
-    rows.insert(rows.end(), {s.time, s.factor, s.displacement, s.area, s.rise});
+    rows.insert(rows.end(), {s.time, s.factor, s.displacement, s.area, s.rise, s.from, s.reached});
   archive("path", rows, width);
   growth.path.clear();
   for (std::size_t k = 0; k + width <= rows.size(); k += width)
-    growth.path.push_back({rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4]});
+    growth.path.push_back(
+        {rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4], rows[k + 5], rows[k + 6]});
 }
 
 } // namespace Rhegma::propagation

@@ -210,6 +210,7 @@ double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vecto
     Teuchos::SerialDenseSolver<int, double> solver;
     solver.setMatrix(Teuchos::rcpFromRef(inertia));
     solver.setVectors(Teuchos::rcpFromRef(acceleration), Teuchos::rcpFromRef(resultant));
+    solver.factorWithEquilibration(true); // masses and moments of inertia are of different size
     solver.solve();
     double taken = 0.0;
     forRows(

@@ -56,6 +56,7 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
   const auto edge = host(state.particles.template real<D>(fields::edge));
   const auto mass = host(state.particles.scalar(fields::mass));
   const auto volume = host(state.particles.scalar(fields::volume));
+  const auto v = host(state.particles.template real<D>(fields::velocity));
   const std::size_t count = state.bodies.info.size();
   std::vector<BodyMeasure<D>> bodies(count);
   std::vector<Extent<D>> inSpace(count), own(count);
@@ -67,6 +68,7 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
     const auto& axes = state.bodies.info[b].axes;
     for (int d = 0; d < D; ++d)
     {
+      bodies[b].velocity[d] += mass(p) * v(p, d);
       double along = 0.0, half = 0.0;
       for (int e = 0; e < D; ++e)
       {
@@ -81,6 +83,7 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
   {
     BodyMeasure<D>& body = bodies[b];
     body.name = state.bodies.info[b].name;
+    body.velocity = (1.0 / std::max(body.mass, std::numeric_limits<double>::min())) * body.velocity;
     body.lower = inSpace[b].lower;
     body.upper = inSpace[b].upper;
     const Vector<D> extents = own[b].upper - own[b].lower;

@@ -1,38 +1,15 @@
-#include "base/EntryValue.hpp"
 #include "base/PointText.hpp"
+#include "plausibility/Bonds.hpp"
 #include "plausibility/Judges.hpp"
 
 #include <cmath>
 #include <map>
-#include <set>
-#include <sstream>
 
 namespace Rhegma
 {
 
 namespace
 {
-
-/// Pairs of bodies that the scene says are bonded.
-std::set<std::pair<std::string, std::string>> bonds(const Teuchos::ParameterList& scene)
-{
-  std::set<std::pair<std::string, std::string>> pairs;
-  const Teuchos::ParameterList& section = scene.sublist("Bodies");
-  for (auto entry = section.begin(); entry != section.end(); ++entry)
-  {
-    const auto* const body = valueIf<Teuchos::ParameterList>(section.entry(entry));
-    const auto* const given = body != nullptr ? valueIf<std::string>(*body, "Bonded To") : nullptr;
-    if (given == nullptr)
-      continue;
-    std::istringstream names(*given);
-    for (std::string name; std::getline(names, name, ',');)
-    {
-      pairs.emplace(section.name(entry), trimmed(name));
-      pairs.emplace(trimmed(name), section.name(entry));
-    }
-  }
-  return pairs;
-}
 
 /// Nodes of the lattice, and which body's particles touch each first.
 template <int D>
@@ -124,7 +101,7 @@ Messages judgeNeighbours(const JudgedScene<D>& judged)
   Owners<D>(judged.state)
       .forEachMeeting([&](int one, int other, const Vector<D>& x)
                       { pairs.emplace(std::minmax(one, other), x); });
-  const auto bonded = bonds(judged.scene);
+  const auto bonded = bondedPairs(judged.scene);
   for (const auto& [pair, x] : pairs)
   {
     const std::string &one = judged.bodies[pair.first].name, &other = judged.bodies[pair.second].name;

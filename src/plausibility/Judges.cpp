@@ -64,9 +64,9 @@ void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven, S
     judged.loads = estimateLoads(scene, state, judged.bodies);
   judgeWithoutParticles(scene, state);
   Messages all;
-  for (const auto judge : {judgeQuantities<D>, judgeTimes<D>, judgeNeighbours<D>, judgePieces<D>,
-                           judgeLoads<D>, judgeCancelling<D>, judgeMotion<D>, judgeMirrors<D>, judgeHeld<D>,
-                           judgeGrips<D>, judgeFirstSteps<D>, judgeFlight<D>})
+  for (const auto judge : {judgeQuantities<D>, judgeTimes<D>, judgeNeighbours<D>, judgeMeetings<D>,
+                           judgePieces<D>, judgeLoads<D>, judgeCancelling<D>, judgeMotion<D>, judgeMirrors<D>,
+                           judgeHeld<D>, judgeGrips<D>, judgeFirstSteps<D>, judgeFlight<D>})
     addFirstTen(judge(judged), all);
   state.warnings.insert(state.warnings.end(), all.begin(), all.end());
   state.warnings = withoutNonNumbers(state.warnings);

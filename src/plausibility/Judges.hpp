@@ -36,6 +36,9 @@ Messages judgeThickness(const Teuchos::ParameterList& scene, const State<D>& sta
 /// Bodies that share nodes.
 template <int D>
 Messages judgeNeighbours(const JudgedScene<D>& judged);
+/// Bodies that meet in the course of the run.
+template <int D>
+Messages judgeMeetings(const JudgedScene<D>& judged);
 /// Bodies that their operations leave in pieces, one of which no support holds, or that share nodes.
 template <int D>
 Messages judgePieces(const JudgedScene<D>& judged);

@@ -92,11 +92,11 @@ void compareAtRest(Comparison& comparison, const std::string& name, const json& 
   }
 }
 
-/// The growth of a run in equilibrium whose loads have a factor; null for other runs.
-json initiationUnderFactor(const json& summary)
+/// When or at which factor cracks start in a run in equilibrium; null for other runs.
+json initiationInEquilibrium(const json& summary)
 {
   const auto growth = summary.find("propagation");
-  if (growth == summary.end() || !growth->is_object() || !growth->contains("load_factor"))
+  if (growth == summary.end() || !growth->is_object())
     return nullptr;
   const auto initiation = growth->find("initiation");
   return initiation != growth->end() && initiation->is_object() ? *initiation : json(nullptr);
@@ -115,14 +115,17 @@ double valueAt(const HistoryColumns& history, const std::string& column, double 
   return noNumber;
 }
 
-/// The load at which cracks start: where it is found, its time is the number of a load step and says nothing.
+/// The load at which cracks start. Its factor where it has one: the time is then the number of a load step
+/// and says nothing. Else the time within the load step.
 void compareInitiationLoads(Comparison& comparison, const RunResults& asIs, const RunResults& half)
 {
-  const json one = initiationUnderFactor(asIs.summary), other = initiationUnderFactor(half.summary);
+  const json one = initiationInEquilibrium(asIs.summary), other = initiationInEquilibrium(half.summary);
   if (one.is_null() && other.is_null())
     return;
   const auto number = [](const json& entry, const char* name)
   { return entry.is_object() ? numberOrNone(entry, name) : noNumber; };
+  if (!(one.is_object() ? one : other).contains("load_factor"))
+    return comparison.value("time at which cracks start", "s", number(one, "time"), number(other, "time"), 0);
   comparison.value("load factor at initiation", "", number(one, "load_factor"), number(other, "load_factor"),
                    0);
   const std::string suffix = ".displacement";
@@ -153,7 +156,7 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
   comparison.word("end of " + name, endAsIs, endHalf);
   if (endAsIs == "at rest" && endHalf == "at rest")
     return compareAtRest(comparison, name, asIs, half);
-  if (initiationUnderFactor(first.summary).is_null() || initiationUnderFactor(second.summary).is_null())
+  if (initiationInEquilibrium(first.summary).is_null() || initiationInEquilibrium(second.summary).is_null())
     comparison.value("initiation of " + name, "s", numberOrNone(asIs, "initiated"),
                      numberOrNone(half, "initiated"), 0, meanStep(first.summary));
   comparison.value("speed of " + name, "m/s", numberOrNone(asIs, "settled_speed"),

@@ -14,6 +14,10 @@ struct PathState
   double displacement = 0.0; ///< of these loads: their work over the factor, summed from the start [J]
   double area = 0.0;         ///< by which cracks have grown since the start [m2]
   double rise = 0.0;         ///< of the largest G/Gc over the last increment, where loads are given
+  double from = 0.0;         ///< begin of the load step [s], where loads are given
+  /// When G reached the toughness in that load step [s]: G is taken as the square of a load that is linear in
+  /// time.
+  double reached = 0.0;
 };
 
 /// Growth of cracks in equilibrium.

@@ -183,6 +183,7 @@ template <int D>
 void EquilibriumSteps<D>::take(Plan<D>& plan, State<D>& state, double until)
 {
   const double left = until - state.clock.time;
+  const double from = state.clock.time, driveBefore = state.cracks.growth.drive;
   const EquilibriumCalls stages = calls(plan, state);
   if (state.method.analysis == Analysis::LoadFactor)
   {
@@ -199,7 +200,7 @@ void EquilibriumSteps<D>::take(Plan<D>& plan, State<D>& state, double until)
   state.clock.time = state.clock.dt == left ? until : state.clock.time + state.clock.dt;
   if (state.method.analysis == Analysis::QuasiStatic)
   {
-    withoutNewLoads(state, [&] { growAtFixedLoads(state, stages, *last_); });
+    withoutNewLoads(state, [&] { growAtFixedLoads(state, stages, *last_, from, driveBefore); });
     stopIfFailed(state);
   }
   ++state.clock.step;

@@ -63,6 +63,13 @@ bool solveFor(State<D>& state, const EquilibriumCalls& calls, const equilibrium:
   return last.converged;
 }
 
+/// When G/Gc is 1 between two times, for loads that are linear in time [s].
+double timeOfToughness(double from, double driveFrom, double to, double driveTo)
+{
+  const double begin = std::sqrt(std::max(driveFrom, 0.0)), end = std::sqrt(std::max(driveTo, 0.0));
+  return end > begin ? from + std::clamp((1.0 - begin) / (end - begin), 0.0, 1.0) * (to - from) : to;
+}
+
 /// Why no factor is found.
 template <int D>
 std::string failureOfSearch(const State<D>& state, bool solved)
@@ -131,9 +138,11 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
 }
 
 template <int D>
-void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last)
+void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last,
+                      double from, double driveBefore)
 {
   EquilibriumGrowth& growth = state.cracks.growth;
+  const double reached = timeOfToughness(from, driveBefore, state.clock.time, growth.drive);
   const double areaBefore = growth.area;
   while (state.failure.empty() && canAdvance(state) && growth.drive > heldDrive)
   {
@@ -156,13 +165,15 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
                     ", and what is left of the body does not bear them (" + state.failure +
                     "): the body breaks at these loads, or between them and those of the load step before";
            });
-    growth.path.push_back({state.clock.time, 0.0, 0.0, growth.area, growth.drive - before});
+    growth.path.push_back({state.clock.time, 0.0, 0.0, growth.area, growth.drive - before, from, reached});
   }
 }
 
 template void followLoadFactor(State<2>&, const EquilibriumCalls&, const equilibrium::LastStep&, double);
 template void followLoadFactor(State<3>&, const EquilibriumCalls&, const equilibrium::LastStep&, double);
-template void growAtFixedLoads(State<2>&, const EquilibriumCalls&, const equilibrium::LastStep&);
-template void growAtFixedLoads(State<3>&, const EquilibriumCalls&, const equilibrium::LastStep&);
+template void growAtFixedLoads(State<2>&, const EquilibriumCalls&, const equilibrium::LastStep&, double,
+                               double);
+template void growAtFixedLoads(State<3>&, const EquilibriumCalls&, const equilibrium::LastStep&, double,
+                               double);
 
 } // namespace Rhegma

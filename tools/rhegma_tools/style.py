@@ -27,6 +27,7 @@ plt.rcParams.update(
         "axes.linewidth": 0.8,
         "axes.spines.top": False,
         "axes.spines.right": False,
+        "axes.formatter.useoffset": False,
         "axes.grid": True,
         "grid.color": "#DDDDDD",
         "grid.linewidth": 0.6,

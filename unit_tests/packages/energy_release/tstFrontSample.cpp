@@ -2,6 +2,7 @@
 
 #include "energy_release/FrontSample.hpp"
 #include "energy_release/HeldFronts.hpp"
+#include "energy_release/LargestRelease.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,42 @@ TEST(FrontSample, HasTheValuesOfOneNode)
                                              "Notch.0.speed", "Notch.0.x", "Notch.0.y"}));
   EXPECT_EQ(valueOf(row, "Notch.0.G_J"), 12.5);
   EXPECT_EQ(valueOf(row, "Notch.0.K_I"), 3e6);
+}
+
+/// Of each front the largest of all samples, with its time; those without a number do not count.
+TEST(LargestRelease, IsThatOfEachFront)
+{
+  const auto sample = [](int number, double release)
+  {
+    CrackFront<2> front;
+    front.crack = 1;
+    front.number = number;
+    FrontSample<2> made(front, 0.0);
+    made.J = {release};
+    return made;
+  };
+  LargestRelease largest;
+  EXPECT_TRUE(std::isnan(largest.of(1, 0).release));
+  largest.add<2>({sample(0, 3.0), sample(1, FrontSample<2>::notYet)}, 0.1);
+  largest.add<2>({sample(0, 7.0), sample(1, -2.0)}, 0.2);
+  largest.add<2>({sample(0, FrontSample<2>::notYet), sample(1, -4.0)}, 0.3);
+  largest.add<2>({sample(0, 5.0)}, 0.4);
+  EXPECT_EQ(largest.of(1, 0).release, 7.0);
+  EXPECT_EQ(largest.of(1, 0).time, 0.2);
+  EXPECT_EQ(largest.of(1, 1).release, -2.0);
+  EXPECT_EQ(largest.of(1, 1).time, 0.2);
+  EXPECT_TRUE(std::isnan(largest.of(0, 0).release));
+}
+
+/// In 3D the mean along the front counts.
+TEST(LargestRelease, IsOfTheMeanAlongAFront)
+{
+  FrontSample<3> sample(straightFront(), 0.0);
+  sample.J = {10.0, 20.0, 40.0};
+  LargestRelease largest;
+  largest.add<3>({sample}, 0.5);
+  EXPECT_NEAR(largest.of(sample.front.crack, sample.front.number).release, meanAlong(sample.front, sample.J),
+              1e-12);
 }
 
 /// Several: their mean by length of front, which is that of the lines between them, and extremes.

@@ -53,6 +53,20 @@ TEST(ToughnessOfBonds, AsStressIntensityOfAPolymerIsSaid)
   EXPECT_TRUE(say(said, asK + "1.02 MPa m^0.5, write 346.8 J/m2"));
 }
 
+/// A crack of 0.5 m in it that 0.1 MPa press open runs at 1 MPa m^0.5 or 1 MPa of remote stress; with a K_Ic
+/// in Pa m^0.5 as toughness it needs 60 times the stress.
+TEST(ToughnessOfBonds, AsStressIntensityUnderPressureIsSaid)
+{
+  for (const bool right : {true, false})
+  {
+    const auto scene = crackedPlate(3e9, 0.0, right ? "350" : "1.02e6");
+    scene->remove("Boundaries");
+    scene->sublist("Cracks").sublist("Notch").set("Points", Reals(std::vector<double>{0.25, 0.5, 0.75, 0.5}));
+    scene->sublist("Face Pressure").sublist("Notch").set<std::string>("Pressure", "1e5 + 1e5*t/1e-3");
+    EXPECT_EQ(say(warningsOf(scene), "times the highest stress of the loads"), !right);
+  }
+}
+
 /// Glass: 8 J/m2 are 0.75 MPa m^0.5. Written as 0.75, bonds break within less than an atom's distance.
 TEST(ToughnessOfBonds, AsStressIntensityOfGlassIsSaid)
 {

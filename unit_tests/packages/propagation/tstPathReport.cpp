@@ -69,10 +69,15 @@ TEST(PathReport, OfGivenLoadsFindsWhereGRises)
 {
   std::vector<PathState> path;
   for (int k = 0; k < 5; ++k)
-    path.push_back({double(k), 0.0, 0.0, 0.1 * (k + 1), k < 3 ? -0.02 : 0.01});
+    path.push_back({double(k), 0.0, 0.0, 0.1 * (k + 1), k < 3 ? -0.02 : 0.01, k - 1.0, k - 0.25});
   nlohmann::json summary;
   reportPathOfEquilibrium(path, false, summary);
   EXPECT_EQ(summary["propagation"]["unstable_from"]["time"], 3.0);
+  EXPECT_EQ(summary["propagation"]["initiation"],
+            (nlohmann::json{{"time", -0.25}, {"from", -1.0}, {"to", 0.0}}));
+  ASSERT_EQ(summary["answers"].size(), 2U);
+  EXPECT_NE(summary["answers"][1].get<std::string>().find("at a time between 2 s and 3 s"),
+            std::string::npos);
   path.resize(3);
   summary.clear();
   reportPathOfEquilibrium(path, false, summary);

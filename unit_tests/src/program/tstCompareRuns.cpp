@@ -143,6 +143,23 @@ TEST(CompareRuns, ComparesTheLoadOfInitiationAndNotItsLoadStep)
           .get<bool>());
 }
 
+/// Under given loads all fronts start at the end of a load step; the time within it is compared.
+TEST(CompareRuns, ComparesTheTimeWithinTheLoadStepUnderGivenLoads)
+{
+  const auto growing = [](double time)
+  {
+    RunResults run = running(0.0, 0.1);
+    run.summary["cracks"][0]["fronts"][0]["initiated"] = 1.0;
+    run.summary["propagation"] = {{"initiation", {{"time", time}, {"from", 0.5}, {"to", 1.0}}}};
+    return run;
+  };
+  const json apart = compareRuns(growing(0.6), growing(0.9));
+  EXPECT_NEAR(answer(apart, "time at which cracks start")["change"].get<double>(), 0.3 / 0.9, 1e-12);
+  EXPECT_FALSE(apart["resolved"].get<bool>());
+  EXPECT_EQ(apart.dump().find("initiation of Notch.0"), std::string::npos);
+  EXPECT_TRUE(compareRuns(growing(0.88), growing(0.9))["resolved"].get<bool>());
+}
+
 /// An arrest on one of the meshes and none on the other.
 TEST(CompareRuns, SaysThatEndsDiffer)
 {

@@ -1,0 +1,36 @@
+#pragma once
+/// Pairs of bodies that the scene says are bonded.
+
+#include "base/EntryValue.hpp"
+#include "base/Numbers.hpp"
+
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace Rhegma
+{
+
+/// Each pair in both orders. \param scene validated; its section Bodies is read
+inline std::set<std::pair<std::string, std::string>> bondedPairs(const Teuchos::ParameterList& scene)
+{
+  std::set<std::pair<std::string, std::string>> pairs;
+  const Teuchos::ParameterList& section = scene.sublist("Bodies");
+  for (auto entry = section.begin(); entry != section.end(); ++entry)
+  {
+    const auto* const body = valueIf<Teuchos::ParameterList>(section.entry(entry));
+    const auto* const given = body != nullptr ? valueIf<std::string>(*body, "Bonded To") : nullptr;
+    if (given == nullptr)
+      continue;
+    std::istringstream names(*given);
+    for (std::string name; std::getline(names, name, ',');)
+    {
+      pairs.emplace(section.name(entry), trimmed(name));
+      pairs.emplace(trimmed(name), section.name(entry));
+    }
+  }
+  return pairs;
+}
+
+} // namespace Rhegma
