@@ -3,7 +3,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
-#include "plausibility/BodyMeasures.hpp"
+#include "plausibility/CrackExtent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +49,31 @@ double lowestFrequency(const BodyMeasure<D>& body)
   return pi * body.speed / body.longest;
 }
 
+/// The slowest motion of a body that damping must bring to rest.
+struct SlowMotion
+{
+  double frequency; ///< angular [1/s]
+  std::string name; ///< for a message
+};
+
+/// The longest wave, or, where a crack leaves slender arms of half of the body's thickness h, their
+/// bending: 3.52 / sqrt(12) c h / a^2 of a cantilever of length a (Timoshenko, Vibration Problems in
+/// Engineering, 1928).
+template <int D>
+SlowMotion slowestMotion(const State<D>& state, const BodyMeasure<D>& body)
+{
+  constexpr double slender = 3.0; // a cantilever shorter than that shears
+  const std::vector<BodyMeasure<D>> cracked = crackedBodies(state);
+  const bool has = std::any_of(cracked.begin(), cracked.end(),
+                               [&](const BodyMeasure<D>& one) { return one.name == body.name; });
+  const double wave = lowestFrequency(body), h = 0.5 * body.shortest, a = has ? longestCrack(state) : 0.0;
+  const double bending = a > slender * h ? 3.52 / std::sqrt(12.0) * body.speed * h / (a * a) : wave;
+  if (bending >= wave)
+    return {wave, "the longest wave of " + body.name};
+  return {bending, "the bending of arms of " + body.name + ", " + readableLength(h) + " thick and " +
+                       readableLength(a) + " long, next to its crack"};
+}
+
 /// Warns of a run that is to end at rest and hardly damps any motion, or so strongly that bodies creep. With
 /// mass damping r an oscillation falls as slowRate says, with a viscosity as exp(-w^2 t (2 eta + zeta) /
 /// (2 M)); that of the longest wave of the quickest body lasts shorter than slower ones.
@@ -56,7 +81,7 @@ template <int D>
 void judgeSettling(const JudgedDamping& damping, const BodyMeasure<D>& quick, State<D>& state)
 {
   constexpr double most = 0.1; // loads that rise slowly make an oscillation of less
-  const double frequency = lowestFrequency(quick);
+  const auto [frequency, slowest] = slowestMotion(state, quick);
   const double retardation = (2.0 * damping.shear + damping.bulk) / quick.moduli.constrainedModulus;
   const double rate = damping.rate + frequency * frequency * retardation;
   const double left = std::exp(-slowRate(rate, frequency) * damping.end);
@@ -66,9 +91,9 @@ void judgeSettling(const JudgedDamping& damping, const BodyMeasure<D>& quick, St
   {
     state.warnings.push_back(
         "Damping > Mass Rate is " + formatReal(damping.rate) + " 1/s, " +
-        formatShort(0.5 * rate / frequency) + " times the critical damping of the longest " + "wave of " +
-        quick.name + ", which creeps to equilibrium: when damping ends (after " + readableTime(damping.end) +
-        "), " + formatShort(100.0 * left) +
+        formatShort(0.5 * rate / frequency) + " times the critical damping of " + slowest +
+        ", which creeps to equilibrium: when damping ends (after " + readableTime(damping.end) + "), " +
+        formatShort(100.0 * left) +
         " % of the motion to equilibrium is left, so results are not static; write about " +
         formatShort(2.0 * frequency) + " 1/s");
     return;
@@ -78,9 +103,8 @@ void judgeSettling(const JudgedDamping& damping, const BodyMeasure<D>& quick, St
       formatShort(100.0 * left) + " % of an oscillation is left (after " + readableTime(damping.end) +
       "), but Stop When Settled needs " + formatShort(100.0 * damping.settled) +
       " %, so the run ends before it has settled, and its results are not static; write at least " +
-      formatShort(-2.0 * std::log(damping.settled) / damping.end) + " 1/s (the longest wave of " +
-      quick.name + " is critically damped at " + formatShort(2.0 * frequency) +
-      ") or a longer Time > Final Time");
+      formatShort(-2.0 * std::log(damping.settled) / damping.end) + " 1/s (" + slowest +
+      " is critically damped at " + formatShort(2.0 * frequency) + ") or a longer Time > Final Time");
 }
 
 /// Warns of a run that is to end at rest and takes too few samples to see that. \param interval between two
@@ -134,15 +158,16 @@ void judgeDamping(const JudgedDamping& damping, State<D>& state)
         ", so the body hardly strains; viscosities are in Pa s");
 }
 
-/// The mass damping at which the longest wave of the quickest body is critically damped, for a message.
+/// The mass damping at which the slowest motion of the quickest body is critically damped, for a message.
 template <int D>
 std::string criticalAsText(const State<D>& state)
 {
   const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
   const BodyMeasure<D>* quick = quickest(bodies);
-  return quick == nullptr ? std::string()
-                          : " (the longest wave of " + quick->name + " is critically damped at " +
-                                formatShort(2.0 * lowestFrequency(*quick)) + " 1/s)";
+  if (quick == nullptr)
+    return {};
+  const auto [frequency, slowest] = slowestMotion(state, *quick);
+  return " (" + slowest + " is critically damped at " + formatShort(2.0 * frequency) + " 1/s)";
 }
 
 } // namespace Rhegma::damping

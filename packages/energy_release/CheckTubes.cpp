@@ -89,7 +89,7 @@ void checkTube(State<2>& state, const CrackFront<2>& front, const Options& optio
         readableLength(radii.outer) + " (" + formatShort(radii.outer / cell) +
         " cells), because of a surface, another front, another crack or another part of its "
         "own; G can be wrong by 2 % with less than four cells and by 5 % with two, K by half "
-        "of it: use smaller cells (Domain > Cell Size)");
+        "of it, next to another crack by 12 %: use smaller cells (Domain > Cell Size)");
   }
 }
 

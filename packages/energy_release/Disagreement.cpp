@@ -28,9 +28,12 @@ const CrackFront<2>& frontNow(const State<2>& state, const CrackFront<2>& front)
 std::string reasonOf(const State<2>& state, const FrontSample<2>& sample)
 {
   if (frontNow(state, sample.front).grown)
-    return "the front has grown, and waves and its new faces, which still hold together, disturb K more than "
-           "G_J: do not use K of this front";
-  return "at least one of them is wrong by as much, because the domain integral from " +
+    return state.method.equilibrium()
+               ? "the front has grown, and its cells are coarse for its new place: do not use K of this front"
+               : "the front has grown, and waves and its new faces, which still hold together, disturb K "
+                 "more "
+                 "than G_J: do not use K of this front";
+  return "at least one of them is wrong by half of this or more, because the domain integral from " +
          readableLength(sample.tube.radii.inner) + " to " + readableLength(sample.tube.radii.outer) +
          " has few cells or is next to a surface, a load or another crack: use smaller cells (Domain > Cell "
          "Size), and compare with --twice";

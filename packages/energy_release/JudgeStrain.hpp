@@ -55,7 +55,7 @@ struct StrainWatch
 private:
   static std::string advice()
   {
-    return "; K assumes small strain and is wrong by as much: use G_J, and a law for finite strain";
+    return "; K assumes small strain and is off by about the strain: use G_J, and a law for finite strain";
   }
 };
 

@@ -20,7 +20,7 @@ template <int D>
 void judgeYield(const Teuchos::ParameterList& scene, State<D>& state)
 {
   constexpr double pi = 3.14159265358979;
-  const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
+  const std::vector<BodyMeasure<D>> bodies = crackedBodies(state);
   const BodyMeasure<D>* soft = nullptr;
   for (const BodyMeasure<D>& body : bodies)
     if (body.yield > 0.0 && (soft == nullptr || body.yield < soft->yield))

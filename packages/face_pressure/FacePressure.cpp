@@ -146,7 +146,8 @@ EffectEntry facePressureEntry()
     {
       options.pressedCracks.insert(name);
       if (list.sublist(name).isType<std::string>("Pressure")) // else the scene is refused
-        options.facePressures.push_back(list.sublist(name).get<std::string>("Pressure"));
+        options.facePressures["Face Pressure > " + name + " > Pressure"] =
+            list.sublist(name).get<std::string>("Pressure");
     }
   };
   entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.facesLoaded = true; };

@@ -249,7 +249,7 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
 template <int D>
 void measureDrive(State<D>& state, const Options& options, const std::vector<FrontState<D>>& fronts)
 {
-  double largest = 0.0;
+  double largest = 0.0, release = 0.0;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     const CrackFront<D>& front = state.cracks.fronts[f];
@@ -258,9 +258,15 @@ void measureDrive(State<D>& state, const Options& options, const std::vector<Fro
     const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
     for (const FrontNode<D>& node : front.nodes)
       if (node.advances)
-        largest = std::max(largest, driveOf(state, node, fronts[f].nodes.at(node.name), e, options));
+        if (const double drive = driveOf(state, node, fronts[f].nodes.at(node.name), e, options);
+            drive > largest)
+        {
+          largest = drive;
+          release = openingRelease(node.driving, e);
+        }
   }
   state.cracks.growth.drive = largest;
+  state.cracks.growth.release = release;
 }
 
 template <int D>

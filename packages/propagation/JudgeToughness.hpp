@@ -57,7 +57,7 @@ struct JudgedToughness
 
   JudgedToughness(const Options& options, const State<D>& judged)
       : state(judged),
-        bodies(measureBodies(judged)),
+        bodies(crackedBodies(judged)),
         atRest(std::max(options.rule.initiation, options.rule.toughness(0.0, options.temperature))),
         most(atRest),
         slow(atRest),
@@ -159,9 +159,9 @@ void judgeZones(const JudgedToughness<D>& judged, std::vector<std::string>& mess
     if (zone <= smallZone * std::min(judged.crack, body.shortest))
       continue;
     messages.push_back(
-        judged.where + crack + " in " + body.material + " runs when some " + readableLength(zone) +
-        " ahead of it yield at Materials > " + body.material + " > Yield Stress = " + formatReal(body.yield) +
-        " Pa (Irwin), more than a tenth of " +
+        judged.where + crack + " in " + body.material + " runs when some " + readableLength(2.0 * zone) +
+        " ahead of it yield (twice Irwin's radius) at Materials > " + body.material +
+        " > Yield Stress = " + formatReal(body.yield) + " Pa, more than a fifth of " +
         (judged.crack < body.shortest ? "its length" : "the body's " + readableLength(body.shortest)) +
         "; K and the growth criterion assume small-scale yielding" + judged.advice());
     return;
@@ -169,14 +169,13 @@ void judgeZones(const JudgedToughness<D>& judged, std::vector<std::string>& mess
 }
 
 /// Compares the loads' stress with that of Griffith, sqrt(E' Gc / (pi a)). Margins are wide, as the loads'
-/// stress is nominal. \param pressure largest on the faces of cracks [Pa] \param others whether loads of
-/// unknown stress act
+/// stress is nominal. \param others whether loads of unknown stress act
 template <int D>
-void compareLoads(const JudgedToughness<D>& judged, const std::vector<LoadEstimate>& loads, double pressure,
-                  bool others, std::vector<std::string>& messages)
+void compareLoads(const JudgedToughness<D>& judged, const std::vector<LoadEstimate>& loads, bool others,
+                  std::vector<std::string>& messages)
 {
   constexpr double margin = 8.0;
-  double highest = pressure;
+  double highest = 0.0;
   for (const LoadEstimate& load : loads)
     highest = std::max(highest, load.highest);
   const LoadEstimate* load = largestStrain(loads);
@@ -246,11 +245,10 @@ void judgeToughness(const Teuchos::ParameterList& scene, const RunOptions& run, 
   if (options.equilibrium && run.loadFactor) // which is found
     return;
   const double end = scene.sublist("Time").get<double>("Final Time");
-  double pressure = 0.0;
-  for (const std::string& text : run.facePressures)
-    pressure = std::max(pressure, rangeOf(text, end).largest);
-  compareLoads(judged, estimateLoads(scene, state, judged.bodies), pressure, run.heat() || run.burning,
-               state.warnings);
+  std::vector<LoadEstimate> loads = estimateLoads(scene, state, judged.bodies);
+  const std::vector<LoadEstimate> inCracks = estimatePressures(run.facePressures, end, judged.bodies);
+  loads.insert(loads.end(), inCracks.begin(), inCracks.end());
+  compareLoads(judged, loads, run.heat() || run.burning, state.warnings);
 }
 
 } // namespace Rhegma::propagation

@@ -12,7 +12,7 @@ namespace Rhegma::propagation
 namespace
 {
 
-/// Changes that count: the factor is found to within 1e-5.
+/// Changes that count: the factor is found to within 1e-5, and G to its square.
 constexpr double noticeable = 1e-4;
 
 bool fallsAfter(const std::vector<PathState>& path, std::size_t k, double PathState::*value)
@@ -35,7 +35,8 @@ nlohmann::json entryOf(const std::vector<PathState>& path, int state)
 /// Of given loads: where G rises as cracks grow.
 void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summary)
 {
-  const auto rises = std::find_if(path.begin(), path.end(), [](const PathState& s) { return s.rise > 0.0; });
+  const auto rises =
+      std::find_if(path.begin(), path.end(), [](const PathState& s) { return s.rise > noticeable; });
   nlohmann::json& entry = summary["propagation"];
   entry["initiation"] = {{"time", nullptr}, {"from", nullptr}, {"to", nullptr}};
   if (!path.empty())
@@ -50,14 +51,13 @@ void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summar
   if (rises != path.end())
     entry["unstable_from"] = {{"new_area", rises->area}, {"time", rises->time}};
   if (rises != path.end())
-    summary["answers"].push_back(
-        "growth is unstable at a time between " + readableTime(rises->from) + " and " +
-        readableTime(rises->time) +
-        ", a load step: G rises as the crack grows under the loads of that time, new "
-        "area " +
-        formatShort(rises->area) +
-        " m2. What is released above the toughness becomes motion in a real body; "
-        "here it is missing from the energy balance");
+    summary["answers"].push_back("growth becomes unstable in the load step from " +
+                                 readableTime(rises->from) + " to " + readableTime(rises->time) +
+                                 ": G rises as the crack grows under the loads of that time, new "
+                                 "area " +
+                                 formatShort(rises->area) +
+                                 " m2. What is released above the toughness becomes motion in a real body; "
+                                 "here it is missing from the energy balance");
 }
 
 } // namespace

@@ -166,8 +166,9 @@ struct FrontEnd
       fate = Fate::Running;
     else if (own.increments == 0)
       fate = Fate::NotInitiated;
-    else if (state.method.analysis == Analysis::LoadFactor)
-      fate = Fate::Growing;
+    else if (state.method.analysis == Analysis::LoadFactor ||
+             (options.equilibrium && own.lastTime >= state.clock.time - 0.5 * state.clock.dt))
+      fate = Fate::Growing; // in the last load step
     else
       fate = release < toughness ? Fate::Arrested : Fate::AtRest;
     const double between = own.increments > 1 ? (own.lastTime - own.firstTime) / (own.increments - 1) : 0.0;

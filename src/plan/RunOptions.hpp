@@ -5,6 +5,7 @@
 #include "state/CrackSet.hpp"
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -43,13 +44,14 @@ struct RunOptions
   bool adaptive = false; ///< cells change
   int frontLevels = 0;   ///< levels of finer cells at crack fronts
 
-  bool openingKnown = true;               ///< stencils at cracks have linear completeness
-  bool extrapolated = false;              ///< they extrapolate from nodes on one side
-  bool contact = false;                   ///< faces that close press against each other
-  std::set<std::string> pressedCracks;    ///< with a given pressure
-  std::vector<std::string> facePressures; ///< these pressures as functions of time [Pa]
-  bool burning = false;                   ///< faces burn, and their gas presses on them
-  bool growth = false;                    ///< cracks may grow
+  bool openingKnown = true;            ///< stencils at cracks have linear completeness
+  bool extrapolated = false;           ///< they extrapolate from nodes on one side
+  bool contact = false;                ///< faces that close press against each other
+  std::set<std::string> pressedCracks; ///< with a given pressure
+  /// These pressures as functions of time [Pa], by their paths in the scene.
+  std::map<std::string, std::string> facePressures;
+  bool burning = false;     ///< faces burn, and their gas presses on them
+  bool growth = false;      ///< cracks may grow
   bool loadFactor = false;  ///< in equilibrium, under loads whose factor is found from their growth
   DrivingContours contours; ///< contours for the driving forces of growing cracks, given in 2D
   NodalMass nodalMass;

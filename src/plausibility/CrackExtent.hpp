@@ -40,6 +40,36 @@ double longestCrack(const State<D>& state)
   return longest;
 }
 
+/// The bodies that cracks lie in, by their bounds; all where none does. Call it before particles are divided
+/// among ranks.
+template <int D>
+std::vector<BodyMeasure<D>> crackedBodies(const State<D>& state)
+{
+  const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
+  const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
+  std::vector<BodyMeasure<D>> cracked;
+  const auto crosses = [&](const Crack<D>& crack, const BodyMeasure<D>& body)
+  {
+    bool meets = crack.numVertices > 0;
+    for (int d = 0; d < D && meets; ++d)
+    {
+      double low = x(crack.firstVertex, d), high = low;
+      for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
+      {
+        low = std::min(low, x(v, d));
+        high = std::max(high, x(v, d));
+      }
+      meets = low < body.upper[d] && high > body.lower[d];
+    }
+    return meets;
+  };
+  for (const BodyMeasure<D>& body : bodies)
+    if (std::any_of(state.cracks.cracks.begin(), state.cracks.cracks.end(),
+                    [&](const Crack<D>& crack) { return crosses(crack, body); }))
+      cracked.push_back(body);
+  return cracked.empty() ? bodies : cracked;
+}
+
 /// Length of the plastic zone ahead of a front (Irwin 1960): (K / yield stress)^2 / (2 pi) in plane stress, a
 /// third of it elsewhere [m]. \param K stress intensity [Pa m^0.5] \param body with a yield stress
 template <int D>
@@ -51,7 +81,7 @@ double plasticZone(double K, const BodyMeasure<D>& body, Plane plane)
 }
 
 /// Part of the crack and of the body up to which a plastic zone is small. The standard of K_Ic (ASTM E399,
-/// lengths of 2.5 (K / yield stress)^2 and more) has 0.06 in plane stress and 0.02 in plane strain.
+/// plane strain) asks for lengths of 2.5 (K / yield stress)^2 and more, which is 0.02.
 constexpr double smallZone = 0.1;
 
 } // namespace Rhegma

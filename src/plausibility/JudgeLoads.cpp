@@ -4,6 +4,7 @@
 #include "plausibility/Judges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma
 {
@@ -19,15 +20,19 @@ constexpr double linearLimit = 0.05, anyLimit = 3.0;
 template <int D>
 void judgeStrain(const JudgedScene<D>& judged, Messages& messages)
 {
-  const LoadEstimate* load = largestStrain(judged.loads);
-  const bool linear = std::any_of(judged.bodies.begin(), judged.bodies.end(),
-                                  [](const BodyMeasure<D>& body) { return body.linear; });
-  if (load == nullptr || load->strain <= (linear ? linearLimit : anyLimit))
+  const LoadEstimate* load = nullptr;
+  const auto excess = [](const LoadEstimate& one)
+  { return one.strain / (one.linear ? linearLimit : anyLimit); };
+  for (const LoadEstimate& one : judged.loads)
+    if (std::isfinite(one.strain) && std::isfinite(one.stress) && excess(one) > 1.0 &&
+        (load == nullptr || excess(one) > excess(*load)))
+      load = &one;
+  if (load == nullptr)
     return;
   messages.push_back(load->where + ": it strains the body by about " + formatShort(100.0 * load->strain) +
                      " % (" + formatShort(load->stress) + " Pa), " +
-                     (linear ? "too much for a linear law; use a law for finite strain, or check "
-                             : "more than a solid withstands; check ") +
+                     (load->linear ? "too much for a linear law; use a law for finite strain, or check "
+                                   : "more than a solid withstands; check ") +
                      "units (N, Pa, m, m/s)");
 }
 

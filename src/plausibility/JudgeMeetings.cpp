@@ -107,6 +107,7 @@ std::optional<double> meet(const BodyMeasure<D>& one, const BodyMeasure<D>& othe
 template <int D>
 class Meetings
 {
+  static constexpr double sharing = 2.0; ///< cells between bodies that may have nodes in common
 public:
   explicit Meetings(const JudgedScene<D>& judged)
       : judged_(judged),
@@ -129,7 +130,7 @@ public:
     long looks = 1'000'000; // at pairs; so many bodies on their way have met by then
     for (int b = 0; b < static_cast<int>(swept.size()) && looks > 0; ++b)
       if (norm(velocity_[b]) > 0.0)
-        for (const int other : boxes.near(swept[b], cell_))
+        for (const int other : boxes.near(swept[b], sharing * cell_))
           if (--looks > 0 && other != b && (other > b || norm(velocity_[other]) == 0.0))
             judgePair(b, other, messages);
     return messages;
@@ -155,17 +156,18 @@ private:
     const auto [first, second] = std::minmax(one, other);
     const BodyMeasure<D>&a = judged_.bodies[first], &b = judged_.bodies[second];
     const Vector<D> v = velocity_[first] - velocity_[second];
-    const std::optional<double> shared = meet(a, b, v, cell_), touch = meet(a, b, v, 0.0);
+    const std::optional<double> shared = meet(a, b, v, sharing * cell_), touch = meet(a, b, v, 0.0);
     if (!shared || *shared > end_ || bonded_.count({a.name, b.name}) > 0)
       return;
     messages.push_back(
         "Bodies > " + b.name + ": it and Bodies > " + a.name + " approach each other at " +
         formatShort(norm(v)) + " m/s" +
         (touch && *touch <= end_ ? " and meet at about t = " + readableTime(*touch) : std::string()) +
-        ". Bodies have no contact law: once they are about a cell apart (" + readableLength(cell_) +
-        ", from about t = " + readableTime(*shared) +
-        " on), they share one motion, which resists not only compression but also sliding and separation; "
-        "use smaller cells to shorten that distance, and do not rely on friction or rebound");
+        ". Bodies have no contact law: once they are less than one to two cells (" + readableLength(cell_) +
+        ") apart, from about t = " + readableTime(*shared) +
+        " on, they share one motion, which resists not only compression but also sliding and separation; "
+        "use smaller cells to shorten that distance, and do not rely on what follows from sliding or "
+        "parting");
   }
 
   const JudgedScene<D>& judged_;

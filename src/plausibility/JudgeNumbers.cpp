@@ -102,6 +102,21 @@ void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
       "it is in metres, and 1 mm is 0.001 m");
 }
 
+/// A yield stress that the bonds of no solid bear: a tenth of Young's modulus (Frenkel).
+template <int D>
+void judgeYieldStress(const JudgedScene<D>& judged, Messages& messages)
+{
+  constexpr double most = 0.1;
+  std::set<std::string> said;
+  for (const BodyMeasure<D>& body : judged.bodies)
+    if (body.yield > most * body.moduli.young && said.insert(body.material).second)
+      messages.push_back(
+          "Materials > " + body.material + " > Yield Stress is " + formatShort(body.yield) + " Pa, " +
+          formatShort(body.yield / body.moduli.young) +
+          " of Young's modulus: no solid bears more than a tenth of it; it is in Pa, and 1 MPa is "
+          "1e6 Pa");
+}
+
 /// Edge of the cells of most of a body [m]: the median at 4^D points of its bounding box, so that cells
 /// refined next to fronts do not count.
 template <int D>
@@ -144,8 +159,8 @@ void judgeLocking(const JudgedScene<D>& judged, Messages& messages)
     messages.push_back(
         "Materials > " + body.material + ": its bulk modulus is " + formatShort(ratio) +
         " times its shear modulus (Poisson ratio " + formatShort(e.poisson) +
-        "), and cells resist such bending: parts of Bodies > " + body.name + " half as thick as it, " +
-        formatShort(cells) + " cells, bend by some " +
+        "), and too few cells make bending too stiff: parts of Bodies > " + body.name +
+        " half as thick as it, " + formatShort(cells) + " cells, bend by some " +
         formatShort(std::round(100.0 * error / (1.0 + error))) +
         " % too little, so that G is too small by as much under given forces and too large under "
         "given displacements; use " +
@@ -170,6 +185,7 @@ Messages judgeQuantities(const JudgedScene<D>& judged)
   Messages messages;
   judgeDensities(judged, messages);
   judgeThicknessOfPlane(judged, messages);
+  judgeYieldStress(judged, messages);
   judgeLocking(judged, messages);
   return messages;
 }

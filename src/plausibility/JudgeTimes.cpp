@@ -73,7 +73,8 @@ Messages judgeTimes(const JudgedScene<D>& judged)
   judgeSteps(judged, end, messages);
   if (!judged.state.method.mechanics)
     return messages;
-  judgeWaves(judged, end, messages);
+  if (!judged.state.method.equilibrium())
+    judgeWaves(judged, end, messages);
   judgeWeight(judged, messages);
   return messages;
 }

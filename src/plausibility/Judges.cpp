@@ -57,11 +57,17 @@ Messages withoutNonNumbers(const Messages& messages)
 }
 
 template <int D>
-void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven, State<D>& state)
+void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven,
+                const std::map<std::string, std::string>& pressures, State<D>& state)
 {
   JudgedScene<D> judged{scene, state, measureBodies(state), {}, step, driven};
   if (state.method.mechanics)
+  {
     judged.loads = estimateLoads(scene, state, judged.bodies);
+    const double end = scene.sublist("Time").get<double>("Final Time");
+    const std::vector<LoadEstimate> inCracks = estimatePressures(pressures, end, judged.bodies);
+    judged.loads.insert(judged.loads.end(), inCracks.begin(), inCracks.end());
+  }
   judgeWithoutParticles(scene, state);
   Messages all;
   for (const auto judge : {judgeQuantities<D>, judgeTimes<D>, judgeNeighbours<D>, judgeMeetings<D>,
@@ -79,8 +85,10 @@ void judgeWithoutParticles(const Teuchos::ParameterList& scene, State<D>& state)
   addFirstTen(judgeThickness(scene, state), state.warnings);
 }
 
-template void judgeScene(const Teuchos::ParameterList&, double, bool, State<2>&);
-template void judgeScene(const Teuchos::ParameterList&, double, bool, State<3>&);
+template void judgeScene(const Teuchos::ParameterList&, double, bool,
+                         const std::map<std::string, std::string>&, State<2>&);
+template void judgeScene(const Teuchos::ParameterList&, double, bool,
+                         const std::map<std::string, std::string>&, State<3>&);
 template void judgeWithoutParticles(const Teuchos::ParameterList&, State<2>&);
 template void judgeWithoutParticles(const Teuchos::ParameterList&, State<3>&);
 

@@ -70,8 +70,10 @@ Messages judgeFlight(const JudgedScene<D>& judged);
 /// Adds what all judges of the core say to the warnings of the state, at most ten messages of each. Effects
 /// add their own (plan/Effect.hpp). Call it before particles are divided among ranks.
 /// \param step first stable step [s]; not a number where it is not known \param driven as in JudgedScene
+/// \param pressures on faces of cracks, by their paths (RunOptions)
 template <int D>
-void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven, State<D>& state);
+void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven,
+                const std::map<std::string, std::string>& pressures, State<D>& state);
 
 /// The part of it that needs no particles, for a scene whose bodies can't be placed.
 template <int D>

@@ -41,7 +41,7 @@ struct Moved
 template <int D>
 LoadEstimate even(const std::string& where, double stress, const BodyMeasure<D>& body)
 {
-  return {where, stress / body.moduli.young, stress, stress};
+  return {where, stress / body.moduli.young, stress, stress, body.linear};
 }
 
 /// Outward normal of the loaded surface, as long as its area [m2] (boundary/Traction.cpp).
@@ -66,7 +66,7 @@ LoadEstimate ofForce(const std::string& where, const Vector<D>& force, const Bod
   const double size = norm(force), wide = body.volume / body.shortest, narrow = body.volume / body.longest;
   const bool along = std::fabs(force[longest]) > 0.9 * size;
   const double lever = along ? 4.0 : 1.0 + 6.0 * body.longest / body.shortest;
-  return {where, size / wide / body.moduli.young, size / wide, size / narrow * lever};
+  return {where, size / wide / body.moduli.young, size / wide, size / narrow * lever, body.linear};
 }
 
 /// Largest rate at which a history changes [1/s].
@@ -173,7 +173,7 @@ private:
                 any = true;
               });
       if (any && most.by > least.by)
-        apart(most, least);
+        apart(most, least, d);
       else if (any && most.by != 0.0) // only inertia resists
         impact(most.where, true);
     }
@@ -229,24 +229,26 @@ private:
     if (fastest_ == 0.0)
       return;
     if (!freely)
-      return add({where, 0.0, 0.0, stiffest_ * fastest_});
+      return add({where, 0.0, 0.0, stiffest_ * fastest_, false});
     for (const BodyMeasure<D>& body : bodies_)
     {
       const double wave = body.density * body.speed * fastest_;
       const double slow = body.density * body.longest * fastest_ * rise_ / largest_;
       const double nominal = 0.5 * std::min(wave, slow);
-      add({where, nominal / body.moduli.young, nominal, wave});
+      add({where, nominal / body.moduli.young, nominal, wave, body.linear});
     }
   }
 
-  void apart(const Moved& one, const Moved& other)
+  /// Along its longest axis supports stretch a body, across it a crack may let arms bend.
+  void apart(const Moved& one, const Moved& other, int axis)
   {
     const double by = one.by - other.by;
     const std::string& where = one.by > -other.by ? one.where : other.where;
     for (const BodyMeasure<D>& body : bodies_)
     {
-      const double bent = by * body.shortest / (body.longest * body.longest); // a crack may let arms bend
-      add({where, bent, bent * body.moduli.young, by / body.shortest * body.moduli.young});
+      const bool along = body.upper[axis] - body.lower[axis] >= (1.0 - 1e-9) * body.longest;
+      const double strain = by / body.longest * (along ? 1.0 : body.shortest / body.longest);
+      add({where, strain, strain * body.moduli.young, by / body.shortest * body.moduli.young, body.linear});
     }
   }
 
@@ -280,7 +282,8 @@ void addVelocities(const ParameterList& scene, const std::vector<BodyMeasure<D>>
     const double v = norm(readVector<D>(*list, "Velocity"));
     const double impact = body.density * body.speed * v;
     if (v > 0.0 && obstacles)
-      found.push_back({where + " > Velocity", 0.5 * impact / body.moduli.young, 0.5 * impact, 2.0 * impact});
+      found.push_back(
+          {where + " > Velocity", 0.5 * impact / body.moduli.young, 0.5 * impact, 2.0 * impact, body.linear});
     double spin = 0.0;
     for (const double w : *valueIf<Teuchos::Array<double>>(*list, "Angular Velocity"))
       spin += w * w;
@@ -316,6 +319,24 @@ std::vector<LoadEstimate> estimateLoads(const ParameterList& scene, const State<
   return found;
 }
 
+template <int D>
+std::vector<LoadEstimate> estimatePressures(const std::map<std::string, std::string>& pressures, double end,
+                                            const std::vector<BodyMeasure<D>>& bodies)
+{
+  std::vector<LoadEstimate> found;
+  const auto soft = std::min_element(bodies.begin(), bodies.end(),
+                                     [](const BodyMeasure<D>& a, const BodyMeasure<D>& b)
+                                     { return a.moduli.young < b.moduli.young; });
+  for (const auto& [path, history] : pressures)
+    if (const double largest = rangeOf(history, end).largest; soft != bodies.end() && largest > 0.0)
+      found.push_back(even(path, largest, *soft));
+  return found;
+}
+
+template std::vector<LoadEstimate> estimatePressures(const std::map<std::string, std::string>&, double,
+                                                     const std::vector<BodyMeasure<2>>&);
+template std::vector<LoadEstimate> estimatePressures(const std::map<std::string, std::string>&, double,
+                                                     const std::vector<BodyMeasure<3>>&);
 template std::vector<LoadEstimate> estimateLoads(const ParameterList&, const State<2>&,
                                                  const std::vector<BodyMeasure<2>>&);
 template std::vector<LoadEstimate> estimateLoads(const ParameterList&, const State<3>&,

@@ -7,6 +7,10 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <map>
+#include <string>
+#include <vector>
+
 namespace Rhegma
 {
 
@@ -18,6 +22,7 @@ struct LoadEstimate
   double stress = 0.0;  ///< that strain times Young's modulus [Pa]
   double highest = 0.0; ///< stress that is hardly exceeded: of bending over the longest lever, or of the
                         ///< impact [Pa]
+  bool linear = false;  ///< the law of the body that it strains most is linear elastic
 };
 
 /// One for each load, moving support and moving body, at the largest value of its history and in the body
@@ -28,6 +33,12 @@ struct LoadEstimate
 template <int D>
 std::vector<LoadEstimate> estimateLoads(const Teuchos::ParameterList& scene, const State<D>& state,
                                         const std::vector<BodyMeasure<D>>& bodies);
+
+/// Of pressures on faces of cracks: they strain the softest body as an even stress does. \param pressures
+/// functions of time by their paths in the scene [Pa] \param end of the run [s]
+template <int D>
+std::vector<LoadEstimate> estimatePressures(const std::map<std::string, std::string>& pressures, double end,
+                                            const std::vector<BodyMeasure<D>>& bodies);
 
 /// The one with the largest nominal strain that is a finite number, or null.
 const LoadEstimate* largestStrain(const std::vector<LoadEstimate>& loads);

@@ -73,15 +73,16 @@ std::string otherEnergies(const nlohmann::json& energy, double given)
   return text;
 }
 
-/// What the energy balance does not account for, of what was given.
+/// What the energy balance does not account for, of its largest term.
 std::string energyBalance(const nlohmann::json& summary)
 {
   const nlohmann::json energy = summary.value("energy", nlohmann::json::object());
   if (!energy.contains("residual"))
     return {};
   double given = 0.0;
-  for (const char* name : {"external_work", "combustion", "kinetic", "strain", "start"})
-    given = std::max(given, std::fabs(numberOrZero(energy, name)));
+  for (const auto& [name, value] : energy.items())
+    if (value.is_number() && name != "residual")
+      given = std::max(given, std::fabs(value.get<double>()));
   const double residual = numberOrZero(energy, "residual"), start = numberOrZero(energy, "start");
   if (!std::isfinite(given) || !std::isfinite(residual))
     return "energy balance: not available, because energies are not finite";

@@ -13,7 +13,7 @@ struct PathState
   double factor = 0.0;       ///< of the loads, where they have one
   double displacement = 0.0; ///< of these loads: their work over the factor, summed from the start [J]
   double area = 0.0;         ///< by which cracks have grown since the start [m2]
-  double rise = 0.0;         ///< of the largest G/Gc over the last increment, where loads are given
+  double rise = 0.0;         ///< of G over the last increment, over G before it, where loads are given
   double from = 0.0;         ///< begin of the load step [s], where loads are given
   /// When G reached the toughness in that load step [s]: G is taken as the square of a load that is linear in
   /// time.
@@ -24,6 +24,7 @@ struct PathState
 struct EquilibriumGrowth
 {
   double drive = 0.0;   ///< largest G/Gc of the fronts that can advance; 0: there are none
+  double release = 0.0; ///< G of the front node whose G/Gc is the largest [J/m2]; found with `drive`
   bool advance = false; ///< set by the loop: fronts advance before the next step
   double area = 0.0;    ///< by which cracks have grown since the start [m2]
   /// Where the loads have a factor, one state a load step, the first before cracks have grown; else one an

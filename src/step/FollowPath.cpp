@@ -146,7 +146,7 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
   const double areaBefore = growth.area;
   while (state.failure.empty() && canAdvance(state) && growth.drive > heldDrive)
   {
-    const double before = growth.drive;
+    const double before = growth.release;
     growth.advance = true;
     calls.between();
     calls.solve();
@@ -165,7 +165,8 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
                     ", and what is left of the body does not bear them (" + state.failure +
                     "): the body breaks at these loads, or between them and those of the load step before";
            });
-    growth.path.push_back({state.clock.time, 0.0, 0.0, growth.area, growth.drive - before, from, reached});
+    growth.path.push_back(
+        {state.clock.time, 0.0, 0.0, growth.area, growth.release / before - 1.0, from, reached});
   }
 }
 

@@ -168,14 +168,13 @@ void Run<D>::makeAll(const IsDivided<D>& isDivided)
     attempts.attempt([&] { preload(); });
   attempts.attempt([&] { refuseSenselessMass(state_); });
   const bool ends = attempts.attempt([&] { refuseEndless(); });
-  const bool driven = isDrivenByEffects(*scene_, options, !own_.empty());
   if (attempts.succeeded())
-    return judge(stableTimeStep(), driven, [](const auto& judgment) { judgment(); });
+    return judge(stableTimeStep(), options, [](const auto& judgment) { judgment(); });
   const double alone = state_.method.mechanics && !state_.method.equilibrium() && ends
                            ? state_.method.cfl * state_.mesh.stepSpacing() / state_.clock.fastestSpeed
                            : std::numeric_limits<double>::quiet_NaN();
   Attempts hidden; // errors that follow from those that are said
-  judge(alone, driven, [&](const auto& judgment) { hidden.attempt(judgment); });
+  judge(alone, options, [&](const auto& judgment) { hidden.attempt(judgment); });
   attempts.throwIfAny(state_.warnings);
 }
 
@@ -203,12 +202,13 @@ void Run<D>::makeParticles(const std::vector<Field>& extra, const IsDivided<D>& 
 
 template <int D>
 template <class Attempt>
-void Run<D>::judge(double step, bool driven, const Attempt& attempt)
+void Run<D>::judge(double step, const RunOptions& options, const Attempt& attempt)
 {
   for (const Effect<D>& effect : plan_.effects)
     if (effect.judge)
       attempt([&] { effect.judge(state_); });
-  attempt([&] { judgeScene(*scene_, step, driven, state_); });
+  const bool driven = isDrivenByEffects(*scene_, options, !own_.empty());
+  attempt([&] { judgeScene(*scene_, step, driven, options.facePressures, state_); });
 }
 
 template <int D>

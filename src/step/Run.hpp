@@ -68,7 +68,7 @@ private:
   /// Adds warnings of wrong physics. \param step first stable step [s] \param driven whether effects may load
   /// or move bodies \param attempt gets each judgment and calls it
   template <class Attempt>
-  void judge(double step, bool driven, const Attempt& attempt);
+  void judge(double step, const RunOptions& options, const Attempt& attempt);
   /// The effects of the scene and of the application. \param extra gets their fields of particles
   std::vector<Effect<D>> makeEffects(const RunOptions& options, std::vector<Field>& extra);
   /// Starts in equilibrium. Throws std::invalid_argument.

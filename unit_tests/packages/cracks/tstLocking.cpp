@@ -20,7 +20,7 @@ Warnings saidOf(double poisson, const std::string& plane = "Strain", double cell
   return warningsOf(scene);
 }
 
-const std::string locks = "cells resist such bending";
+const std::string locks = "too few cells make bending too stiff";
 
 } // namespace
 

@@ -76,7 +76,7 @@ TEST(PathReport, OfGivenLoadsFindsWhereGRises)
   EXPECT_EQ(summary["propagation"]["initiation"],
             (nlohmann::json{{"time", -0.25}, {"from", -1.0}, {"to", 0.0}}));
   ASSERT_EQ(summary["answers"].size(), 2U);
-  EXPECT_NE(summary["answers"][1].get<std::string>().find("at a time between 2 s and 3 s"),
+  EXPECT_NE(summary["answers"][1].get<std::string>().find("in the load step from 2 s to 3 s"),
             std::string::npos);
   path.resize(3);
   summary.clear();

@@ -31,7 +31,7 @@ Teuchos::RCP<Teuchos::ParameterList> plateAndStone(const Reals& lower, const Rea
   return scene;
 }
 
-/// Whether the stone comes within a cell of the plate, by its positions at many times.
+/// Whether the stone comes within a distance of the plate, by its positions at many times.
 bool comesNear(const Reals& lower, const Reals& velocity, double end, double distance)
 {
   constexpr int times = 20000;
@@ -53,7 +53,7 @@ bool comesNear(const Reals& lower, const Reals& velocity, double end, double dis
 
 /// Stones from anywhere around the plate, in any direction; those that pass it within a tenth of a cell more
 /// or less than a cell are left out.
-TEST(Meetings, AreSaidWhereBodiesComeWithinACell)
+TEST(Meetings, AreSaidWhereBodiesComeWithinTwoCells)
 {
   const char* const given = std::getenv("RHEGMA_SEED");
   const unsigned seed = given != nullptr ? std::strtoul(given, nullptr, 10) : std::random_device{}();
@@ -68,9 +68,9 @@ TEST(Meetings, AreSaidWhereBodiesComeWithinACell)
     const Reals lower = pair(0.35 + 2.4 * std::cos(place), 0.35 + 2.4 * std::sin(place));
     const double speed = 200.0 * part(random);
     const Reals velocity = pair(speed * std::cos(aim), speed * std::sin(aim));
-    if (comesNear(lower, velocity, end, 0.09) != comesNear(lower, velocity, end, 0.11))
+    if (comesNear(lower, velocity, end, 0.19) != comesNear(lower, velocity, end, 0.21))
       continue;
-    const bool meets = comesNear(lower, velocity, end, 0.1);
+    const bool meets = comesNear(lower, velocity, end, 0.2);
     ++(meets ? met : passed);
     EXPECT_EQ(say(warningsOf(plateAndStone(lower, velocity, end)), meeting), meets)
         << lower[0] << ", " << lower[1] << " with " << velocity[0] << ", " << velocity[1] << " m/s";
@@ -82,9 +82,10 @@ TEST(Meetings, AreSaidWhereBodiesComeWithinACell)
 TEST(Meetings, HaveTimesAndSpeed)
 {
   const auto scene = plateAndStone(pair(1.5, 0.3), pair(-100.0, 0.0), 0.01);
-  EXPECT_TRUE(
-      say(warningsOf(scene), meeting + "100 m/s and meet at about t = 5 ms. Bodies have no contact law: once "
-                                       "they are about a cell apart (100 mm, from about t = 4 ms on)"));
+  EXPECT_TRUE(say(warningsOf(scene),
+                  meeting +
+                      "100 m/s and meet at about t = 5 ms. Bodies have no contact law: once they are less "
+                      "than one to two cells (100 mm) apart, from about t = 3 ms on, they share"));
   const auto shorter = plateAndStone(pair(1.5, 0.3), pair(-100.0, 0.0), 0.0045);
   EXPECT_TRUE(say(warningsOf(shorter), meeting + "100 m/s. Bodies have no contact law"));
 }
