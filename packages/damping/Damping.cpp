@@ -283,7 +283,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     addViscosity(effect, shear, bulk, end);
   const auto settling =
       std::make_shared<Settling>(list.get<double>("Settled Energy Ratio"), list.get<double>("Settled Drift"),
-                                 list.get<int>("Settled Samples"));
+                                 list.get<int>("Settled Samples"), rate);
   const bool stop = list.get<bool>("Stop When Settled");
   const double until = scene.sublist("Time").get<double>("Final Time");
   effect.atStart = [=](State<D>& s) { s.clock.stopWhenSettled = stop; };
@@ -298,10 +298,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (stop && !s.method.equilibrium())
       judgeSamples(interval, until, samples, s.warnings);
   };
-  effect.call(Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {},
-              {},
-              [settling](State<D>& s)
-              { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); });
+  effect.call(
+      Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {}, {},
+      [settling](State<D>& s)
+      { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row, s.clock.time); });
   effect.report = [stop, until, rate, settling](const State<D>& s, nlohmann::json& summary)
   {
     if (s.clock.settled)

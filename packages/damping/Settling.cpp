@@ -40,6 +40,13 @@ void Settling::serialize(Archive& archive)
   auto next = watched.begin();
   for (std::size_t k = 0; k < ratios.size(); next += counts[k++])
     last_.push_back({ratios[k], {next, next + counts[k]}});
+  std::vector<double> motion;
+  for (const auto& [time, kinetic] : motion_)
+    motion.insert(motion.end(), {time, kinetic});
+  archive("motion", motion, 2);
+  motion_.clear();
+  for (std::size_t k = 0; k + 1 < motion.size(); k += 2)
+    motion_.emplace_back(motion[k], motion[k + 1]);
   int columns = watched_.empty() ? 0 : static_cast<int>(watched_.front().size());
   std::vector<double> series;
   for (const std::vector<double>& values : watched_)
@@ -53,7 +60,7 @@ void Settling::serialize(Archive& archive)
 
 double Settling::mayStillChange() const
 {
-  double most = watched_.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  double most = watched_.empty() ? std::numeric_limits<double>::quiet_NaN() : creep_;
   for (std::size_t k = 0; !watched_.empty() && k < watched_.back().size(); ++k)
   {
     std::vector<double> series;
@@ -67,8 +74,27 @@ double Settling::mayStillChange() const
   return most;
 }
 
-bool Settling::sample(double kinetic, double strain, const HistoryRow& row)
+double Settling::creep(double strain) const
 {
+  constexpr std::size_t fewest = 12;
+  constexpr double strong = 50.0; // r s; it is 2 at critical damping and 50 at 3.5 times that
+  if (motion_.size() < fewest || !(massDamping_ > 0.0) || !(strain > 0.0))
+    return 0.0;
+  const auto& [before, earlier] = motion_[motion_.size() - 1 - motion_.size() / 4];
+  const auto& [now, kinetic] = motion_.back();
+  if (!(kinetic > 0.0) || !(earlier > kinetic))
+    return 0.0;
+  const double rs = massDamping_ * 2.0 * (now - before) / std::log(earlier / kinetic);
+  return rs > strong ? 2.0 * std::sqrt(kinetic * rs / strain) : 0.0;
+}
+
+bool Settling::sample(double kinetic, double strain, const HistoryRow& row, double time)
+{
+  constexpr double most = 100.0; // times the drift, which is of a few samples
+  motion_.emplace_back(time, kinetic);
+  if (motion_.size() > mostWatched)
+    motion_.pop_front();
+  creep_ = creep(strain);
   Sample now;
   now.ratio = strain > 0.0 ? kinetic / strain : std::numeric_limits<double>::infinity();
   for (const auto& [name, value] : row)
@@ -85,7 +111,7 @@ bool Settling::sample(double kinetic, double strain, const HistoryRow& row)
   last_.push_back(now);
   if (last_.size() > samples_)
     last_.pop_front();
-  if (last_.size() < samples_)
+  if (last_.size() < samples_ || creep_ > most * drift_)
     return false;
   for (const Sample& sample : last_)
   {

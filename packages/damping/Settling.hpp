@@ -4,6 +4,7 @@
 #include "state/State.hpp"
 
 #include <deque>
+#include <utility>
 
 namespace Rhegma
 {
@@ -18,18 +19,28 @@ class Settling
 {
 public:
   /// \param ratio  kinetic over strain energy at rest \param drift  relative change allowed \param samples at
-  /// least 2
-  Settling(double ratio, double drift, int samples) : ratio_(ratio), drift_(drift), samples_(samples) {}
+  /// least 2 \param massDamping rate of mass damping [1/s]
+  Settling(double ratio, double drift, int samples, double massDamping = 0.0)
+      : ratio_(ratio), drift_(drift), samples_(samples), massDamping_(massDamping)
+  {
+  }
 
-  /// Adds a sample. \return true when kinetic over strain energy stayed below the ratio over the last
-  /// samples, and every energy release rate that is a number (the strain energy where a row has none) within
-  /// the drift of its latest value
-  bool sample(double kinetic, double strain, const HistoryRow& row);
+  /// Adds a sample. \param time of it [s] \return true when kinetic over strain energy stayed below the ratio
+  /// over the last samples, and every energy release rate that is a number (the strain energy where a row has
+  /// none) within the drift of its latest value, unless strong damping lets the body creep farther
+  bool sample(double kinetic, double strain, const HistoryRow& row, double time = 0.0);
 
   /// How far what it watches may still move from its latest value, by the decay of its oscillation, as a
   /// fraction of that value: the largest of all that it watches. Not a number before there are enough
   /// samples.
   double mayStillChange() const;
+
+  /// By how much energies may still change, as a fraction, where mass damping r far above critical lets a
+  /// mode of the frequency w creep to rest in the time s = r / w^2, by which its kinetic energy T falls as
+  /// exp(-2 t / s): what is left of its motion has the energy T r s, and energies change by 2 sqrt(T r s /
+  /// U), U the strain energy. Zero where nothing creeps. Rates may pass a turning point meanwhile, at which
+  /// they hardly change.
+  double creep(double strain) const;
 
   /// Saves or loads the last samples.
   void serialize(Archive& archive);
@@ -43,6 +54,9 @@ private:
   double ratio_, drift_;
   std::size_t samples_;
   std::deque<Sample> last_;
+  double massDamping_;
+  std::deque<std::pair<double, double>> motion_; ///< times [s] and kinetic energies [J] of the last samples
+  double creep_ = 0.0;                           ///< of the last sample
   std::deque<std::vector<double>>
       watched_; ///< what the last samples watched, as long as the list is the same
 };

@@ -75,9 +75,7 @@ void checkTube(State<2>& state, const CrackFront<2>& front, const Options& optio
   if (capacity < least - slack * cell)
     refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
                   "front, another crack or another part of its own; at most " + formatReal(capacity) +
-                      " m fit: " +
-                      (given.inner > 0.0 ? "write a smaller Inner Radius"
-                                         : "use smaller cells (Domain > Cell Size), or write both radii"));
+                      " m fit: " + (given.inner > 0.0 ? "write a smaller Inner Radius" : "write both radii"));
   if (capacity < usual - slack * cell)
   {
     const ContourRadii radii = fittingTube(state, front, given).radii;

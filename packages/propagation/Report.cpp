@@ -315,6 +315,24 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
 namespace
 {
 
+/// Warns where G of the history is not that by which growth was found, which may have another contour.
+/// \param release of the latter [J/m2] \param entry of the front
+void compareContours(const std::string& name, double release, const nlohmann::json& entry,
+                     nlohmann::json& summary)
+{
+  constexpr double most = 0.1;
+  const auto found = entry.find("G_J");
+  if (found == entry.end() || !found->is_number() || !(release > 0.0))
+    return;
+  const double ratio = found->get<double>() / release;
+  if (std::fabs(ratio - 1.0) > most)
+    summary["warnings"].push_back(name + ": grows at G = " + formatShort(release) +
+                                  " J/m2 of its Release Contour, but G_J of Energy Release is " +
+                                  formatShort(100.0 * ratio) +
+                                  " % of that: one of these contours is next to a surface, a load or another "
+                                  "crack, or has few cells; use smaller cells (Domain > Cell Size)");
+}
+
 /// The entry of a front. \return its runs
 template <int D>
 std::vector<CrackRun> reportFront(const CrackFront<D>& front, const FrontState<D>& own,
@@ -363,6 +381,8 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     required += front.budget.required;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     const std::vector<CrackRun> runs = reportFront(front, own, end, options.equilibrium, entry);
+    if (end.fate == Fate::Growing)
+      compareContours(name, end.release, entry, summary);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
     if (moved && options.equilibrium && !stopped)
       summary["answers"].push_back(name + ": " + growthAsText(front));

@@ -21,6 +21,7 @@ struct BodyMeasure
   Vector<D> upper;       ///< [m]
   double shortest = 0.0; ///< extents along its own axes [m]
   double longest = 0.0;  ///< [m]
+  double fill = 1.0;     ///< volume over that of the box of these extents, 1 at most [-]
   Vector<D> velocity{};  ///< of its centre of mass at the start [m/s]
   double size = 0.0;     ///< edge of the square (2D) or cube of the same area or volume [m]
   double density = 0.0;  ///< [kg/m3]

@@ -2,6 +2,7 @@
 #include "base/ShortNumber.hpp"
 #include "plausibility/IdleLoads.hpp"
 #include "plausibility/Judges.hpp"
+#include "scene/TimeFunction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,50 @@ void judgeHistories(const JudgedScene<D>& judged, Messages& messages)
   }
 }
 
+/// A run that starts in equilibrium under loads that do not act yet.
+template <int D>
+void judgeStart(const JudgedScene<D>& judged, Messages& messages)
+{
+  const std::string start = judged.scene.sublist("Time").template get<std::string>("Initial State");
+  if (start == "Unloaded" || judged.driven || !judged.scene.isSublist("Boundaries"))
+    return;
+  const Teuchos::ParameterList& section = judged.scene.sublist("Boundaries");
+  std::string idle;
+  for (const std::string& name : sublistNames(section))
+  {
+    const Teuchos::ParameterList& list = section.sublist(name);
+    const std::string type = list.get<std::string>("Type");
+    if (type == "Symmetry" || (type == "Velocity" && !moves(list)))
+      continue;
+    if (type == "Velocity" || TimeFunction::parse(list.get<std::string>("History"))(0.0) == 0.0)
+      idle = idle.empty() ? name : idle;
+    else
+      return;
+  }
+  if (!idle.empty())
+    messages.push_back(
+        "Time > Initial State is " + start + ", but no load acts at time 0 (Boundaries > " + idle +
+        " starts from zero), so the run starts unloaded; write loads whose History is not zero at "
+        "time 0, or leave Initial State out");
+}
+
+/// Supports whose displacement strains hardly anything: their velocities are displacements, perhaps.
+template <int D>
+void judgeSlowSupports(const JudgedScene<D>& judged, Messages& messages)
+{
+  constexpr double least = 1e-7;
+  const LoadEstimate* load = largestStrain(judged.loads);
+  const std::string root = "Boundaries > ";
+  if (load == nullptr || !(load->strain > 0.0) || load->strain > least || load->where.rfind(root, 0) != 0)
+    return;
+  const Teuchos::ParameterList& section = judged.scene.sublist("Boundaries");
+  const std::string name = load->where.substr(root.size());
+  if (section.isSublist(name) && section.sublist(name).template get<std::string>("Type") == "Velocity")
+    messages.push_back(load->where + ": up to Time > Final Time it strains the body by about " +
+                       formatShort(load->strain) +
+                       " only; Value is a velocity in m/s, and the displacement is its integral over time");
+}
+
 } // namespace
 
 template <int D>
@@ -75,6 +120,8 @@ Messages judgeLoads(const JudgedScene<D>& judged)
 {
   Messages messages;
   judgeStrain(judged, messages);
+  judgeSlowSupports(judged, messages);
+  judgeStart(judged, messages);
   judgeHistories(judged, messages);
   return messages;
 }

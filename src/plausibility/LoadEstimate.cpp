@@ -57,7 +57,8 @@ Vector<D> surfaceOf(const ParameterList& list, double thickness)
     return cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2"));
 }
 
-/// Across the longest axis a force bends, along it, it pulls at one side of the section at most.
+/// Across the longest axis a force bends, along it, it pulls at one side of the section at most. A hook or a
+/// ring is thinner than its box by the part that it fills, and bends also along the longest axis.
 template <int D>
 LoadEstimate ofForce(const std::string& where, const Vector<D>& force, const BodyMeasure<D>& body)
 {
@@ -65,7 +66,9 @@ LoadEstimate ofForce(const std::string& where, const Vector<D>& force, const Bod
   const int longest = static_cast<int>(std::max_element(extents.c, extents.c + D) - extents.c);
   const double size = norm(force), wide = body.volume / body.shortest, narrow = body.volume / body.longest;
   const bool along = std::fabs(force[longest]) > 0.9 * size;
-  const double lever = along ? 4.0 : 1.0 + 6.0 * body.longest / body.shortest;
+  constexpr double full = 0.75; // a disk
+  const double lever =
+      along && body.fill > full ? 4.0 : 1.0 + 6.0 * body.longest / (body.fill * body.shortest);
   return {where, size / wide / body.moduli.young, size / wide, size / narrow * lever, body.linear};
 }
 

@@ -51,6 +51,10 @@ std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::Parameter
         inUnits(g * mass, {{1e9, "GN"}, {1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {1e-3, "mN"}, {1e-6, "uN"}}) +
         "\n";
   }
+  const Teuchos::ParameterList& domain = scene.sublist("Domain");
+  if (domain.get<int>("Dimension") == 2 && shown > 0)
+    text += "  All forces and masses are those of a thickness of " +
+            readableLength(domain.get<double>("Thickness")) + " (Domain > Thickness)\n";
   const std::size_t all = sublistNames(scene.sublist("Bodies")).size();
   return text + (all > shown ? "  and " + std::to_string(all - shown) + " more bodies\n" : "");
 }

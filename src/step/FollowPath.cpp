@@ -134,7 +134,8 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
   now.time = clock.time + length;
   now.factor = clock.factor.end;
   now.area = growth.area;
-  growth.path.push_back(now);
+  if (state.failure.empty())
+    growth.path.push_back(now);
 }
 
 template <int D>

@@ -62,6 +62,28 @@ TEST(Settling, ThatCreepsIsSaid)
   EXPECT_TRUE(say(strong, "creeps to equilibrium"));
 }
 
+/// Arms of 50 mm thickness and 500 mm length: w = 3.52 / sqrt(12) c h / a^2 = 1054 / s, 6 % of the wave along
+/// the plate (16,300 / s). At critical damping of the wave, 1 - exp(-w^2 / r 0.01 s) is hardly half of the
+/// motion.
+TEST(Settling, OfArmsNextToACrackIsThatOfTheirBending)
+{
+  for (const bool cracked : {true, false})
+  {
+    const auto scene = steelPlate(-0.4, 1.4, 0.025, pair(0.0, 0.0), pair(1.0, 0.1));
+    scene->sublist("Time").set("Final Time", 0.01);
+    pull(*scene, 1e6).set("To", pair(1.0, 0.1));
+    if (cracked)
+      scene->sublist("Cracks").sublist("Notch").set("Points",
+                                                    Reals(std::vector<double>{-0.01, 0.05, 0.5, 0.05}));
+    scene->sublist("Damping").set("Mass Rate", 2.0 * 16300.0).set("Stop When Settled", true);
+    const Warnings said = warningsOf(scene);
+    EXPECT_EQ(
+        say(said, "times the critical damping of the bending of arms of Plate, 50 mm thick and 500 mm long"),
+        cracked);
+    EXPECT_EQ(say(said, "write about 2109 1/s"), cracked);
+  }
+}
+
 /// Five samples are compared, which take four intervals.
 TEST(Settling, InSamplesThatAreNotTakenIsSaid)
 {

@@ -56,6 +56,30 @@ TEST(Settling, LooksAtNumbersAlone)
   EXPECT_FALSE(settling.sample(1e-6, 1.0, {{"Notch.0.G_J", 6.0}, {"Notch.0.G_closure", none}}));
 }
 
+/// One mode of the mass 1 and the stiffness w^2 = 1, r times damped, creeps to rest from the displacement 2
+/// to 1: x = 1 + exp(-t / s), with v = -(x - 1) / s, while G stands still at a turning point. What its
+/// energies still change by, 2 exp(-t / s) to first order, must be less than a hundred times the drift.
+TEST(Settling, WaitsForABodyThatCreeps)
+{
+  constexpr double r = 100.0, drift = 1e-4;
+  const double s = 0.5 * r + std::sqrt(0.25 * r * r - 1.0); // of v' = -r v - x
+  Settling strong(1e-3, drift, 5, r), unknown(1e-3, drift, 5);
+  double rest = -1.0;
+  bool atOnce = false;
+  for (int k = 0; k < 1200 && rest < 0.0; ++k)
+  {
+    const double t = k, left = std::exp(-t / s);
+    const double kinetic = 0.5 * left * left / (s * s), strain = 0.5 * (1.0 + left) * (1.0 + left);
+    if (strong.sample(kinetic, strain, {{"Notch.0.G_J", 5.0}}, t))
+      rest = left;
+    atOnce = atOnce || (k < 40 && unknown.sample(kinetic, strain, {{"Notch.0.G_J", 5.0}}, t));
+  }
+  EXPECT_TRUE(atOnce);
+  EXPECT_LT(2.0 * rest, 100.0 * drift);
+  EXPECT_GT(2.0 * rest, 80.0 * drift);
+  EXPECT_NEAR(strong.mayStillChange(), 2.0 * rest, 0.02 * rest);
+}
+
 /// Two samples at a turning point agree, and G is far from rest all the same: what it may still change is
 /// told. 100 + exp(-0.02 k) cos(0.25 k) goes down by up to 2 exp(-0.02 k) from its upper turning point at k
 /// = 75.

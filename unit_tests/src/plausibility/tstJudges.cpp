@@ -72,6 +72,95 @@ TEST(Gravity, OfACentrifugeOrAShockIsRight)
   EXPECT_FALSE(say(warningsOf(shock), "Weight > Acceleration"));
 }
 
+/// The strip strains by a fifth, which its law bears; the block of a linear law next to it is not loaded.
+TEST(Strain, IsJudgedByTheLawOfTheBodyThatStrains)
+{
+  for (const bool rubber : {true, false})
+  {
+    const auto scene = freePlate();
+    scene->sublist("Materials").sublist("Rubber") = scene->sublist("Materials").sublist("Steel");
+    Teuchos::ParameterList& law = scene->sublist("Materials").sublist("Rubber");
+    law.set<std::string>("Model", rubber ? "Neo-Hookean" : "Linear Elastic").set("Young Modulus", 1e6);
+    scene->sublist("Bodies").sublist("Block") = scene->sublist("Bodies").sublist("Plate");
+    scene->sublist("Bodies").sublist("Plate").set<std::string>("Material", "Rubber");
+    Teuchos::ParameterList& block = scene->sublist("Bodies").sublist("Block");
+    block.set("Lower Corner", pair(-0.2, 0.0)).set("Upper Corner", pair(0.0, 1.0));
+    block.set<std::string>("Bonded To", "Plate");
+    pull(*scene, 2e5);
+    EXPECT_EQ(say(warningsOf(scene), "it strains the body by about 20 %"), !rubber);
+  }
+}
+
+/// A pressure in a crack is a load: 1e12 Pa in steel.
+TEST(Strain, OfAPressureInACrackIsSaid)
+{
+  for (const double pressure : {1e12, 1e6})
+  {
+    const auto scene = freePlate();
+    scene->sublist("Cracks").sublist("Notch").set("Points", Reals(std::vector<double>{0.2, 0.53, 0.8, 0.53}));
+    scene->sublist("Face Pressure").sublist("Notch").set<std::string>("Pressure", std::to_string(pressure));
+    EXPECT_EQ(
+        say(warningsOf(scene), "Face Pressure > Notch > Pressure: it strains the body by about 476.2 %"),
+        pressure > 1e9);
+  }
+}
+
+/// Along its longest axis a plate of 1 m by 0.2 m is stretched: by 6 % where supports move apart by 60 mm.
+TEST(Strain, OfSupportsAlongTheLongestAxisIsThatOfStretching)
+{
+  for (const double length : {0.06, 0.03})
+  {
+    const auto scene = steelPlate(-0.4, 1.4, 0.1, pair(0.0, 0.0), pair(1.0, 0.2));
+    hold(*scene, "Held", pair(-0.05, -0.05), pair(0.05, 0.25));
+    hold(*scene, "Moved", pair(0.95, -0.05), pair(1.05, 0.25), pair(length / 1e-3, 0.0));
+    EXPECT_EQ(say(warningsOf(scene), "Boundaries > Moved: it strains the body by about 6 %"), length > 0.05);
+  }
+}
+
+TEST(YieldStress, AboveWhatBondsBearIsSaid)
+{
+  for (const double yield : {6e13, 3e8})
+  {
+    const auto scene = freePlate();
+    scene->sublist("Materials")
+        .sublist("Steel")
+        .set<std::string>("Model", "J2 Plastic")
+        .set("Yield Stress", yield);
+    EXPECT_EQ(
+        say(warningsOf(scene), "Materials > Steel > Yield Stress is 6e+13 Pa, 285.7 of Young's modulus"),
+        yield > 1e10);
+  }
+}
+
+/// A run that starts in equilibrium under a load that rises from zero starts unloaded.
+TEST(Start, InEquilibriumWithoutALoadIsSaid)
+{
+  for (const std::string history : {"t/1e-3", "1", "0:0, 1e-4:1", "1 + t"})
+  {
+    const auto scene = freePlate();
+    hold(*scene, "Held", pair(-0.05, -0.05), pair(0.05, 1.05));
+    pull(*scene, 1e6).set("History", history);
+    scene->sublist("Time").set<std::string>("Initial State", "Equilibrium");
+    EXPECT_EQ(say(warningsOf(scene), "no load acts at time 0 (Boundaries > Pull starts from zero)"),
+              history[0] != '1')
+        << history;
+  }
+}
+
+/// A displacement of 0.03 mm written as a velocity moves the support by 30 nm in 1 ms.
+TEST(Supports, ThatHardlyMoveAreSaid)
+{
+  for (const double speed : {3e-5, 3e-2})
+  {
+    const auto scene = freePlate();
+    hold(*scene, "Held", pair(-0.05, -0.05), pair(0.05, 1.05));
+    hold(*scene, "Moved", pair(0.95, -0.05), pair(1.05, 1.05), pair(speed, 0.0));
+    EXPECT_EQ(
+        say(warningsOf(scene), "Boundaries > Moved: up to Time > Final Time it strains the body by about"),
+        speed < 1e-3);
+  }
+}
+
 TEST(Flight, IsSaidWithItsDistance)
 {
   const Warnings said = warningsOf(pulledPlate());
