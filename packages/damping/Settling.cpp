@@ -76,11 +76,11 @@ double Settling::mayStillChange() const
 
 double Settling::creep(double strain) const
 {
-  constexpr std::size_t fewest = 12;
   constexpr double strong = 50.0; // r s; it is 2 at critical damping and 50 at 3.5 times that
-  if (motion_.size() < fewest || !(massDamping_ > 0.0) || !(strain > 0.0))
+  if (motion_.size() < std::max<std::size_t>(samples_, 2) || !(massDamping_ > 0.0) || !(strain > 0.0))
     return 0.0;
-  const auto& [before, earlier] = motion_[motion_.size() - 1 - motion_.size() / 4];
+  const std::size_t back = std::max(motion_.size() / 4, std::max<std::size_t>(samples_, 2) - 1);
+  const auto& [before, earlier] = motion_[motion_.size() - 1 - back];
   const auto& [now, kinetic] = motion_.back();
   if (!(kinetic > 0.0) || !(earlier > kinetic))
     return 0.0;

@@ -29,7 +29,7 @@ std::string reasonOf(const State<2>& state, const FrontSample<2>& sample)
 {
   if (frontNow(state, sample.front).grown)
     return state.method.equilibrium()
-               ? "the front has grown, and its cells are coarse for its new place: do not use K of this front"
+               ? "the front has grown, and its cells are coarse where it is now: do not use K of this front"
                : "the front has grown, and waves and its new faces, which still hold together, disturb K "
                  "more "
                  "than G_J: do not use K of this front";
