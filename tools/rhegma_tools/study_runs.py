@@ -209,7 +209,7 @@ def run_all(study, output, program, launcher, again, say, show=None, jobs=1):
     for number, run in enumerate(study.runs, start=1):
         folder = run_folder(output, run)
         values = ", ".join(f"{path} = {value}" for path, value in run.settings.items())
-        head = f"[{number}/{len(study.runs)}] {run.family}: {values}"
+        head = f"[{number}/{len(study.runs)}] {run.family}" + (f": {values}" if values else "")
         status = fresh.get(folder)
         if status is None and not again:
             status = done_before(folder, record_of(run, launcher))
