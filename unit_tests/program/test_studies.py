@@ -12,7 +12,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import PROGRAM, SOURCE, ProgramTest, environment  # noqa: E402
+from program import PROGRAM, SOURCE, ProgramTest, environment, rhegma  # noqa: E402
 
 sys.path.insert(0, os.path.join(SOURCE, "tools"))
 from rhegma_tools import interpreter  # noqa: E402
@@ -52,6 +52,13 @@ class Studies(ProgramTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
         with open(os.path.join(output, name + ".csv"), newline="") as table:
             return list(csv.DictReader(table))
+
+    def test_cracks_with_closed_forms_in_equilibrium(self):
+        """They compare themselves with their references."""
+        for name in ("arc_crack_static", "ellipse_static", "lens_static", "penny_pressure_static"):
+            with self.subTest(name):
+                answer = rhegma(os.path.join(STUDIES, "scenes", name + ".xml"), "--output", self.path(name), "--quiet")
+                self.assertEqual(answer.status, 0, answer)
 
     def test_limits_for_vanishing_cells(self):
         """The beam bends, so the order is nearer to 2 than to 1. The reference is good to 0.1 %."""
