@@ -35,9 +35,13 @@ class Faces
 {
 public:
   explicit Faces(const CrackSet<3>& cracks)
-      : vertex_(onHost(cracks.vertex)), face_(onHost(cracks.face)), simplex_(onHost(cracks.simplex))
+      : vertex_(onHost(cracks.vertex)),
+        face_(onHost(cracks.face)),
+        simplex_(onHost(cracks.simplex)),
+        normal_(onHost(cracks.normal))
   {
   }
+  Vector<3> normal(int s) const { return {normal_(s, 0), normal_(s, 1), normal_(s, 2)}; }
   Vector<3> corner(int s, int i) const
   {
     const int v = simplex_(s, i);
@@ -54,6 +58,7 @@ private:
   View<double* [3]>::HostMirror vertex_;
   View<double* [2][3]>::HostMirror face_;
   View<int* [3]>::HostMirror simplex_;
+  View<double* [3]>::HostMirror normal_;
 };
 
 /// Middles of the equal triangles into which a triangle is cut, by weights of its corners.
@@ -76,8 +81,22 @@ std::vector<Vector<3>> middlesOfPieces()
 /// The part of a crack that is evaluated.
 struct Patch
 {
-  Vector<3> x[3], opening[3];
+  Vector<3> x[3], opening[3], normal;
 };
+
+/// An opening along the direction of a front's nearest point, the normal and the axis across both. On a
+/// curved crack the faces have turned from the front's frame at this distance from it. K_I and K_II of an arc
+/// of a circle are those of the openings in a frame that turns by half of that, without an error of the first
+/// order in the distance (of Muskhelishvili's solution, for every angle of the arc).
+Vector<3> inFrame(const Vector<3>& opening, const FrontFoot& foot, const Vector<3>& face)
+{
+  const Vector<3> middle = foot.normal + face;
+  const Vector<3> normal = 1.0 / norm(middle) * middle;
+  const Vector<3> along = foot.direction - dot(foot.direction, normal) * normal;
+  const double length = norm(along);
+  const Vector<3> ahead = length > 0.0 ? 1.0 / length * along : foot.direction;
+  return {dot(opening, ahead), dot(opening, normal), dot(opening, cross(ahead, normal))};
+}
 
 std::vector<Patch> patchesBehind(const CrackSet<3>& cracks, const CrackFront<3>& front,
                                  const FrontSight& sight, double reach)
@@ -88,6 +107,7 @@ std::vector<Patch> patchesBehind(const CrackSet<3>& cracks, const CrackFront<3>&
   for (int s = crack.firstSimplex; s < crack.firstSimplex + crack.numSimplices; ++s)
   {
     Patch patch;
+    patch.normal = faces.normal(s);
     bool near = false;
     for (int i = 0; i < 3; ++i)
     {
@@ -124,12 +144,9 @@ std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFr
     {
       const FrontFoot foot = sight.locate(w[0] * patch.x[0] + w[1] * patch.x[1] + w[2] * patch.x[2]);
       const Vector<3> opening = w[0] * patch.opening[0] + w[1] * patch.opening[1] + w[2] * patch.opening[2];
-      parts.push_back({area,
-                       foot.distance,
-                       foot.line,
-                       foot.arc,
-                       {dot(opening, foot.direction), dot(opening, foot.normal),
-                        dot(opening, cross(foot.direction, foot.normal))}});
+      // A front that has grown may have kinked: its own frame is kept.
+      const Vector<3> split = inFrame(opening, foot, front.grown ? foot.normal : patch.normal);
+      parts.push_back({area, foot.distance, foot.line, foot.arc, {split[0], split[1], split[2]}});
     }
   }
   // All of a crack that is shorter than that.

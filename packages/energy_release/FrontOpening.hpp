@@ -24,8 +24,9 @@ double releaseOf(const Intensities& K, const Elasticity& e);
 ///
 /// The faces' openings at the distance r behind a front are (8 K_I, 8 K_II) / E' sqrt(r / 2 pi) and 4 K_III /
 /// mu sqrt(r / 2 pi) (Williams). These are fitted to the face positions, between 1 and 3 cells behind the
-/// front, with the hat of half width `halfWidth` about the front node. Their size is that of the cells'
-/// opening, which is not accurate; scaleTo corrects it.
+/// front, with the hat of half width `halfWidth` about the front node. On a curved crack openings are
+/// taken in a frame that has turned half as much as the faces have there; of a front that has grown, in that
+/// of the front. Their size is that of the cells' opening, which is not accurate; scaleTo corrects it.
 ///
 /// \param cell edge of the cells at the front [m]
 std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFront<3>& front,

@@ -21,18 +21,16 @@ GOOD = (0, 4)  # exit statuses of a finished run; 4: a reference of the scene it
 
 
 class Outcome:
-    """What a run gave. value, error, wall_seconds and particle_steps are None where it failed; processor_seconds, of all
-    its threads, where it was started by a launcher."""
+    """What a run gave. good: whether it finished with finite values. value and error, wall_seconds and particle_steps are None
+    where it failed, value and error also where nothing was asked for; processor_seconds, of all its threads, where it was
+    started by a launcher."""
 
     def __init__(self, run, folder, status):
         self.run = run
         self.folder = folder
         self.status = status
+        self.good = False
         self.value = self.error = self.wall_seconds = self.processor_seconds = self.particle_steps = None
-
-    @property
-    def good(self):
-        return self.error is not None
 
 
 def find_program(given):
@@ -165,9 +163,11 @@ def measure(run, folder, status):
     values = [look_up(summary, quantity) for quantity in run.quantities]
     if not all(math.isfinite(value) for value in values):
         return outcome
-    outcome.value = values[0] if len(values) == 1 else math.hypot(*values)
-    deviation = math.hypot(*(value - reference for value, reference in zip(values, run.references)))
-    outcome.error = deviation / abs(run.reference) if run.reference != 0.0 else deviation
+    outcome.good = True
+    if values:
+        outcome.value = values[0] if len(values) == 1 else math.hypot(*values)
+        deviation = math.hypot(*(value - reference for value, reference in zip(values, run.references)))
+        outcome.error = deviation / abs(run.reference) if run.reference != 0.0 else deviation
     outcome.wall_seconds = look_up(summary, "wall_seconds")
     outcome.processor_seconds = processor_seconds(folder)
     outcome.particle_steps = round(look_up(summary, "particle_steps"))
@@ -209,7 +209,7 @@ def run_all(study, output, program, launcher, again, say, show=None, jobs=1):
     for number, run in enumerate(study.runs, start=1):
         folder = run_folder(output, run)
         values = ", ".join(f"{path} = {value}" for path, value in run.settings.items())
-        head = f"[{number}/{len(study.runs)}] {run.family}: {values}"
+        head = f"[{number}/{len(study.runs)}] {run.family}" + (f": {values}" if values else "")
         status = fresh.get(folder)
         if status is None and not again:
             status = done_before(folder, record_of(run, launcher))
@@ -220,7 +220,8 @@ def run_all(study, output, program, launcher, again, say, show=None, jobs=1):
             status = fresh[folder] = execute(run, folder, program, launcher, watch)
         outcome = measure(run, folder, status)
         if outcome.good:
-            say(f"{head}: error {outcome.error:.3g}, {outcome.wall_seconds:.3g} s{' (done before)' if before else ''}")
+            error = "" if outcome.error is None else f"error {outcome.error:.3g}, "
+            say(f"{head}: {error}{outcome.wall_seconds:.3g} s{' (done before)' if before else ''}")
         else:
             why = f"{run.quantity} is not finite" if status in GOOD else last_line(folder)
             say(f"{head}: failed with status {status}: {why}")

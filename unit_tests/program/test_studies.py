@@ -12,7 +12,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import PROGRAM, SOURCE, ProgramTest, environment  # noqa: E402
+from program import PROGRAM, SOURCE, ProgramTest, environment, rhegma  # noqa: E402
 
 sys.path.insert(0, os.path.join(SOURCE, "tools"))
 from rhegma_tools import interpreter  # noqa: E402
@@ -21,6 +21,7 @@ interpreter.need("numpy", "matplotlib")
 
 STUDIES = os.path.join(SOURCE, "xml_inputs", "studies")
 BEAM = os.path.join(STUDIES, "scenes", "beam.xml")
+STATIC = os.path.join(SOURCE, "xml_inputs", "verification", "dcb_static.xml")
 REFERENCE = 0.12873  # quadratic finite elements [J/m2]
 # Prototypes measured the errors below before the program was there; they agree with it within this much.
 WITHIN = 0.02
@@ -42,6 +43,39 @@ EQUAL = f"""<ParameterList name="Study">
 
 
 class Studies(ProgramTest):
+    def table_of(self, name, *arguments):
+        """Rows of a table that rhegma-study writes of xml_inputs/verification/dcb_static.xml."""
+        output = self.path(name)
+        command = [sys.executable, os.path.join(SOURCE, "tools", "rhegma-study"), STATIC, "--rhegma", PROGRAM, "--output", output]
+        result = subprocess.run([*command, *arguments], env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                universal_newlines=True)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        with open(os.path.join(output, name + ".csv"), newline="") as table:
+            return list(csv.DictReader(table))
+
+    def test_cracks_with_closed_forms_in_equilibrium(self):
+        """They compare themselves with their references."""
+        for name in ("arc_crack_static", "ellipse_static", "lens_static", "penny_pressure_static"):
+            with self.subTest(name):
+                answer = rhegma(os.path.join(STUDIES, "scenes", name + ".xml"), "--output", self.path(name), "--quiet")
+                self.assertEqual(answer.status, 0, answer)
+
+    def test_limits_for_vanishing_cells(self):
+        """The beam bends, so the order is nearer to 2 than to 1. The reference is good to 0.1 %."""
+        rows = {row["answer"]: row for row in self.table_of("limits", "--cell-sizes", "2.5e-3", "1.25e-3", "6.25e-4")}
+        for name, reference in (("G_J of Notch.0", REFERENCE), ("G_closure of Notch.0", REFERENCE), ("K_I of Notch.0", 19651.7)):
+            row = {key: float(rows[name][key]) for key in ("order", "extrapolated", "from", "to", "finest")}
+            self.assertTrue(1.5 < row["order"] < 2.5, row)
+            self.assertTrue(0.999 * row["from"] <= reference <= 1.001 * row["to"], row)
+            self.assertLess(abs(row["extrapolated"] / reference - 1.0), 1e-3)
+
+    def test_release_by_the_change_of_energy(self):
+        """Within the tolerance of the scene, whose two other values of G agree to 0.1 %; three values of G of the same cells do so to 0.3 %."""
+        found = {row["method"]: float(row["G"]) for row in self.table_of("release", "--crack-extension", "Notch.0")}
+        self.assertLess(abs(found["change of energy"] / REFERENCE - 1.0), 0.013)
+        for other in ("domain integral, G_J", "crack closure, G_closure"):
+            self.assertLess(abs(found[other] / found["change of energy"] - 1.0), 0.003)
+
     def study(self, file, *families):
         """Rows of study.csv, each with its front's entry in summary.json."""
         output = self.path("out")

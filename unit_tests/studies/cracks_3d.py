@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """K along the fronts of cracks in a block in static equilibrium, against closed forms: a disk under tension and under pressure,
-an ellipse and a lens (spherical cap) under tension.
+an ellipse under tension, and a lens (spherical cap) under pressure, which gives the K of an equal tension from all sides.
 
     cracks_3d.py PROGRAM [SEED] [CELLS] [CASE...]
 
@@ -140,7 +140,7 @@ def crack_of(case, a, centre, folder):
         file = os.path.join(folder, "lens.stl")
         lens(file, centre, a, math.pi / 4, 0.15 * a)
         return ("      <Parameter name=\"Surface File\" type=\"string\" value=\"%s\"/>" % file,
-                {"K_I": (0.877 * penny,) * 3, "K_II": (0.235 * penny,) * 3})
+                {"K_I": (0.8656 * penny,) * 3, "K_II": (0.2712 * penny,) * 3})  # xml_inputs/references/cap_crack.py
     text = array % (("Centre",) + tuple(centre)) + array % ("Normal", 0.0, 0.0, 1.0) + number % ("Radius", a)
     if case != "ellipse":
         return text, {"K_I": (penny,) * 3}
@@ -167,7 +167,7 @@ def run(program, case, cells, pick, shape="Linear"):
         crack, closed = crack_of(case, a, centre, folder)
         values = dict(low=-half - 2 * cell, high=half + 2 * cell, bottom=-half, top=half, side=2 * half, cell=cell, shape=shape, levels=levels,
                       modulus=MODULUS, poisson=POISSON, stress=STRESS, around=5.0, crack=crack)
-        values["loads"] = (PRESSURE if case == "pressure" else TENSION) % values
+        values["loads"] = (PRESSURE if case in ("pressure", "lens") else TENSION) % values
         scene, out = os.path.join(folder, "scene.xml"), os.path.join(folder, "out")
         with open(scene, "w") as file:
             file.write(SCENE % values)

@@ -92,6 +92,9 @@ class Study(ToolTest):
         # Linear at 0.08 s and GIMP at 0.16 and 1.28 s; the other linear ones are slower and worse.
         self.assertIn(f"Wrote {self.path('study.out', 'study.png')}: 3 runs are on the efficient frontier of wall time.", output)
         self.assertGreater(picture_size(self.path("study.out", "study.png"))[0], 900)
+        # The limit of linear cells, which is the reference, and a sentence for the family of two cell sizes.
+        self.assertRegex(output, r"G_J of Notch.0 \[J/m2\] .* 1.00 +0.5 +between 0.5 and 0.54167, [+-][0-9.e-]+ % of the reference")
+        self.assertIn("GIMP, both: no limits for vanishing cells: a limit needs three cell sizes, and 2 runs finished", output)
 
     def test_goes_on_where_it_stopped(self):
         self.study(LINEAR)
@@ -174,6 +177,7 @@ class Study(ToolTest):
         def outcome(family, cell, error):
             found = Outcome(Run(family, "", {"Domain:Cell Size": cell}, ["x"], [1.0]), "", 0)
             found.error = error
+            found.good = True
             return found
 
         runs = [outcome("a", "4e-3", 0.02), outcome("a", "2e-3", 0.05), outcome("a", "1e-3", 0.03), outcome("b", "1e-3", 0.09)]

@@ -5,6 +5,7 @@
 #include "energy_release/FacePressureWork.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
+#include "geometry/Cross.hpp"
 #include "material/Materials.hpp"
 
 #include <iostream>
@@ -146,6 +147,46 @@ void openFaces(State<3>& state, const Intensities& K)
       for (int i = 0; i < 3; ++i)
         face(v, side, i) = vertex(v, i) + d.u[i];
     }
+}
+
+/// Bends a straight front's crack into a cylinder whose axis is along the front. Openings turn by half as
+/// much, as those of an arc of a circle do.
+void bendFaces(State<3>& state, double radius)
+{
+  const CrackFront<3>& front = state.cracks.fronts.at(0);
+  const auto face = state.cracks.face;
+  const auto vertex = state.cracks.vertex, normal = state.cracks.normal;
+  for (int v = 0; v < static_cast<int>(vertex.extent(0)); ++v)
+  {
+    const Vector<3> x{vertex(v, 0), vertex(v, 1), vertex(v, 2)};
+    const double turn = -dot(x - front.position, front.direction) / radius, c = std::cos(0.5 * turn),
+                 s = std::sin(0.5 * turn);
+    const Vector<3> ahead = c * front.direction + s * front.normal;
+    const Vector<3> across = c * front.normal - s * front.direction;
+    const Vector<3> bent = x + radius * (turn - std::sin(turn)) * front.direction -
+                           radius * (1.0 - std::cos(turn)) * front.normal;
+    for (int side = 0; side < 2; ++side)
+    {
+      const Vector<3> u{face(v, side, 0) - x[0], face(v, side, 1) - x[1], face(v, side, 2) - x[2]};
+      const double along = dot(u, front.direction), up = dot(u, front.normal);
+      const Vector<3> turned = u + along * (ahead - front.direction) + up * (across - front.normal);
+      for (int i = 0; i < 3; ++i)
+        face(v, side, i) = bent[i] + turned[i];
+    }
+    for (int i = 0; i < 3; ++i)
+      vertex(v, i) = bent[i];
+  }
+  const auto simplex = state.cracks.simplex;
+  for (int t = 0; t < static_cast<int>(simplex.extent(0)); ++t)
+  {
+    const auto corner = [&](int i) {
+      return Vector<3>{vertex(simplex(t, i), 0), vertex(simplex(t, i), 1), vertex(simplex(t, i), 2)};
+    };
+    Vector<3> n = cross(corner(1) - corner(0), corner(2) - corner(0));
+    n = (dot(n, front.normal) > 0.0 ? 1.0 : -1.0) / norm(n) * n;
+    for (int i = 0; i < 3; ++i)
+      normal(t, i) = n[i];
+  }
 }
 
 } // namespace
@@ -356,6 +397,32 @@ TEST(Fronts3D, DivideModesByTheOpenings)
   EXPECT_NEAR(releaseOf(scaled, e), 3.0 * exactRelease(smallK), 1e-12);
   EXPECT_NEAR(scaled.modeIII / scaled.modeI, all[0].modeIII / all[0].modeI, 1e-12);
   EXPECT_EQ(scaleTo(all[0], -1.0, e).modeI, 0.0);
+}
+
+/// Faces that turn away behind the front have their openings in a frame that turns with them by half, until
+/// the front has grown and may have kinked.
+TEST(Fronts3D, DivideModesOnCurvedFaces)
+{
+  const auto run = straightFront();
+  State<3>& state = run->state();
+  CrackFront<3>& front = state.cracks.fronts.at(0);
+  openFaces(state, smallK);
+  const double radius = 8.0 * cell, longest = 1.5 * cell; // edges of triangles
+  bendFaces(state, radius);
+  const Elasticity e = elasticity(state.materials.properties[0]);
+  const auto all = [&]
+  { return openingsBehind(state.cracks, front, lineOf(front), e, cell, tube.halfWidth); };
+  // The normal of a triangle is right in its middle. With half its length of the turn to either side,
+  // openings that grow as the root of the distance s >= cell: int (x / R) (1 + x / 2 s) dx = h^2 / (24 R s).
+  const double bound = longest * longest / (24.0 * radius * cell);
+  for (const Intensities& K : all())
+  {
+    EXPECT_NEAR(K.modeII / K.modeI, smallK.modeII / smallK.modeI, 2.0 * bound);
+    EXPECT_NEAR(K.modeIII / K.modeI, smallK.modeIII / smallK.modeI, 2.0 * bound);
+  }
+  front.grown = true; // in its own frame, from which the openings have turned by 1 to 3 cells over 2 R
+  for (const Intensities& K : all())
+    EXPECT_GT(std::abs(K.modeII / K.modeI - smallK.modeII / smallK.modeI), 0.5 * cell / radius);
 }
 
 TEST(Fronts3D, KnowHowMuchTheyAreCurved)
