@@ -254,6 +254,15 @@ def picture_size(extent, zoom):
     return tall, (whole[0] + 1.0, max(whole[1], 1.2) + 1.2 + (3.4 if zoom and not tall else 0.0))
 
 
+def stop_after(fields, summary):
+    """What a picture of a run must say that stopped later than its fields; empty for any other."""
+    time = (summary or {}).get("time")
+    if not str((summary or {}).get("status")).startswith("the run stopped") or not time or time <= fields.time * (1 + 1e-9):
+        return []
+    factor, unit = style.scale(time, "s")
+    return [f"before the run stopped at t = {time * factor:.4g} {unit}"]
+
+
 def draw_fields(fields, summary, title, path, stress="principal", magnification=None, asked=None):
     """Writes the picture; returns the magnification it used. asked: a slice, as read_slice gives it."""
     if magnification is None:
@@ -283,7 +292,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
 
     names = ["xyz"[axis] for axis in view.axes]
     time_factor, time_unit = style.scale(fields.time, "s")
-    heading = [f"t = {fields.time * time_factor:.4g} {time_unit}"]
+    heading = [f"t = {fields.time * time_factor:.4g} {time_unit}"] + stop_after(fields, summary)
     if view.normal is not None:
         slice_factor, slice_unit = style.scale(abs(view.where), "m")
         heading.append(f"slice at {'xyz'[view.normal]} = {view.where * slice_factor:.3g} {slice_unit}")

@@ -1,6 +1,7 @@
 """Tests of rhegma-plot."""
 
 import os
+import types
 import unittest
 
 from tool import ToolTest, picture_size, run  # first, as it finds the Python for all others
@@ -12,7 +13,7 @@ from rhegma_tools import cell_picture, path_picture
 from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.field_picture import choose_view, close_up, colour_scale, crack_segments, drawn_fronts, in_slice
-from rhegma_tools.field_picture import read_slice, stopped_nodes
+from rhegma_tools.field_picture import read_slice, stop_after, stopped_nodes
 from rhegma_tools.fields import Crack, read_fields
 from rhegma_tools.history import read_history
 
@@ -91,6 +92,14 @@ class Plot(ToolTest):
         self.assert_fails(run("rhegma-plot", self.folder, "--magnify", "0"), "--magnify", "positive")
         self.assert_fails(run("rhegma-plot", self.folder, "--time", "nan"), "--time", "seconds")
         self.assert_fails(run("rhegma-plot"), "DIR")
+
+    def test_run_that_stopped_after_its_fields(self):
+        fields = types.SimpleNamespace(time=1.91e-4)
+        stopped = {"status": "the run stopped at t = 738.2 us, step 10138: a particle left the domain", "time": 7.382e-4}
+        self.assertEqual(stop_after(fields, stopped), ["before the run stopped at t = 738.2 µs"])
+        self.assertEqual(stop_after(fields, dict(stopped, time=1.91e-4)), [])
+        self.assertEqual(stop_after(fields, dict(stopped, status="completed")), [])
+        self.assertEqual(stop_after(fields, None), [])
 
     def test_refuses_broken_files(self):
         self.write("history.csv", "")
