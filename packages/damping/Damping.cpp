@@ -292,8 +292,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const double interval =
       output.isParameter("History Interval") ? output.get<double>("History Interval") : until / 200.0;
   const int samples = list.get<int>("Settled Samples");
+  const auto critical =
+      std::make_shared<std::string>(); // of whole bodies, before they are divided among ranks
   effect.judge = [=](State<D>& s)
   {
+    *critical = criticalAsText(s);
     judgeDamping({rate, shear, bulk, std::min(end, until), stop ? drift : 1.0}, s);
     if (stop && !s.method.equilibrium())
       judgeSamples(interval, until, samples, s.warnings);
@@ -302,7 +305,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {}, {},
       [settling](State<D>& s)
       { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row, s.clock.time); });
-  effect.report = [stop, until, rate, settling](const State<D>& s, nlohmann::json& summary)
+  effect.report = [stop, until, rate, settling, critical](const State<D>& s, nlohmann::json& summary)
   {
     if (s.clock.settled)
       reportSettled(s.clock.time, settling->mayStillChange(), summary);
@@ -314,7 +317,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                                                               "damping")
                                                 : std::string("damp by a Mass Rate near critical damping "
                                                               "instead of a viscosity")) +
-                                    criticalAsText(s));
+                                    *critical);
   };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->serialize(archive); };
   return effect;

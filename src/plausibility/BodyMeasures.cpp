@@ -56,7 +56,8 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
   const auto edge = host(state.particles.template real<D>(fields::edge));
   const auto mass = host(state.particles.scalar(fields::mass));
   const auto volume = host(state.particles.scalar(fields::volume));
-  const auto v = host(state.particles.template real<D>(fields::velocity));
+  const bool moves = state.method.mechanics;
+  const auto v = host(state.particles.template real<D>(moves ? fields::velocity : fields::position));
   const std::size_t count = state.bodies.info.size();
   std::vector<BodyMeasure<D>> bodies(count);
   std::vector<Extent<D>> inSpace(count), own(count);
@@ -68,7 +69,7 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
     const auto& axes = state.bodies.info[b].axes;
     for (int d = 0; d < D; ++d)
     {
-      bodies[b].velocity[d] += mass(p) * v(p, d);
+      bodies[b].velocity[d] += moves ? mass(p) * v(p, d) : 0.0;
       double along = 0.0, half = 0.0;
       for (int e = 0; e < D; ++e)
       {
