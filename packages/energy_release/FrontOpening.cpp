@@ -84,11 +84,18 @@ struct Patch
   Vector<3> x[3], opening[3], normal;
 };
 
-/// An opening along the direction of a front's nearest point, the normal and the axis across both. On a
-/// curved crack the faces have turned from the front's frame at this distance from it. K_I and K_II of an arc
-/// of a circle are those of the openings in a frame that turns by half of that, without an error of the first
-/// order in the distance (of Muskhelishvili's solution, for every angle of the arc).
-Vector<3> inFrame(const Vector<3>& opening, const FrontFoot& foot, const Vector<3>& face)
+/// An opening along the direction of a front's nearest point, the normal and the axis across both.
+Vector<3> inOwnFrame(const Vector<3>& opening, const FrontFoot& foot)
+{
+  return {dot(opening, foot.direction), dot(opening, foot.normal),
+          dot(opening, cross(foot.direction, foot.normal))};
+}
+
+/// The same in the frame that is turned by half of what the faces have turned. On a curved crack the faces
+/// have turned from the front's frame at this distance from it. K_I and K_II of an arc of a circle are those
+/// of the openings in a frame that turns by half of that, without an error of the first order in the distance
+/// (of Muskhelishvili's solution, for every angle of the arc).
+Vector<3> inTurnedFrame(const Vector<3>& opening, const FrontFoot& foot, const Vector<3>& face)
 {
   const Vector<3> middle = foot.normal + face;
   const Vector<3> normal = 1.0 / norm(middle) * middle;
@@ -145,7 +152,8 @@ std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFr
       const FrontFoot foot = sight.locate(w[0] * patch.x[0] + w[1] * patch.x[1] + w[2] * patch.x[2]);
       const Vector<3> opening = w[0] * patch.opening[0] + w[1] * patch.opening[1] + w[2] * patch.opening[2];
       // A front that has grown may have kinked: its own frame is kept.
-      const Vector<3> split = inFrame(opening, foot, front.grown ? foot.normal : patch.normal);
+      const Vector<3> split =
+          front.grown ? inOwnFrame(opening, foot) : inTurnedFrame(opening, foot, patch.normal);
       parts.push_back({area, foot.distance, foot.line, foot.arc, {split[0], split[1], split[2]}});
     }
   }
