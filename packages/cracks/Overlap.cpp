@@ -78,7 +78,8 @@ std::string warningOfOverlap(const State<D>& state, int crack)
   return "crack " + state.cracks.cracks[crack].name +
          ": its faces overlap at t = " + readableTime(state.clock.time) + " by up to " +
          readableLength(overlap) +
-         (closed < 0.9 * opening.size
+         (closed < 0.005 * opening.size ? " next to single vertices"
+          : closed < 0.9 * opening.size
               ? " over " + formatShort(std::round(100.0 * closed / opening.size)) + " % of the crack"
               : "") +
          ", because the scene has no contact; G and K are wrong from then on; " +

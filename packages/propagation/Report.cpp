@@ -194,7 +194,9 @@ std::string stopAsText(const CrackFront<D>& front)
 template <int D>
 std::string fateAsText(const CrackFront<D>& front, const FrontState<D>& own, const FrontEnd<D>& end)
 {
-  const std::string runs = "still running at the end at " + formatShort(front.speed()) + " m/s";
+  const std::string runs = "still running at the end" +
+                           (front.speed() > 0.0 ? " at " + formatShort(front.speed()) + " m/s"
+                                                : std::string(", after too few increments for a speed"));
   switch (end.fate)
   {
   case Fate::Stopped:

@@ -113,7 +113,8 @@ public:
           continue;
         const Thin<D> found = gather<D>(blocks, block);
         const double extent = norm(found.bounds.upper - found.bounds.lower);
-        if (extent < longest * found.cell || found.width / found.cell >= worst.width / worst.cell)
+        if (extent < longest * found.cell || isEdge(found) ||
+            found.width / found.cell >= worst.width / worst.cell)
           continue;
         worst = found;
         over = extent;
@@ -130,6 +131,15 @@ public:
   }
 
 private:
+  /// Whether it is the edge of a body in 3D at which a curved side ends at another: thin next to it, but wide
+  /// less than two cells from it, if the edge has 45 degrees or more.
+  bool isEdge(const Thin<D>& thin) const
+  {
+    Vector<D> extent = thin.bounds.upper - thin.bounds.lower;
+    std::sort(extent.c, extent.c + D);
+    return D == 3 && extent[1] < fewest * thin.cell;
+  }
+
   /// About a cell, larger on a part that would have too many points.
   double spacingOf(std::size_t part) const
   {

@@ -109,6 +109,31 @@ TEST(Walls, GoOnBeyondAMirror)
   EXPECT_FALSE(say(warningsOf(scene), wall));
 }
 
+/// Half a shaft is thin next to the edges of its cut all along it, which is no wall. What is left where the
+/// cut is near its surface is one.
+TEST(Walls, OfShaftsAreNotTheirEdges)
+{
+  for (const bool thin : {false, true})
+  {
+    const auto scene = Teuchos::rcp(new Teuchos::ParameterList("Rhegma"));
+    const auto triple = [](double x, double y, double z) { return Reals(std::vector<double>{x, y, z}); };
+    Teuchos::ParameterList& domain = scene->sublist("Domain");
+    domain.set("Dimension", 3).set("Cell Size", 0.75e-3);
+    domain.set("Lower Corner", triple(-7.5e-3, -7.5e-3, -15.75e-3));
+    domain.set("Upper Corner", triple(7.5e-3, 7.5e-3, 15.75e-3));
+    scene->sublist("Time").set("Final Time", 1e-4);
+    scene->sublist("Materials").sublist("Steel") = freePlate()->sublist("Materials").sublist("Steel");
+    Teuchos::ParameterList& shaft = scene->sublist("Bodies").sublist("Plate");
+    shaft.set<std::string>("Material", "Steel").set<std::string>("Shape", "Cylinder").set("Radius", 6e-3);
+    shaft.set("From", triple(0.0, 0.0, -15e-3)).set("To", triple(0.0, 0.0, 15e-3));
+    Teuchos::ParameterList& half = shaft.sublist("Operations").sublist("Half");
+    half.set<std::string>("Operation", "Cut").set<std::string>("Shape", "Box");
+    half.set("Lower Corner", triple(-10e-3, -10e-3, -20e-3));
+    half.set("Upper Corner", triple(thin ? 4.8e-3 : 0.0, 10e-3, 20e-3));
+    EXPECT_EQ(say(warningsOf(scene), wall), thin);
+  }
+}
+
 TEST(Pieces, OfABodyThatIsCutApartAreSaidWithTheirMass)
 {
   const auto scene = freePlate(0.05);
