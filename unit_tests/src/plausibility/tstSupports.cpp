@@ -100,6 +100,24 @@ TEST(Held, WhereALoadActsIsSaid)
   EXPECT_TRUE(say(warningsOf(outside), held));
 }
 
+/// A traction normal to a plane of symmetry on it does nothing; one along it does, and so does one elsewhere.
+TEST(Held, TractionsOnAPlaneOfSymmetryAreSaid)
+{
+  for (const double position : {1.0, 0.0})
+    for (const bool normal : {true, false})
+    {
+      const auto scene = freePlate();
+      pull(*scene, 1e6).set("Stress", normal ? pair(1e6, 0.0) : pair(0.0, 1e6));
+      Teuchos::ParameterList& plane = boundary(*scene, "Middle", "Symmetry");
+      plane.set<std::string>("Axis", "x");
+      plane.set("Position", position);
+      EXPECT_EQ(say(warningsOf(scene),
+                    "Boundaries > Pull: it acts where Boundaries > Middle prescribes the motion along x"),
+                position == 1.0 && normal)
+          << position;
+    }
+}
+
 /// The halves of two supports meet.
 TEST(Held, ByTwoSupportsIsSaid)
 {
