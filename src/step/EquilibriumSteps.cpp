@@ -118,10 +118,12 @@ void EquilibriumSteps<D>::trySolve(Plan<D>& plan, State<D>& state)
 {
   last_->trial = true;
   state.clock.dt = std::min(steps_.next, state.clock.finalTime - state.clock.time);
-  state.clock.factor = {state.clock.factor.end, state.clock.factor.end + 0.01};
+  const auto factor = state.clock.factor;
+  state.clock.factor = {factor.end, factor.end + 0.01};
   runBetweenSteps(plan, state);
   runStages(plan, state, {Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
   last_->trial = false;
+  state.clock.factor = factor; // nothing has moved
 }
 
 template <int D>
