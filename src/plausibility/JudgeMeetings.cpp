@@ -1,15 +1,17 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
-#include "geometry/NearBoxes.hpp"
+#include "geometry/Frame.hpp"
 #include "plan/BoundaryType.hpp"
 #include "plausibility/Bonds.hpp"
 #include "plausibility/Judges.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <map>
+#include <set>
+#include <vector>
 
 namespace Rhegma
 {
@@ -78,103 +80,148 @@ std::vector<Vector<D>> velocities(const JudgedScene<D>& judged, double end)
   return all;
 }
 
-/// When the bounds of two bodies come within a distance of each other; nothing where they are so at the start
-/// or never are. \param v velocity of the first relative to the second [m/s] \param distance [m]
+/// Nodes of the lattice and the first body whose particles touch each; -1: none.
 template <int D>
-std::optional<double> meet(const BodyMeasure<D>& one, const BodyMeasure<D>& other, const Vector<D>& v,
-                           double distance)
+class TouchedBy
 {
-  double first = 0.0, last = std::numeric_limits<double>::infinity();
-  for (int d = 0; d < D; ++d)
-  {
-    // Distances that the first body goes along the axis until they are near, and until they are no more.
-    const double to = other.lower[d] - one.upper[d] - distance,
-                 past = other.upper[d] - one.lower[d] + distance;
-    if (v[d] == 0.0)
-    {
-      if (to > 0.0 || past < 0.0)
-        return {};
-      continue;
-    }
-    first = std::max(first, (v[d] > 0.0 ? to : past) / v[d]);
-    last = std::min(last, (v[d] > 0.0 ? past : to) / v[d]);
-  }
-  if (first <= 0.0 || first > last)
-    return {};
-  return first;
-}
-
-template <int D>
-class Meetings
-{
-  static constexpr double sharing = 2.0; ///< cells between bodies that may have nodes in common
 public:
-  explicit Meetings(const JudgedScene<D>& judged)
-      : judged_(judged),
-        end_(judged.scene.sublist("Time").template get<double>("Final Time")),
-        cell_(judged.state.mesh.grid.spacing),
-        velocity_(velocities(judged, end_)),
-        bonded_(bondedPairs(judged.scene))
+  explicit TouchedBy(const Grid<D>& grid) : grid_(grid), body_(grid.numNodes, -1) {}
+
+  void add(const Vector<D>& x, int body)
   {
+    visit(x,
+          [&](int node)
+          {
+            if (body_[node] < 0)
+              body_[node] = body;
+          });
   }
 
-  Messages judge() const
+  /// Calls see(body) for those whose nodes a particle at x touches.
+  template <class See>
+  void at(const Vector<D>& x, const See& see) const
   {
-    Messages messages;
-    if (!std::any_of(velocity_.begin(), velocity_.end(), [](const Vector<D>& v) { return norm(v) > 0.0; }))
-      return messages;
-    std::vector<Bounds<D>> swept;
-    for (std::size_t b = 0; b < judged_.bodies.size(); ++b)
-      swept.push_back(sweptBy(static_cast<int>(b)));
-    const Geometry::NearBoxes<D> boxes(swept);
-    long looks = 1'000'000; // at pairs; so many bodies on their way have met by then
-    for (int b = 0; b < static_cast<int>(swept.size()) && looks > 0; ++b)
-      if (norm(velocity_[b]) > 0.0)
-        for (const int other : boxes.near(swept[b], sharing * cell_))
-          if (--looks > 0 && other != b && (other > b || norm(velocity_[other]) == 0.0))
-            judgePair(b, other, messages);
-    return messages;
+    visit(x,
+          [&](int node)
+          {
+            if (body_[node] >= 0)
+              see(body_[node]);
+          });
   }
 
 private:
-  /// All that a body passes while it is in the domain.
-  Bounds<D> sweptBy(int body) const
+  /// The corners of the cell of x; none outside of the domain.
+  template <class Visit>
+  void visit(const Vector<D>& x, const Visit& visit) const
   {
-    Bounds<D> bounds{judged_.bodies[body].lower, judged_.bodies[body].upper};
-    const auto& grid = judged_.state.mesh.grid;
+    int cell[D];
     for (int d = 0; d < D; ++d)
     {
-      const double travel = end_ * velocity_[body][d], domain = grid.cells[d] * grid.spacing;
-      bounds.lower[d] += std::clamp(travel, -domain, 0.0);
-      bounds.upper[d] += std::clamp(travel, 0.0, domain);
+      cell[d] = static_cast<int>(std::floor(grid_.inCells(x[d], d)));
+      if (cell[d] < 0 || cell[d] >= grid_.cells[d])
+        return;
     }
-    return bounds;
+    for (int k = 0; k < 1 << D; ++k)
+    {
+      int node[D];
+      for (int d = 0; d < D; ++d)
+        node[d] = cell[d] + (k >> d & 1);
+      visit(grid_.nodeIndex(node));
+    }
   }
 
-  void judgePair(int one, int other, Messages& messages) const
+  const Grid<D>& grid_;
+  std::vector<int> body_;
+};
+
+/// Pairs of bodies that come to touch the same nodes, and when [s].
+using Meetings = std::map<std::pair<int, int>, double>;
+
+/// Moves the particles of each body as a whole, cell by cell, past the others, which stay: of bodies that all
+/// move, relative to each other's velocity.
+template <int D>
+class Passages
+{
+public:
+  /// \param velocity of the bodies [m/s] \param end of the run [s]
+  Passages(const State<D>& state, const std::vector<Vector<D>>& velocity, double end)
+      : grid_(state.mesh.grid), velocity_(velocity), end_(end), positions_(velocity.size())
   {
-    const auto [first, second] = std::minmax(one, other);
-    const BodyMeasure<D>&a = judged_.bodies[first], &b = judged_.bodies[second];
-    const Vector<D> v = velocity_[first] - velocity_[second];
-    const std::optional<double> shared = meet(a, b, v, sharing * cell_), touch = meet(a, b, v, 0.0);
-    if (!shared || *shared > end_ || bonded_.count({a.name, b.name}) > 0)
-      return;
-    messages.push_back(
-        "Bodies > " + b.name + ": it and Bodies > " + a.name + " approach each other at " +
-        formatShort(norm(v)) + " m/s" +
-        (touch && *touch <= end_ ? " and meet at about t = " + readableTime(*touch) : std::string()) +
-        ". Bodies have no contact law: once they are less than one to two cells (" + readableLength(cell_) +
-        ") apart, from about t = " + readableTime(*shared) +
-        " on, they share one motion, which resists not only compression but also sliding and separation; "
-        "use smaller cells to shorten that distance, and do not rely on what follows from sliding or "
-        "parting");
+    const auto host = [](const auto& view)
+    { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+    const auto body = host(state.particles.integer(fields::body));
+    const auto position = host(state.particles.template real<D>(fields::position));
+    for (int p = 0; p < state.particles.size(); ++p)
+    {
+      Vector<D> x;
+      for (int d = 0; d < D; ++d)
+        x[d] = position(p, d);
+      positions_[body(p)].push_back(x);
+    }
   }
 
-  const JudgedScene<D>& judged_;
-  double end_;  ///< of the run [s]
-  double cell_; ///< largest [m]
-  std::vector<Vector<D>> velocity_;
-  std::set<std::pair<std::string, std::string>> bonded_;
+  Meetings find()
+  {
+    long nodes = 100'000'000; // that are looked at for all velocities together
+    for (const auto& [frame, bodies] : frames())
+    {
+      if ((nodes -= grid_.numNodes) < 0)
+        break;
+      TouchedBy<D> touched(grid_);
+      for (const int b : bodies)
+        for (const Vector<D>& x : positions_[b])
+          touched.add(x, b);
+      for (std::size_t a = 0; a < positions_.size(); ++a)
+        if (const Vector<D> v = velocity_[a] - velocity_[bodies.front()]; norm(v) > 0.0)
+          pass(static_cast<int>(a), v, touched);
+    }
+    return found_;
+  }
+
+private:
+  /// Bodies by their velocity.
+  std::map<std::array<double, D>, std::vector<int>> frames() const
+  {
+    std::map<std::array<double, D>, std::vector<int>> frames;
+    for (std::size_t b = 0; b < velocity_.size(); ++b)
+    {
+      std::array<double, D> v;
+      std::copy_n(velocity_[b].c, D, v.begin());
+      if (!positions_[b].empty())
+        frames[v].push_back(static_cast<int>(b));
+    }
+    return frames;
+  }
+
+  void pass(int body, const Vector<D>& v, const TouchedBy<D>& touched)
+  {
+    std::set<int> before; // that it touches at the start, of which another judge speaks
+    for (const Vector<D>& x : positions_[body])
+      touched.at(x, [&](int other) { before.insert(other); });
+    const double step = 0.5 * grid_.spacing / norm(v);
+    int across = 0;
+    for (int d = 0; d < D; ++d)
+      across += 2 * grid_.cells[d]; // steps, after which it has left the domain
+    const int steps = static_cast<int>(std::min<double>(across, end_ / step));
+    for (int k = 1; k <= steps && looks_ > 0; ++k)
+      for (const Vector<D>& start : positions_[body])
+      {
+        --looks_;
+        touched.at(start + k * step * v,
+                   [&](int other)
+                   {
+                     if (other != body && before.count(other) == 0)
+                       found_.emplace(std::minmax(body, other), k * step);
+                   });
+      }
+  }
+
+  const Grid<D>& grid_;
+  const std::vector<Vector<D>>& velocity_;
+  double end_;
+  std::vector<std::vector<Vector<D>>> positions_;
+  Meetings found_;
+  long looks_ = 20'000'000; ///< at particles; many bodies on their way have met by then
 };
 
 } // namespace
@@ -182,9 +229,29 @@ private:
 template <int D>
 Messages judgeMeetings(const JudgedScene<D>& judged)
 {
+  Messages messages;
   if (!judged.state.method.mechanics || judged.bodies.size() < 2)
-    return {};
-  return Meetings<D>(judged).judge();
+    return messages;
+  const double end = judged.scene.sublist("Time").template get<double>("Final Time");
+  const std::vector<Vector<D>> velocity = velocities(judged, end);
+  if (std::none_of(velocity.begin(), velocity.end(), [](const Vector<D>& v) { return norm(v) > 0.0; }))
+    return messages;
+  const auto bonded = bondedPairs(judged.scene);
+  for (const auto& [pair, time] : Passages<D>(judged.state, velocity, end).find())
+  {
+    const std::string &one = judged.bodies[pair.first].name, &other = judged.bodies[pair.second].name;
+    if (bonded.count({one, other}) > 0)
+      continue;
+    messages.push_back(
+        "Bodies > " + other + ": it and Bodies > " + one + " approach each other at " +
+        formatShort(norm(velocity[pair.first] - velocity[pair.second])) +
+        " m/s, and are less than one to two cells (" + readableLength(judged.state.mesh.grid.spacing) +
+        ") apart from about t = " + readableTime(time) +
+        " on. Bodies have no contact law: from then on they share one motion, which resists not only "
+        "compression but also sliding and separation; use smaller cells to shorten that distance, and do not "
+        "rely on what follows from sliding or parting");
+  }
+  return messages;
 }
 
 template Messages judgeMeetings(const JudgedScene<2>&);
