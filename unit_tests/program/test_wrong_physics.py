@@ -180,7 +180,7 @@ class Extremes(ProgramTest):
     def test_plastic_zone(self):
         """Below the stress of the loads, with a zone that is large, and with a small one."""
         law = {"Materials > Acrylic > Model": "J2 Plastic"}
-        for stress, pattern in ((2e6, "so that it yields as a whole"), (8e6, "more than a fifth of the crack"), (1e9, None)):
+        for stress, pattern in ((2e6, "so that it yields as a whole"), (8e6, "more than a fifth of the crack"), (2.5e8, None)):
             with self.subTest(stress):
                 said = self.changed("examples/edge_crack", **law, **{"Materials > Acrylic > Yield Stress": stress})
                 if pattern:
@@ -188,7 +188,7 @@ class Extremes(ProgramTest):
                 self.assertEqual(any("Yield Stress" in m for m in said), pattern is not None, said)
         law = {"Materials > Polymer > Model": "J2 Plastic", "Materials > Polymer > Yield Stress": 1e6}
         self.assert_said(self.changed("examples/strip_running", **law),
-                         "Propagation > Toughness is .* yield at Materials > Polymer > Yield Stress = 1000000 Pa")
+                         "Propagation > Toughness is .* yield .* at Materials > Polymer > Yield Stress = 1000000 Pa")
 
 
 # Numbers and functions of time that are none somewhere, and those of which other numbers are none.
