@@ -76,16 +76,29 @@ double Settling::mayStillChange() const
 
 double Settling::creep(double strain) const
 {
-  constexpr double strong = 50.0; // r s; it is 2 at critical damping and 50 at 3.5 times that
+  constexpr double steady = 2.0;   // ratio of the rates of decay in the two halves
+  constexpr double slowest = 10.0; // s over the time so far
+  constexpr double strong = 50.0;  // r s; it is 2 at critical damping and 50 at 3.5 times that
   if (motion_.size() < std::max<std::size_t>(samples_, 2) || !(massDamping_ > 0.0) || !(strain > 0.0))
     return 0.0;
-  const std::size_t back = std::max(motion_.size() / 4, std::max<std::size_t>(samples_, 2) - 1);
-  const auto& [before, earlier] = motion_[motion_.size() - 1 - back];
+  const std::size_t last = motion_.size() - 1,
+                    back = std::max(motion_.size() / 4, std::max<std::size_t>(samples_, 2) - 1);
+  // Oscillations go up and down, and mixtures of motions decay at several rates.
+  for (std::size_t k = last - back; k < last; ++k)
+    if (!(motion_[k].second > motion_[k + 1].second))
+      return 0.0;
+  const auto& [before, earlier] = motion_[last - back];
+  const auto& [halfway, between] = motion_[last - back / 2];
   const auto& [now, kinetic] = motion_.back();
-  if (!(kinetic > 0.0) || !(earlier > kinetic))
+  if (!(kinetic > 0.0))
     return 0.0;
-  const double rs = massDamping_ * 2.0 * (now - before) / std::log(earlier / kinetic);
-  return rs > strong ? 2.0 * std::sqrt(kinetic * rs / strain) : 0.0;
+  const double first = std::log(earlier / between) / (halfway - before),
+               second = std::log(between / kinetic) / (now - halfway);
+  if (std::max(first, second) > steady * std::min(first, second))
+    return 0.0;
+  const double s = 2.0 * (now - before) / std::log(earlier / kinetic), rs = massDamping_ * s;
+  // What hardly decays in all of the run is a rigid motion that a small resultant drives; it strains nothing.
+  return rs > strong && s < slowest * now ? 2.0 * std::sqrt(kinetic * rs / strain) : 0.0;
 }
 
 bool Settling::sample(double kinetic, double strain, const HistoryRow& row, double time)

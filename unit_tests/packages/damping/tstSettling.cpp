@@ -68,7 +68,7 @@ TEST(Settling, WaitsForABodyThatCreeps)
   bool atOnce = false;
   for (int k = 0; k < 1200 && rest < 0.0; ++k)
   {
-    const double t = k, left = std::exp(-t / s);
+    const double t = 20.0 + k, left = std::exp(-t / s);
     const double kinetic = 0.5 * left * left / (s * s), strain = 0.5 * (1.0 + left) * (1.0 + left);
     if (strong.sample(kinetic, strain, {{"Notch.0.G_J", 5.0}}, t))
       rest = left;
