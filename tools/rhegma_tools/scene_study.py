@@ -1,24 +1,16 @@
 """Studies of one scene that need no file: its runs at several cell sizes."""
 
 import os
-import xml.etree.ElementTree as ElementTree
 
 from .interpreter import Problem
-from .study_file import Run, Study
+from .study_file import Run, Study, read_xml
 
 CELL = "Domain:Cell Size"
 
 
 def read_scene(path):
     """The top list of a scene."""
-    if not os.path.isfile(path):
-        raise Problem(f"there is no file {path}; give the XML file of a scene.")
-    try:
-        root = ElementTree.parse(path).getroot()
-    except ElementTree.ParseError as error:
-        raise Problem(f"{path} is no XML, or it is cut off ({error}).")
-    except OSError as error:
-        raise Problem(f"{path} can't be read ({error.strerror}).")
+    root = read_xml(path, "scene")
     if root.tag != "ParameterList" or root.get("name") == "Study":
         raise Problem(f"{path} is no scene; a study has the cell sizes of its families in its Sweep.")
     return root

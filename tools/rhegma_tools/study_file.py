@@ -263,16 +263,21 @@ def read_curve(values, runs):
     return Curve(1.0 if unit is None else unit, label)
 
 
-def read_study(path):
-    """A study from its file; raises a Problem with a message for any mistake in it."""
-    if not os.path.exists(path):
-        raise Problem(f"there is no file {path}; give the XML file of a study.")
+def read_xml(path, kind):
+    """The top element of a file. kind: "scene" or "study", for the message where there is none"""
+    if not os.path.isfile(path):
+        raise Problem(f"there is no file {path}; give the XML file of a {kind}.")
     try:
-        root = ElementTree.parse(path).getroot()
+        return ElementTree.parse(path).getroot()
     except ElementTree.ParseError as error:
         raise Problem(f"{path} is no XML, or it is cut off ({error}).")
     except OSError as error:
         raise Problem(f"{path} can't be read ({error.strerror}).")
+
+
+def read_study(path):
+    """A study from its file; raises a Problem with a message for any mistake in it."""
+    root = read_xml(path, "study")
     if root.tag != "ParameterList" or root.get("name") != "Study":
         raise Problem(f"{path} is no study: its top must be <ParameterList name=\"Study\">; --help shows the format.")
     values, sweep = {}, None
