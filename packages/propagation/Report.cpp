@@ -2,7 +2,8 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
-#include "transfer/NearestMaterial.hpp"
+#include "propagation/FrontEnd.hpp"
+#include "propagation/FrontWarnings.hpp"
 
 #include <cmath>
 #include <limits>
@@ -24,41 +25,6 @@ constexpr double mostTooMuch = 0.1;
 constexpr const char* adviceAtStop =
     "; use smaller cells (Domain > Cell Size), or let the rest of the run go on (Propagation > On Stop = "
     "Continue)";
-
-/// \param closest largest G over its initiation toughness, below one
-std::string reachedAtMost(double closest)
-{
-  constexpr double least = 0.001;
-  if (!(closest > 0.0))
-    return "G was never above 0: no load has come to the front";
-  if (closest < least)
-    return "G stayed below " + formatReal(least) + " of the initiation toughness";
-  return "G reached at most " + formatReal(least * std::floor(closest / least)) +
-         " of the initiation toughness";
-}
-
-/// How close a front that has not initiated came to initiation, in its entry and in a warning.
-template <int D>
-void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, double startTime,
-                nlohmann::json& summary)
-{
-  nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-  entry["closest_to_initiation"] = closest;
-  if (state.clock.step == 0) // a scene that is only checked
-    return;
-  if (state.clock.time < startTime)
-  {
-    summary["warnings"].push_back(
-        frontName(state.cracks, front) + ": no crack may advance before " + readableTime(startTime) +
-        " (Propagation > Start Time), and the run ended at " + readableTime(state.clock.time));
-    return;
-  }
-  const bool closed = entry.value("closed", false); // by Energy Release
-  summary["warnings"].push_back(
-      frontName(state.cracks, front) + ": not initiated" +
-      (closed ? ", and closed at the end (K_I < 0); counting also the G that closes it, " : "; ") +
-      reachedAtMost(closest));
-}
 
 /// All runs of a front, for its entry.
 nlohmann::json entryOfRuns(const std::vector<CrackRun>& runs)
@@ -112,142 +78,6 @@ std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& f
   if (runs.size() > 1)
     text += ", arrested and reinitiated " + std::to_string(runs.size() - 1) + " times";
   return text + ", " + extensionAsText(runs, front.extension, front.position);
-}
-
-enum class Fate
-{
-  NotInitiated,
-  Running,
-  Growing,  ///< in equilibrium, at its toughness
-  Arrested, ///< G is below the toughness everywhere
-  AtRest,   ///< it is not
-  Stopped,  ///< a numerical reason stopped nodes of it
-  Ended
-};
-
-/// What became of a front.
-template <int D>
-struct FrontEnd
-{
-  Fate fate = Fate::Ended;
-  bool inPart = false; ///< other nodes have neither stopped nor landed
-  /// Of the node that can advance and is closest to its toughness [J/m2]; 0: there is none
-  double release = 0.0, toughness = 0.0;
-  /// Running, but with G below the toughness and without an advance for three times the mean time between
-  /// two: its speed is then only a bound (2D)
-  bool pauses = false;
-
-  FrontEnd(const State<D>& state, const Options& options, const CrackFront<D>& front,
-           const FrontState<D>& own)
-  {
-    bool any = false;
-    // Intensities are known where a node is about to advance.
-    const bool opening = !front.ended && front.advances();
-    const Elasticity e =
-        elasticity(state.materials.properties[opening ? materialAt(state, front.position) : std::size_t(0)]);
-    for (const FrontNode<D>& node : front.nodes)
-      if (!node.stopped && !front.ended)
-      {
-        const double opens = opening ? openingRelease(node.driving, e) : node.driving.release;
-        const double needed = ruleAt(node.temperature, options).initiation;
-        if (!any || opens * toughness > release * needed)
-        {
-          release = opens;
-          toughness = needed;
-        }
-        any = true;
-      }
-    inPart = any;
-    if (front.numStopped() > 0)
-      fate = Fate::Stopped;
-    else if (!any)
-      fate = Fate::Ended;
-    else if (own.running(front) && !options.equilibrium)
-      fate = Fate::Running;
-    else if (own.increments == 0)
-      fate = Fate::NotInitiated;
-    else if (state.method.analysis == Analysis::LoadFactor ||
-             (options.equilibrium && own.lastTime >= state.clock.time - 0.5 * state.clock.dt))
-      fate = Fate::Growing; // in the last load step
-    else
-      fate = release < toughness ? Fate::Arrested : Fate::AtRest;
-    const double between = own.increments > 1 ? (own.lastTime - own.firstTime) / (own.increments - 1) : 0.0;
-    pauses = D == 2 && fate == Fate::Running && release < toughness && own.increments > 1 &&
-             state.clock.time - own.lastTime > 3.0 * between;
-  }
-};
-
-/// How many front nodes stopped, why, and at what G for which toughness.
-template <int D>
-std::string stopAsText(const CrackFront<D>& front)
-{
-  std::string text;
-  if (D == 3)
-    text = std::to_string(front.numStopped()) + " of " + std::to_string(front.nodes.size()) + " front nodes ";
-  return text + "stopped " + front.stop.what + (D == 3 ? ", the first at t = " : " at t = ") +
-         readableTime(front.stop.time) +
-         " (a numerical stop, not arrest): G = " + formatShort(front.stop.release) +
-         " J/m2 for Gc = " + formatShort(front.stop.toughness) + " J/m2";
-}
-
-/// What became of a front in the end.
-template <int D>
-std::string fateAsText(const CrackFront<D>& front, const FrontState<D>& own, const FrontEnd<D>& end)
-{
-  const std::string runs = "still running at the end" +
-                           (front.speed() > 0.0 ? " at " + formatShort(front.speed()) + " m/s"
-                                                : std::string(", after too few increments for a speed"));
-  switch (end.fate)
-  {
-  case Fate::Stopped:
-    return stopAsText(front) + (own.running(front) ? "; the others are " + runs : "");
-  case Fate::Ended:
-    return front.arrival.happened() ? front.arrival.what + " at t = " + readableTime(front.arrival.time)
-                                    : "whole front at a surface since t = " + readableTime(own.lastTime);
-  case Fate::Running:
-    return end.pauses
-               ? "no advance since t = " + readableTime(own.lastTime) + ", G = " + formatShort(end.release) +
-                     " J/m2 below Gc = " + formatShort(end.toughness) +
-                     " J/m2, but too short ago to count as arrested: run longer (Time > Final Time)"
-               : runs;
-  case Fate::Arrested:
-  {
-    const auto [release, toughness] = own.arrest();
-    const bool known = toughness > 0.0; // else the nodes that ran have landed
-    return "arrested at t = " + readableTime(own.lastTime) +
-           ", G = " + formatShort(known ? release : end.release) +
-           " J/m2 below Gc = " + formatShort(known ? toughness : end.toughness) + " J/m2";
-  }
-  default:
-    return "at rest at the end, G = " + formatShort(end.release) +
-           " J/m2 for Gc = " + formatShort(end.toughness) + " J/m2";
-  }
-}
-
-/// The status of a front: one word, and the reason of a stop.
-template <int D>
-std::string statusOf(const CrackFront<D>& front, const FrontEnd<D>& end)
-{
-  switch (end.fate)
-  {
-  case Fate::Stopped:
-    return (end.inPart ? "stopped in part, " + std::to_string(front.numStopped()) + " of " +
-                             std::to_string(front.nodes.size()) + " front nodes: "
-                       : "stopped: ") +
-           front.stop.what;
-  case Fate::Ended:
-    return "ended";
-  case Fate::Running:
-    return end.pauses ? "pausing" : "running";
-  case Fate::Growing:
-    return "growing";
-  case Fate::NotInitiated:
-    return "not initiated";
-  case Fate::Arrested:
-    return "arrested";
-  default:
-    return "at rest";
-  }
 }
 
 /// Mean time and position of the points of a path between two times; not numbers where there are none.
@@ -310,29 +140,6 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
         ", more than their toughness times their area, " + readableEnergy(required) +
         ": faces opened within one step, or the front passed nodes because the body moved through its cells; "
         "ramp the load, take smaller cells (Domain > Cell Size), or support the body");
-}
-
-} // namespace
-
-namespace
-{
-
-/// Warns where G of the history is not that by which growth was found, which may have another contour.
-/// \param release of the latter [J/m2] \param entry of the front
-void compareContours(const std::string& name, double release, const nlohmann::json& entry,
-                     nlohmann::json& summary)
-{
-  constexpr double most = 0.1;
-  const auto found = entry.find("G_J");
-  if (found == entry.end() || !found->is_number() || !(release > 0.0))
-    return;
-  const double ratio = found->get<double>() / release;
-  if (std::fabs(ratio - 1.0) > most)
-    summary["warnings"].push_back(name + ": grows at G = " + formatShort(release) +
-                                  " J/m2 of its Release Contour, but G_J of Energy Release is " +
-                                  formatShort(100.0 * ratio) +
-                                  " % of that: one of these contours is next to a surface, a load or another "
-                                  "crack, or has few cells; use smaller cells (Domain > Cell Size)");
 }
 
 /// The entry of a front. \return its runs
