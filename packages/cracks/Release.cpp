@@ -114,11 +114,9 @@ View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& s
 template <int D>
 std::vector<Vector<D>> pointsOf(const CrackFront<D>& front)
 {
-  if (front.nodes.empty())
-    return {front.position};
-  std::vector<Vector<D>> points;
-  for (const FrontNode<D>& node : front.nodes)
-    points.push_back(node.position);
+  std::vector<Vector<D>> points = front.points();
+  if (points.empty())
+    points.push_back(front.position);
   return points;
 }
 

@@ -1,6 +1,7 @@
 #include "energy_release/ClearOfCracks.hpp"
 
-#include "energy_release/FrontPoints.hpp"
+#include "energy_release/PointBounds.hpp"
+#include "plausibility/CrackBounds.hpp"
 #include "surface/Returns.hpp"
 
 #include <algorithm>
@@ -35,21 +36,6 @@ surface::CrackMesh<D> meshOf(const Crack<D>& crack, const Vertices& vertex, cons
   return mesh;
 }
 
-/// Bounds of a crack; empty bounds of one without vertices.
-template <int D, class Vertices>
-Geometry::Bounds<D> boundsOf(const Crack<D>& crack, const Vertices& vertex)
-{
-  Geometry::Bounds<D> bounds = Geometry::emptyBounds<D>();
-  for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
-  {
-    Vector<D> x;
-    for (int d = 0; d < D; ++d)
-      x[d] = vertex(v, d);
-    bounds.include(x);
-  }
-  return bounds;
-}
-
 /// Nodes nearer than a cell to a crack are split by it, and particles of both of its sides strain by them.
 constexpr double marginCells = 1.0;
 /// The smallest radius may reach into them: better than none.
@@ -62,7 +48,7 @@ double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, doub
 {
   constexpr double slack = 1.5; // cells
   const double margin = marginCells * cell;
-  const std::vector<Vector<D>> points = pointsOf(front);
+  const std::vector<Vector<D>> points = front.points();
   if (points.empty() || front.numFacets == 0)
     return radius;
   const auto vertex = onHost(cracks.vertex);
@@ -76,7 +62,8 @@ double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, doub
     if (c == front.crack && crack.numSimplices > 1)
       for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
         start.push_back(frontFacet(f, 0) - crack.firstSimplex);
-    if ((c == front.crack && start.empty()) || !areNear(boundsOf(crack, vertex), bounds, radius + margin))
+    if ((c == front.crack && start.empty()) ||
+        !areNear(boundsOfCrack(crack, vertex), bounds, radius + margin))
       continue;
     const surface::CrackMesh<D> mesh = meshOf(crack, vertex, simplex, neighbour);
     const double found = surface::Returns<D>(mesh).find(start, points, radius + margin, slack * cell);

@@ -98,6 +98,8 @@ Vector<3> inOwnFrame(const Vector<3>& opening, const FrontFoot& foot)
 Vector<3> inTurnedFrame(const Vector<3>& opening, const FrontFoot& foot, const Vector<3>& face)
 {
   const Vector<3> middle = foot.normal + face;
+  if (!(norm(middle) > 0.1)) // a face that has turned by more than 174 degrees: no face of this front
+    return inOwnFrame(opening, foot);
   const Vector<3> normal = 1.0 / norm(middle) * middle;
   const Vector<3> along = foot.direction - dot(foot.direction, normal) * normal;
   const double length = norm(along);

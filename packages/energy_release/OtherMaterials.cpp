@@ -1,6 +1,6 @@
 #include "energy_release/OtherMaterials.hpp"
 
-#include "energy_release/FrontPoints.hpp"
+#include "energy_release/PointBounds.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -26,7 +26,7 @@ double distanceTo(const State<D>& state, const CrackFront<D>& front, int materia
   const auto position = state.particles.template real<D>(fields::position);
   const auto of = state.particles.integer(fields::material);
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Vector<D>& x : pointsOf(front))
+  for (const Vector<D>& x : front.points())
   {
     double least = nearest;
     Kokkos::parallel_reduce(
@@ -97,7 +97,7 @@ OtherMaterial OtherMaterials<D>::nearest(const CrackFront<D>& front, double radi
   const int own = materialAt(state_, front.position);
   for (int m = 0; m < static_cast<int>(all.size()); ++m)
   {
-    if (haveSameModuli(all[m], all[own]) || !areNear(boundsOf(pointsOf(front)), bounds_[m], radius))
+    if (haveSameModuli(all[m], all[own]) || !areNear(boundsOf(front.points()), bounds_[m], radius))
       continue;
     const double distance = distanceTo(state_, front, m);
     if (distance < (found.material < 0 ? radius : found.distance))

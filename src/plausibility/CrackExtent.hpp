@@ -2,6 +2,7 @@
 /// Sizes at a crack, by which a scene is judged.
 
 #include "plausibility/BodyMeasures.hpp"
+#include "plausibility/CrackBounds.hpp"
 
 #include <algorithm>
 
@@ -16,18 +17,9 @@ double extentOf(const State<D>& state, const Crack<D>& crack)
   const int end = crack.firstVertex + crack.numVertices;
   if (crack.numVertices == 0 || end > static_cast<int>(x.extent(0)))
     return 0.0;
-  double longest = 0.0;
-  for (int d = 0; d < D; ++d)
-  {
-    double low = x(crack.firstVertex, d), high = low;
-    for (int v = crack.firstVertex; v < end; ++v)
-    {
-      low = std::min(low, x(v, d));
-      high = std::max(high, x(v, d));
-    }
-    longest = std::max(longest, high - low);
-  }
-  return longest;
+  const Geometry::Bounds<D> bounds = boundsOfCrack(crack, x);
+  const Vector<D> edges = bounds.upper - bounds.lower;
+  return *std::max_element(edges.c, edges.c + D);
 }
 
 /// The longest extent of all cracks [m]; 0 without cracks.
@@ -50,17 +42,10 @@ std::vector<BodyMeasure<D>> crackedBodies(const State<D>& state)
   std::vector<BodyMeasure<D>> cracked;
   const auto crosses = [&](const Crack<D>& crack, const BodyMeasure<D>& body)
   {
-    bool meets = crack.numVertices > 0;
-    for (int d = 0; d < D && meets; ++d)
-    {
-      double low = x(crack.firstVertex, d), high = low;
-      for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
-      {
-        low = std::min(low, x(v, d));
-        high = std::max(high, x(v, d));
-      }
-      meets = low < body.upper[d] && high > body.lower[d];
-    }
+    const Geometry::Bounds<D> bounds = boundsOfCrack(crack, x); // empty ones meet nothing
+    bool meets = true;
+    for (int d = 0; d < D; ++d)
+      meets = meets && bounds.lower[d] < body.upper[d] && bounds.upper[d] > body.lower[d];
     return meets;
   };
   for (const BodyMeasure<D>& body : bodies)

@@ -115,6 +115,18 @@ struct CrackFront
     return ended ? 0 : static_cast<int>(count);
   }
 
+  /// Positions of its nodes, in 2D of its end [m]; none of a front that has no nodes left.
+  std::vector<Vector<D>> points() const
+  {
+    std::vector<Vector<D>> all;
+    if constexpr (D == 2)
+      all.push_back(position);
+    else
+      for (const FrontNode<D>& node : nodes)
+        all.push_back(node.position);
+    return all;
+  }
+
   /// Speed of its fastest node [m/s].
   double speed() const
   {

@@ -1,25 +1,12 @@
 #pragma once
-/// Where a front is, by which what comes near it is found.
+/// Bounds of points, by which what comes near a front is found.
 
 #include "geometry/Frame.hpp"
-#include "state/CrackSet.hpp"
 
 #include <vector>
 
 namespace Rhegma::energy_release
 {
-
-/// Its end in 2D, its nodes in 3D; none of a front without nodes [m].
-template <int D>
-std::vector<Vector<D>> pointsOf(const CrackFront<D>& front)
-{
-  if constexpr (D == 2)
-    return {front.position};
-  std::vector<Vector<D>> points;
-  for (const FrontNode<D>& node : front.nodes)
-    points.push_back(node.position);
-  return points;
-}
 
 /// Bounds of points; empty bounds of none.
 template <int D>
