@@ -109,10 +109,13 @@ public:
     cube.centre.depth = region_.depth(points.centre);
     for (int k = 0; k < corners; ++k)
       cube.corner[k].depth = region_.depth(points.corners[k]);
-    if (level < deepest<D> && !isLinear(cube))
+    const bool linear = isLinear(cube);
+    if (level < deepest<D> && !linear)
       for (int k = 0; k < corners; ++k)
         add(0.5 * (u + cube.corner[k].u), 0.5 * half, level + 1);
-    else
+    else if (linear && isInside(cube, 1.0))
+      addCube(u, half);
+    else if (!linear || !isInside(cube, -1.0))
       addCones(cube);
   }
 
@@ -150,6 +153,14 @@ private:
           return false;
       }
     return true;
+  }
+
+  /// Whether all depths have the given sign.
+  static bool isInside(const Cube& cube, double sign)
+  {
+    return sign * cube.centre.depth > 0.0 &&
+           std::all_of(cube.corner.begin(), cube.corner.end(),
+                       [&](const Point<D>& p) { return sign * p.depth > 0.0; });
   }
 
   bool isBetween(double middle, const Point<D>& a, const Point<D>& b) const
