@@ -23,8 +23,11 @@
 #include "cracks/Visibility.hpp"
 #include "plan/LastStage.hpp"
 #include "scene/SceneBodies.hpp"
+#include "surface/CutsOfMeshes.hpp"
 
+#include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace Rhegma::cracks
@@ -129,6 +132,31 @@ void prepareStencils(Parts<D>& parts, State<D>& state, const View<int*>& row)
   }
 }
 
+/// Length of the edges of a surface's triangles, and size of the cells at fronts [m].
+template <int D>
+std::pair<double, double> sizesOf(const Parts<D>& parts, const State<D>& state)
+{
+  const double cell = state.mesh.grid.spacing;
+  return {cell / parts.pieces, std::ldexp(cell, -parts.levels)};
+}
+
+/// Where the cracks divide particles; nowhere if one is wrong, which is said where they are read again.
+template <int D>
+Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
+{
+  Geometry::Cuts<D> cuts;
+  if (parts.bodies == nullptr)
+    return cuts;
+  std::vector<std::string> warnings;
+  const auto [edge, front] = sizesOf(parts, state);
+  Attempts hidden;
+  hidden.attempt(
+      [&, edge = edge, front = front] {
+        cuts = surface::cutsOfMeshes(readMeshes(parts.section, *parts.bodies, state, edge, front, warnings));
+      });
+  return cuts;
+}
+
 template <int D>
 void start(const Shared<D>& parts, State<D>& state)
 {
@@ -140,9 +168,8 @@ void start(const Shared<D>& parts, State<D>& state)
     state.motion.stepForces.push_back(std::make_shared<BrokenCellsInEquilibrium<D>>());
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
-  const double front = std::ldexp(state.mesh.grid.spacing, -parts->levels);
-  parts->meshes =
-      readCracks(parts->section, *parts->bodies, state, state.mesh.grid.spacing / parts->pieces, front);
+  const auto [edge, front] = sizesOf(*parts, state);
+  parts->meshes = readCracks(parts->section, *parts->bodies, state, edge, front);
   if (!parts->adaptive) // else once cells are refined
     refuseCloseCracks(state);
   judgeLengths(front, state);
@@ -292,6 +319,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   Effect<D> effect;
   effect.name = "Cracks";
   addFields(*parts, effect);
+  effect.cuts = [=](const State<D>& state) { return cutsOf(*parts, state); };
   effect.atStart = [=](State<D>& state) { start(parts, state); };
   effect.judge = [=](State<D>& state)
   {

@@ -1,7 +1,7 @@
 #pragma once
 /// The initial particles of a body.
 
-#include "geometry/PartOfBox.hpp"
+#include "geometry/Cuts.hpp"
 #include "geometry/Shape.hpp"
 
 #include <functional>
@@ -32,6 +32,14 @@ struct Seeds
 template <int D>
 using IsDivided = std::function<bool(const Geometry::OrientedBox<D>& cell, int level)>;
 
+/// What divides the cells of a lattice.
+template <int D>
+struct SeedRules
+{
+  IsDivided<D> isDivided{}; ///< empty: no cell is halved
+  Geometry::Cuts<D> cuts{}; ///< empty: no surface divides the body
+};
+
 /// Fills a shape with particles.
 ///
 /// The lattice starts at the lower corner of the base shape's bounds, in the base shape's own axes, and its
@@ -45,6 +53,9 @@ using IsDivided = std::function<bool(const Geometry::OrientedBox<D>& cell, int l
 /// moments and the second moments along the axes of a shape are those of its particles, as exactly as
 /// partOfBox (geometry/PartOfBox.hpp) finds them.
 ///
+/// Where a crack passes through a cell, the part on each side of it is a particle, so that the mass on each
+/// side is exact; parts on different sides are never joined.
+///
 /// A cell of the lattice is divided into 2^D, and those again, until `isDivided` is content:
 /// parts of cells are exact at each size. The cells of a box, all whole, stay undivided: dividing their
 /// particles later is exact, too.
@@ -57,7 +68,7 @@ using IsDivided = std::function<bool(const Geometry::OrientedBox<D>& cell, int l
 /// can count.
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section,
-                       const IsDivided<D>& isDivided = {});
+                       const SeedRules<D>& rules = {});
 
 /// Estimated number of particles of seedParticles, from a sample of positions; fast and without memory.
 template <int D>

@@ -293,13 +293,13 @@ void makeBoxes(State<D>& state)
 
 template <int D>
 void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state,
-               const IsDivided<D>& isDivided)
+               const RulesOfSeeds<D>& rules)
 {
   readMethod(scene, state);
   readMaterials(scene, state);
   addFields(state, extra);
   const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
-  addBodies(placeBodies<D>(bodies, state, isDivided), state);
+  addBodies(placeBodies<D>(bodies, state, rules ? rules(state) : SeedRules<D>{}), state);
   makeBodyAxes(state);
   if (state.method.shape == ShapeKind::Gimp)
     makeBoxes(state);
@@ -307,8 +307,8 @@ void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& ex
 }
 
 template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<2>&,
-                        const IsDivided<2>&);
+                        const RulesOfSeeds<2>&);
 template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<3>&,
-                        const IsDivided<3>&);
+                        const RulesOfSeeds<3>&);
 
 } // namespace Rhegma
