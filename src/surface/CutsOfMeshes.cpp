@@ -19,7 +19,7 @@ constexpr double tiny = 1e-9; ///< of a length: rounding
 
 /// A simplex of a crack.
 template <int D>
-struct Piece
+struct CutSimplex
 {
   int crack;
   Vector<D> corner[D];
@@ -28,20 +28,20 @@ struct Piece
   bool front[D];    ///< uncracked material is
 };
 
-Vector<2> normalOf(const Vector<2> (&corner)[2])
+Vector<2> unitNormal(const Vector<2> (&corner)[2])
 {
   const Vector<2> along = corner[1] - corner[0];
   return {{-along[1] / norm(along), along[0] / norm(along)}};
 }
 
-Vector<3> normalOf(const Vector<3> (&corner)[3])
+Vector<3> unitNormal(const Vector<3> (&corner)[3])
 {
   const Vector<3> n = cross(corner[1] - corner[0], corner[2] - corner[0]);
   return (1.0 / norm(n)) * n;
 }
 
 template <int D>
-Geometry::Bounds<D> boundsOf(const std::vector<Vector<D>>& points)
+Geometry::Bounds<D> boundsOfPoints(const std::vector<Vector<D>>& points)
 {
   Geometry::Bounds<D> bounds = Geometry::emptyBounds<D>();
   for (const Vector<D>& x : points)
@@ -79,24 +79,27 @@ bool reachesInto(std::vector<Vector<D>> polygon, const Geometry::OrientedBox<D>&
 }
 
 template <int D>
-class Pieces
+class CutSimplices
 {
 public:
-  explicit Pieces(const std::vector<CrackMesh<D>>& meshes) : pieces_(read(meshes)), near_(bounds(pieces_)) {}
+  explicit CutSimplices(const std::vector<CrackMesh<D>>& meshes)
+      : pieces_(read(meshes)), near_(bounds(pieces_))
+  {
+  }
 
   /// The pieces whose bounds come within a distance of a box.
   std::vector<int> near(const Geometry::Bounds<D>& box, double gap) const { return near_.near(box, gap); }
 
-  const Piece<D>& operator[](int k) const { return pieces_[k]; }
+  const CutSimplex<D>& operator[](int k) const { return pieces_[k]; }
 
 private:
-  static std::vector<Piece<D>> read(const std::vector<CrackMesh<D>>& meshes)
+  static std::vector<CutSimplex<D>> read(const std::vector<CrackMesh<D>>& meshes)
   {
-    std::vector<Piece<D>> pieces;
+    std::vector<CutSimplex<D>> pieces;
     for (std::size_t c = 0; c < meshes.size(); ++c)
       for (std::size_t s = 0; s < meshes[c].simplices.size(); ++s)
       {
-        Piece<D> piece;
+        CutSimplex<D> piece;
         piece.crack = static_cast<int>(c);
         for (int i = 0; i < D; ++i)
         {
@@ -104,28 +107,28 @@ private:
           piece.border[i] = meshes[c].beyond[s][i] < 0;
           piece.front[i] = meshes[c].beyond[s][i] == facet::front;
         }
-        piece.normal = normalOf(piece.corner);
+        piece.normal = unitNormal(piece.corner);
         pieces.push_back(piece);
       }
     return pieces;
   }
 
-  static std::vector<Geometry::Bounds<D>> bounds(const std::vector<Piece<D>>& pieces)
+  static std::vector<Geometry::Bounds<D>> bounds(const std::vector<CutSimplex<D>>& pieces)
   {
     std::vector<Geometry::Bounds<D>> all;
     all.reserve(pieces.size());
-    for (const Piece<D>& piece : pieces)
-      all.push_back(boundsOf<D>({piece.corner, piece.corner + D}));
+    for (const CutSimplex<D>& piece : pieces)
+      all.push_back(boundsOfPoints<D>({piece.corner, piece.corner + D}));
     return all;
   }
 
-  std::vector<Piece<D>> pieces_;
+  std::vector<CutSimplex<D>> pieces_;
   Geometry::NearBoxes<D> near_;
 };
 
 /// Whether the foot of a point lies on a facet or at a vertex beyond which there is no simplex.
 template <int D>
-bool isAtBorder(const Piece<D>& piece, const Foot<D>& foot)
+bool isAtBorder(const CutSimplex<D>& piece, const Foot<D>& foot)
 {
   bool found = foot.facet >= 0 && piece.border[foot.facet];
   for (int i = 0; i < D && foot.vertex >= 0; ++i) // a vertex is on all facets but the one opposite to it
@@ -135,10 +138,10 @@ bool isAtBorder(const Piece<D>& piece, const Foot<D>& foot)
 
 /// Distance of a point from the continued pieces of one crack.
 template <int D>
-double signedDistance(const std::vector<Piece<D>>& pieces, const Vector<D>& x)
+double signedDistance(const std::vector<CutSimplex<D>>& pieces, const Vector<D>& x)
 {
   double nearest = 1e300, plane = 0.0, value = 0.0;
-  for (const Piece<D>& piece : pieces)
+  for (const CutSimplex<D>& piece : pieces)
   {
     const Foot<D> foot = footOn(piece.corner, x);
     const Vector<D> away = x - pointAt<D>(piece.corner, foot);
@@ -155,7 +158,7 @@ double signedDistance(const std::vector<Piece<D>>& pieces, const Vector<D>& x)
 
 /// Whether the line from a to b meets a piece.
 template <int D>
-bool meets(const Piece<D>& piece, const Vector<D>& a, const Vector<D>& b)
+bool meets(const CutSimplex<D>& piece, const Vector<D>& a, const Vector<D>& b)
 {
   const double da = dot(a - piece.corner[0], piece.normal), db = dot(b - piece.corner[0], piece.normal);
   if ((da > 0.0) == (db > 0.0))
@@ -165,7 +168,7 @@ bool meets(const Piece<D>& piece, const Vector<D>& a, const Vector<D>& b)
 }
 
 template <int D>
-Geometry::BoxCuts<D> cutsOfBox(const Pieces<D>& pieces, const Geometry::OrientedBox<D>& box)
+Geometry::BoxCuts<D> cutsOfBox(const CutSimplices<D>& pieces, const Geometry::OrientedBox<D>& box)
 {
   Vector<D> half{};
   for (int d = 0; d < D; ++d)
@@ -174,11 +177,11 @@ Geometry::BoxCuts<D> cutsOfBox(const Pieces<D>& pieces, const Geometry::Oriented
   const Geometry::Bounds<D> bounds{box.centre - half, box.centre + half};
   if (pieces.near(bounds, 0.0).empty())
     return {};
-  std::map<int, std::vector<Piece<D>>> ofCrack;
+  std::map<int, std::vector<CutSimplex<D>>> ofCrack;
   std::map<int, bool> enters, hasFront;
   for (const int k : pieces.near(bounds, norm(box.edge))) // those that a corner may be nearest to
   {
-    const Piece<D>& piece = pieces[k];
+    const CutSimplex<D>& piece = pieces[k];
     ofCrack[piece.crack].push_back(piece);
     enters[piece.crack] |= reachesInto<D>({piece.corner, piece.corner + D}, box);
     for (int i = 0; i < D; ++i)
@@ -207,12 +210,12 @@ Geometry::Cuts<D> cutsOfMeshes(const std::vector<CrackMesh<D>>& meshes)
 {
   if (meshes.empty())
     return {};
-  const auto pieces = std::make_shared<const Pieces<D>>(meshes);
+  const auto pieces = std::make_shared<const CutSimplices<D>>(meshes);
   Geometry::Cuts<D> cuts;
   cuts.ofBox = [pieces](const Geometry::OrientedBox<D>& box) { return cutsOfBox(*pieces, box); };
   cuts.separate = [pieces](const Vector<D>& a, const Vector<D>& b)
   {
-    const std::vector<int> near = pieces->near(boundsOf<D>({a, b}), 0.0);
+    const std::vector<int> near = pieces->near(boundsOfPoints<D>({a, b}), 0.0);
     return std::any_of(near.begin(), near.end(), [&](int k) { return meets((*pieces)[k], a, b); });
   };
   return cuts;
