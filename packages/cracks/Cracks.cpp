@@ -100,7 +100,7 @@ struct Parts
         springs(releases),
         growth(mirrorPlanes(scene))
   {
-    surroundings.frontCells =
+    surroundings.law.ofCells =
         // Faces that burn carry the pressure of the gas.
         D == 2 && !releases && !touching && !options.heat() && options.pressedCracks.empty() &&
         !options.burning;
@@ -140,6 +140,14 @@ std::pair<double, double> sizesOf(const Parts<D>& parts, const State<D>& state)
   return {cell / parts.pieces, std::ldexp(cell, -parts.levels)};
 }
 
+/// Whether a run is one of equilibrium from its start to its end. One that is to move has the laws of motion
+/// from the start.
+template <int D>
+bool isAtRest(const State<D>& state)
+{
+  return state.method.equilibrium() && state.method.analysis != Analysis::Preload;
+}
+
 /// Where the cracks divide particles; nowhere if one is wrong, which is said where they are read again.
 template <int D>
 Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
@@ -154,6 +162,7 @@ Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
       [&, edge = edge, front = front] {
         cuts = surface::cutsOfMeshes(readMeshes(parts.section, *parts.bodies, state, edge, front, warnings));
       });
+  cuts.joinedBelow = isAtRest(state) ? springs::joinedAtRest : springs::joinedInMotion;
   return cuts;
 }
 
@@ -162,6 +171,11 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
+  if (isAtRest(state))
+  {
+    parts->surroundings.law.atAngles = true;
+    parts->surroundings.law.least = springs::leastAtRest;
+  }
   if (parts->hasSprings && state.method.equilibrium())
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->formulation == Formulation::BrokenCell && state.method.equilibrium())

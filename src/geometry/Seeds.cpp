@@ -221,6 +221,8 @@ private:
     addParts(lattices_[level], body_, cuts, own, cell, these);
     for (std::size_t k = before; k < these.size(); ++k)
     {
+      if (!cuts.through.empty())
+        these[k].least = body_.rules.cuts.joinedBelow;
       these[k].lineage = lineage;
       these[k].family = these[k].fraction == 1.0 ? family : -1;
     }
@@ -282,7 +284,7 @@ void joinOverLevels(PartsOfLevels<D>& parts, const Vector<D>& edge, const Geomet
 {
   constexpr std::size_t most = 1000; // more are those of thin walls, which stay alone
   std::size_t slivers = 0;
-  const auto isSliver = [](const Part<D>& part) { return part.fraction < Geometry::joinedBelow; };
+  const auto isSliver = [](const Part<D>& part) { return !part.stands(); };
   for (const std::vector<Part<D>>& these : parts)
     slivers += std::count_if(these.begin(), these.end(), isSliver);
   if (parts.size() < 2 || slivers > most)
@@ -408,8 +410,7 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
   {
     any = any || !these.empty();
     stands =
-        stands || std::any_of(these.begin(), these.end(),
-                              [](const Part<D>& part) { return part.fraction >= Geometry::joinedBelow; });
+        stands || std::any_of(these.begin(), these.end(), [](const Part<D>& part) { return part.stands(); });
   }
   if (!any)
     throw std::invalid_argument(section + ": the body contains no particle; it is fully cut away; cut less.");
