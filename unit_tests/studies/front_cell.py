@@ -234,7 +234,7 @@ def read_constants():
 def write_constants(constants):
     text = open(HEADER).read()
     for name, value in zip(NAMES, constants):
-        text = re.sub(r"(double %s = )[-0-9.e]+;" % name, lambda m: "%s%.2g;" % (m.group(1), value), text)
+        text = re.sub(r"(double %s = )[-0-9.e]+;" % name, lambda m: "%s%.3g;" % (m.group(1), value), text)
     open(HEADER, "w").write(text)
 
 
@@ -250,10 +250,10 @@ def fit():
                 total += weight * np.mean(lags(law, degrees, mode, points) ** 2)
         return np.sqrt(total / len(ANGLES))
 
-    start = np.array([0.22, 1.0, 0.21, 0.03, 0.15])
+    start = np.array([0.22, 1.0, 0.235, 0.01, 0.17])
     corners = [start] + [start + step for step in np.diag([0.03, 0.1, 0.05, 0.03, 0.1])]
     found = scipy.optimize.minimize(cost, start, method="Nelder-Mead",
-                                    options={"maxfev": 70, "initial_simplex": corners})
+                                    options={"maxfev": 50, "initial_simplex": corners})
     print("root of the mean square of both modes: %.4f cells" % found.fun)
     return found.x
 
