@@ -23,6 +23,7 @@
 #include "cracks/Visibility.hpp"
 #include "plan/LastStage.hpp"
 #include "scene/SceneBodies.hpp"
+#include "state/AtRest.hpp"
 #include "surface/CutsOfMeshes.hpp"
 
 #include <cmath>
@@ -140,14 +141,6 @@ std::pair<double, double> sizesOf(const Parts<D>& parts, const State<D>& state)
   return {cell / parts.pieces, std::ldexp(cell, -parts.levels)};
 }
 
-/// Whether a run is one of equilibrium from its start to its end. One that is to move has the laws of motion
-/// from the start.
-template <int D>
-bool isAtRest(const State<D>& state)
-{
-  return state.method.equilibrium() && state.method.analysis != Analysis::Preload;
-}
-
 /// Where the cracks divide particles; nowhere if one is wrong, which is said where they are read again.
 template <int D>
 Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
@@ -162,7 +155,7 @@ Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
       [&, edge = edge, front = front] {
         cuts = surface::cutsOfMeshes(readMeshes(parts.section, *parts.bodies, state, edge, front, warnings));
       });
-  cuts.joinedBelow = isAtRest(state) ? springs::joinedAtRest : springs::joinedInMotion;
+  cuts.joinedBelow = staysAtRest(state) ? springs::joinedAtRest : springs::joinedInMotion;
   return cuts;
 }
 
@@ -171,7 +164,7 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
-  if (isAtRest(state))
+  if (staysAtRest(state))
   {
     parts->surroundings.law.atAngles = true;
     parts->surroundings.law.least = springs::leastAtRest;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,8 +39,18 @@ Geometry::Bounds<D> reach(const Shape<D>& shape)
   return result;
 }
 
+/// Whether own coordinates are those of space.
 template <int D>
-Lattice<D> makeLattice(const Shape<D>& shape, double edge)
+bool isAlongAxes(const Geometry::Frame<D>& frame)
+{
+  bool found = true;
+  for (int d = 0; d < D; ++d)
+    found = found && frame.axes[d][d] == 1.0;
+  return found;
+}
+
+template <int D>
+Lattice<D> makeLattice(const Shape<D>& shape, double edge, const std::optional<Vector<D>>& node = {})
 {
   const Geometry::Bounds<D> base = shape.base().ownBounds();
   const Geometry::Bounds<D> all = reach(shape);
@@ -47,11 +58,19 @@ Lattice<D> makeLattice(const Shape<D>& shape, double edge)
   lattice.origin = base.lower;
   for (int d = 0; d < D; ++d)
   {
+    // A part that ends on a lattice line must not get an additional row because of rounding.
+    const double slack = 1.0e-9;
+    if (node && isAlongAxes(shape.base().frame))
+    {
+      lattice.edge[d] = edge;
+      lattice.origin[d] = (*node)[d];
+      lattice.first[d] = std::floor((all.lower[d] - (*node)[d]) / edge + slack);
+      lattice.count[d] = std::ceil((all.upper[d] - (*node)[d]) / edge - slack) - lattice.first[d];
+      continue;
+    }
     const double length = base.upper[d] - base.lower[d];
     const double across = std::max(1.0, std::round(length / edge));
     lattice.edge[d] = length / across;
-    // A part that ends on a lattice line must not get an additional row because of rounding.
-    const double slack = 1.0e-9;
     lattice.first[d] = std::floor((all.lower[d] - base.lower[d]) / lattice.edge[d] + slack);
     const double last = std::ceil((all.upper[d] - base.lower[d]) / lattice.edge[d] - slack);
     lattice.count[d] = last - lattice.first[d];
@@ -143,7 +162,33 @@ struct Filling
   const Geometry::Frame<D>& frame;
   const Geometry::Region<D>& region;
   const SeedRules<D>& rules;
-  bool isBox; ///< whose lattice it is: all cells are whole
+  bool isBox;                 ///< along the lattice
+  Geometry::Bounds<D> bounds; ///< of the base shape, along the lattice
+};
+
+/// The part of a cell of a lattice that is in a box along the lattice.
+template <int D>
+struct CellInBox
+{
+  Vector<D> middle;   ///< own coordinates [m]
+  Vector<D> edge;     ///< [m]
+  double share = 1.0; ///< of the cell; 0: none
+
+  CellInBox(const Vector<D>& own, const Vector<D>& whole, const Geometry::Bounds<D>& box)
+      : middle(own), edge(whole)
+  {
+    for (int d = 0; d < D; ++d)
+    {
+      const double low = std::max(own[d] - 0.5 * whole[d], box.lower[d]),
+                   high = std::min(own[d] + 0.5 * whole[d], box.upper[d]);
+      const double fraction = (high - low) / whole[d];
+      if (fraction >= 1.0 - tiny)
+        continue;
+      share *= fraction > tiny ? fraction : 0.0;
+      middle[d] = 0.5 * (low + high);
+      edge[d] = high - low;
+    }
+  }
 };
 
 template <int D>
@@ -167,23 +212,38 @@ void addParts(const Lattice<D>& lattice, const Filling<D>& body, const Geometry:
               const Vector<D>& own, const decltype(Part<D>::cell)& cell, std::vector<Part<D>>& parts)
 {
   constexpr std::size_t most = 4; // more surfaces in one cell: more than 16 parts
+  Lattice<D> filled = lattice;
+  Vector<D> middle = own;
+  double share = 1.0;
+  if (body.isBox)
+  {
+    const CellInBox<D> part(own, lattice.edge, body.bounds);
+    filled.edge = part.edge;
+    middle = part.middle;
+    share = part.share;
+  }
+  if (share == 0.0)
+    return;
+  const std::size_t before = parts.size();
   if (!cuts.through.empty() && cuts.through.size() <= most)
   {
-    const Geometry::OrientedBox<D> box{body.frame.toSpace(own), lattice.edge, body.frame.axes};
+    const Geometry::OrientedBox<D> box{body.frame.toSpace(middle), filled.edge, body.frame.axes};
     const bool whole = coverageOf(body, box) == Geometry::Coverage::Whole;
     for (int sides = 0; sides < 1 << cuts.through.size(); ++sides)
-      addPartOf(lattice, body.frame, own, Geometry::onSides(body.region, whole, cuts.through, sides), cell,
+      addPartOf(filled, body.frame, middle, Geometry::onSides(body.region, whole, cuts.through, sides), cell,
                 parts);
   }
   else if (body.isBox)
   {
     Vector<D> variance;
     for (int d = 0; d < D; ++d)
-      variance[d] = lattice.edge[d] * lattice.edge[d] / 12.0;
-    parts.push_back({cell, 1.0, own, variance});
+      variance[d] = filled.edge[d] * filled.edge[d] / 12.0;
+    parts.push_back({cell, 1.0, middle, variance});
   }
   else
-    addPartOf(lattice, body.frame, own, body.region, cell, parts);
+    addPartOf(filled, body.frame, middle, body.region, cell, parts);
+  for (std::size_t k = before; k < parts.size(); ++k)
+    parts[k].fraction *= share;
 }
 
 /// Parts of lattices that are finer by a level each.
@@ -209,11 +269,13 @@ private:
     Geometry::BoxCuts<D> cuts;
     if (body_.rules.cuts.ofBox)
       cuts = body_.rules.cuts.ofBox(box);
+    const bool isWhole = !cuts.any && (body_.isBox ? CellInBox<D>(own, edge, body_.bounds).share == 1.0
+                                                   : body_.rules.isDivided && isFull(own, edge));
     // Whole particles of a box can be divided later, exactly.
     const bool divided =
-        body_.rules.isDivided && (cuts.any || !body_.isBox) && body_.rules.isDivided(box, level);
+        body_.rules.isDivided && !(isWhole && body_.isBox) && body_.rules.isDivided(box, level);
     if (divided && family < 0) // that of a cell that is not whole has no family
-      family = !cuts.any && partOf(edge, body_.frame, own, body_.region).fraction == 1.0 ? families_++ : -1;
+      family = isWhole ? families_++ : -1;
     if (divided)
       return divide(own, cell, level, lineage, family);
     std::vector<Part<D>>& these = parts[level];
@@ -226,6 +288,11 @@ private:
       these[k].lineage = lineage;
       these[k].family = these[k].fraction == 1.0 ? family : -1;
     }
+  }
+
+  bool isFull(const Vector<D>& own, const Vector<D>& edge) const
+  {
+    return partOf(edge, body_.frame, own, body_.region).fraction == 1.0;
   }
 
   void divide(const Vector<D>& own, const decltype(Part<D>::cell)& cell, int level, int lineage, int family)
@@ -385,14 +452,14 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
   if (!(cell > 0.0) || particlesPerCell < 1)
     throw std::invalid_argument(section +
                                 ": particles need a positive cell size and at least one particle per cell.");
-  const Lattice<D> lattice = makeLattice(shape, cell / particlesPerCell);
+  const Lattice<D> lattice = makeLattice(shape, cell / particlesPerCell, rules.node);
   refuseMany(lattice, section);
   const Geometry::Frame<D>& frame = shape.base().frame;
   const Geometry::Region<D> region{[&](const Vector<D>& x) { return shape.depth(x); },
                                    [&](const Geometry::BoxPoints<D>& box) { return shape.coverage(box); }};
   const bool isBox =
       shape.parts().size() == 1 && std::holds_alternative<Geometry::Box<D>>(shape.base().primitive);
-  const Filling<D> body{frame, region, rules, isBox};
+  const Filling<D> body{frame, region, rules, isBox, shape.base().ownBounds()};
   PartsOfLevels<D> parts = partsOf(lattice, body);
   const double slack = -tiny * norm(lattice.edge);
   const Geometry::IsSeen<D> isSeen = [&](const Vector<D>& a, const Vector<D>& b)

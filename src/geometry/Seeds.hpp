@@ -5,6 +5,7 @@
 #include "geometry/Shape.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ template <int D>
 struct SeedRules
 {
   IsDivided<D> isDivided{}; ///< empty: no cell is halved
+  /// A node of the grid, from which the lattices of bodies that are not rotated start; none: each starts at
+  /// its body's lower corner.
+  std::optional<Vector<D>> node{};
   Geometry::Cuts<D> cuts{}; ///< empty: no surface divides the body
 };
 
@@ -45,7 +49,8 @@ struct SeedRules
 /// The lattice starts at the lower corner of the base shape's bounds, in the base shape's own axes, and its
 /// edges are cell / particlesPerCell, changed along each axis so that a whole number of particles spans those
 /// bounds. So the particles of a box tile it, those of a box on grid lines sit evenly in the cells, and those
-/// of a ball are mirror images of each other.
+/// of a ball are mirror images of each other. With a node of the grid (SeedRules::node) the lattice follows
+/// the cells instead, and particles sit evenly in the cells wherever the body is.
 ///
 /// A particle is the part of a cell of the lattice that is inside the shape: it has the part's volume and
 /// centroid, and a box with its second moments along the axes. A part below a fraction of a cell

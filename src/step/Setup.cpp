@@ -5,6 +5,7 @@
 #include "material/Materials.hpp"
 #include "material/ThermoMaterials.hpp"
 #include "state/Ancestry.hpp"
+#include "state/AtRest.hpp"
 #include "step/PlaceBodies.hpp"
 #include "transfer/Box.hpp"
 
@@ -289,6 +290,20 @@ void makeBoxes(State<D>& state)
       });
 }
 
+/// Particles sit evenly in the cells as long as they stay in them, that is at rest.
+template <int D>
+SeedRules<D> rulesOf(const State<D>& state, const RulesOfSeeds<D>& rules)
+{
+  SeedRules<D> all = rules ? rules(state) : SeedRules<D>{};
+  if (staysAtRest(state))
+  {
+    all.node.emplace();
+    for (int d = 0; d < D; ++d)
+      (*all.node)[d] = state.mesh.grid.lower[d];
+  }
+  return all;
+}
+
 } // namespace
 
 template <int D>
@@ -299,7 +314,7 @@ void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& ex
   readMaterials(scene, state);
   addFields(state, extra);
   const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
-  addBodies(placeBodies<D>(bodies, state, rules ? rules(state) : SeedRules<D>{}), state);
+  addBodies(placeBodies<D>(bodies, state, rulesOf(state, rules)), state);
   makeBodyAxes(state);
   if (state.method.shape == ShapeKind::Gimp)
     makeBoxes(state);
