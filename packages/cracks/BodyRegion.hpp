@@ -17,7 +17,8 @@ template <int D>
 class BodyRegion
 {
 public:
-  /// \param shapes of the scene's bodies; must outlive this \param state with their particles
+  /// \param shapes of the scene's bodies; must outlive this \param state with their particles; without any,
+  /// bodies end at the surfaces of their shapes
   BodyRegion(const SceneBodies<D>& shapes, const State<D>& state)
       : shapes_(shapes),
         centres_(readVectors(state, fields::position)),
@@ -33,7 +34,8 @@ public:
   /// a centre, which is up to 0.21 (2D) or 0.37 (3D) of an edge beyond the surface.
   bool isNear(const Vector<D>& x) const
   {
-    return contains(x) || (shapes_.contain(x, reach_.beyondSurface) && nearest_.find(x) >= 0);
+    return contains(x) ||
+           (!centres_.empty() && shapes_.contain(x, reach_.beyondSurface) && nearest_.find(x) >= 0);
   }
 
 private:

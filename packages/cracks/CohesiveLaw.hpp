@@ -19,32 +19,40 @@ enum class SpringState : int
   Open = 2       ///< not at all: the traction has fallen to zero
 };
 
-/// Whether the law of FrontCell.hpp holds: in 2D for cracks along the cells. Elsewhere it is no better than
-/// the plain one, or untested. \param steepest c: largest component of the crack's normal \param frontCells
-/// Surroundings::frontCells
-template <int D>
-KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, bool frontCells)
+/// Where the law of FrontCell.hpp holds in 2D; elsewhere the plain one does.
+struct FrontLaw
 {
-  return D == 2 && frontCells && steepest > springs::onTheCells;
+  bool ofCells = false;                  ///< for cracks along the cells
+  bool atAngles = false;                 ///< for others too
+  double least = springs::leastInMotion; ///< xi of a node that opens [cells]
+};
+
+/// Whether the law of FrontCell.hpp holds. \param steepest c: largest component of the crack's normal
+template <int D>
+KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, FrontLaw law)
+{
+  return D == 2 && law.ofCells && (law.atAngles || steepest > springs::onTheCells);
 }
 
 /// How far ahead of a front a node may lie that has an enriched field, with front springs [cells].
 ///
-/// In 2D along the cells s = (s0 + m min(2 z, 2 - 2 z)) / c: the crack of the cells, which ends between the
+/// In 2D s = (s0 + m min(2 z, 2 - 2 z) + q (1 - c)) / c: the crack of the cells, which ends between the
 /// last node that opens and the next, then ends at the front in the mean (FrontCell.hpp).
 ///
 /// \param steepest c: largest component of the crack's normal \param away z: distance of the node from the
-/// crack along the axis nearest to its normal [cells] \param frontCells Surroundings::frontCells
+/// crack along the axis nearest to its normal [cells]
 template <int D>
-KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, bool frontCells)
+KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, FrontLaw law)
 {
-  if (!hasFrontCell<D>(steepest, frontCells))
+  if (!hasFrontCell<D>(steepest, law))
     return steepest > springs::alongTheCells ? -springs::splitBehindAligned : springs::splitAheadInclined;
   const double middle = std::fmax(0.0, 2.0 * std::fmin(away, 1.0 - away));
-  return (frontCell::lag + frontCell::lagMidCell * middle) / steepest;
+  const double turned = 1.0 - steepest;
+  return (frontCell::lag + frontCell::lagMidCell * middle + frontCell::lagTurned * turned) / steepest;
 }
 
-/// Stiffness of the spring between the two fields of a node near a front [N/m]. In 2D along the cells
+/// Stiffness of the spring between the two fields of a node near a front [N/m]. By the law of
+/// FrontCell.hpp
 ///
 ///     k = a E' b (l - xi) / xi,   xi = behind + s,   l = l0 / c,
 ///
@@ -55,20 +63,20 @@ KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, bool fron
 ///
 /// \param modulus E' of fracture mechanics [Pa] \param width b: thickness times openingFraction (2D), filled
 /// part of a cell (3D) [m] \param behind distance behind the front, negative ahead [cells] \param away,
-/// steepest, frontCells: see splitAhead
+/// steepest: see splitAhead
 template <int D>
 KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width, double behind, double away,
-                                                   double steepest, bool frontCells)
+                                                   double steepest, FrontLaw law)
 {
   if (!(away < 1.0))
     return 0.0;
-  if (!hasFrontCell<D>(steepest, frontCells))
+  if (!hasFrontCell<D>(steepest, law))
   {
     const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
     return xi < 1.0 ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away) : 0.0;
   }
   const double range = frontCell::range / steepest;
-  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, frontCells), springs::leastDistance);
+  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, law), law.least);
   return xi < range ? frontCell::stiffness * modulus * width * (range - xi) / xi : 0.0;
 }
 

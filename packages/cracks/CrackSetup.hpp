@@ -8,6 +8,17 @@
 namespace Rhegma::cracks
 {
 
+/// The meshes of the cracks of a scene, in their order.
+///
+/// \param state with its lattice; as long as it has no particles, bodies end at their shapes' surfaces
+/// \param bodies, edge, cellAtFronts as below
+///
+/// Throws std::invalid_argument, with the section's path, for a crack that is wrong in itself.
+template <int D>
+std::vector<surface::CrackMesh<D>>
+readMeshes(const Teuchos::ParameterList& section, const SceneBodies<D>& bodies, const State<D>& state,
+           double edge, double cellAtFronts, std::vector<std::string>& warnings);
+
 /// Reads the cracks of a scene into state.cracks: polylines in 2D, polygons, disks and surfaces from
 /// files in 3D (CrackMesh.hpp).
 ///

@@ -23,8 +23,12 @@
 #include "cracks/Visibility.hpp"
 #include "plan/LastStage.hpp"
 #include "scene/SceneBodies.hpp"
+#include "state/AtRest.hpp"
+#include "surface/CutsOfMeshes.hpp"
 
+#include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace Rhegma::cracks
@@ -97,7 +101,7 @@ struct Parts
         springs(releases),
         growth(mirrorPlanes(scene))
   {
-    surroundings.frontCells =
+    surroundings.law.ofCells =
         // Faces that burn carry the pressure of the gas.
         D == 2 && !releases && !touching && !options.heat() && options.pressedCracks.empty() &&
         !options.burning;
@@ -129,20 +133,50 @@ void prepareStencils(Parts<D>& parts, State<D>& state, const View<int*>& row)
   }
 }
 
+/// Length of the edges of a surface's triangles, and size of the cells at fronts [m].
+template <int D>
+std::pair<double, double> sizesOf(const Parts<D>& parts, const State<D>& state)
+{
+  const double cell = state.mesh.grid.spacing;
+  return {cell / parts.pieces, std::ldexp(cell, -parts.levels)};
+}
+
+/// Where the cracks divide particles; nowhere if one is wrong, which is said where they are read again.
+template <int D>
+Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
+{
+  Geometry::Cuts<D> cuts;
+  if (parts.bodies == nullptr)
+    return cuts;
+  std::vector<std::string> warnings;
+  const auto [edge, front] = sizesOf(parts, state);
+  Attempts hidden;
+  hidden.attempt(
+      [&, edge = edge, front = front] {
+        cuts = surface::cutsOfMeshes(readMeshes(parts.section, *parts.bodies, state, edge, front, warnings));
+      });
+  cuts.joinedBelow = staysAtRest(state) ? springs::joinedAtRest : springs::joinedInMotion;
+  return cuts;
+}
+
 template <int D>
 void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
+  if (staysAtRest(state))
+  {
+    parts->surroundings.law.atAngles = true;
+    parts->surroundings.law.least = springs::leastAtRest;
+  }
   if (parts->hasSprings && state.method.equilibrium())
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->formulation == Formulation::BrokenCell && state.method.equilibrium())
     state.motion.stepForces.push_back(std::make_shared<BrokenCellsInEquilibrium<D>>());
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
-  const double front = std::ldexp(state.mesh.grid.spacing, -parts->levels);
-  parts->meshes =
-      readCracks(parts->section, *parts->bodies, state, state.mesh.grid.spacing / parts->pieces, front);
+  const auto [edge, front] = sizesOf(*parts, state);
+  parts->meshes = readCracks(parts->section, *parts->bodies, state, edge, front);
   if (!parts->adaptive) // else once cells are refined
     refuseCloseCracks(state);
   judgeLengths(front, state);
@@ -292,6 +326,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   Effect<D> effect;
   effect.name = "Cracks";
   addFields(*parts, effect);
+  effect.cuts = [=](const State<D>& state) { return cutsOf(*parts, state); };
   effect.atStart = [=](State<D>& state) { start(parts, state); };
   effect.judge = [=](State<D>& state)
   {

@@ -30,7 +30,8 @@ struct FindSpring
   NearestFront<D> frontOf;
   View<double*> softened; ///< energy that springs dissipate which began to soften now [J]
   StableStiffness<D> stable;
-  bool refined, grows, frontCells;
+  bool refined, grows;
+  FrontLaw frontLaw;
   View<int*> level;
   double spacing, thickness, modulus, density;
   int step;
@@ -140,9 +141,9 @@ private:
       width = cell * (filled > springs::fullCells ? 1.0 : filled);
     }
     else
-      width = thickness * (hasFrontCell<D>(steepest, frontCells) ? openingFraction(a, b) : 1.0);
+      width = thickness * (hasFrontCell<D>(steepest, frontLaw) ? openingFraction(a, b) : 1.0);
     return frontSpringStiffness<D>(modulus, width, seen.behind / cell,
-                                   std::fabs(seen.distance) / (cell * steepest), steepest, frontCells);
+                                   std::fabs(seen.distance) / (cell * steepest), steepest, frontLaw);
   }
 };
 
@@ -207,7 +208,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
                            StableStiffness<D>(state),
                            state.mesh.tree.refined(),
                            grows_,
-                           surroundings.frontCells,
+                           surroundings.law,
                            state.mesh.tree.nodeLevel,
                            state.mesh.grid.spacing,
                            state.method.thickness,

@@ -84,13 +84,13 @@ void clearNodeSides(const State<D>& state, const Surroundings& around)
 /// from the crack [cells]
 template <int D>
 KOKKOS_INLINE_FUNCTION double toleranceWithSprings(const CrackSight<D>& sight, int simplex, double distance,
-                                                   bool frontCells)
+                                                   FrontLaw law)
 {
   double steepest = 0.0;
   for (int d = 0; d < D; ++d)
     steepest = std::fmax(steepest, std::fabs(sight.normal(simplex, d)));
-  const double ahead = splitAhead<D>(steepest, std::fabs(distance) / steepest, frontCells);
-  return hasFrontCell<D>(steepest, frontCells) ? springs::leastDistance - ahead : -ahead;
+  const double ahead = splitAhead<D>(steepest, std::fabs(distance) / steepest, law);
+  return hasFrontCell<D>(steepest, law) ? law.least - ahead : -ahead;
 }
 
 template <int D>
@@ -106,7 +106,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
   const View<std::uint64_t*> nearest = around.nearest;
   const bool frontSprings = state.cracks.frontSprings;
   const int stamp = around.stamp;
-  const bool frontCells = around.frontCells;
+  const FrontLaw law = around.law;
   Kokkos::parallel_for(
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
@@ -119,8 +119,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const Sight seen = sight.locate(s, x);
         const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
         if (seen.behind <=
-            (springs ? toleranceWithSprings<D>(sight, s, seen.distance / cell, frontCells) : frontTolerance) *
-                cell)
+            (springs ? toleranceWithSprings<D>(sight, s, seen.distance / cell, law) : frontTolerance) * cell)
           return;
         const int name = sight.crackOf(s) + 1;
         side(n) = seen.distance > -sideTolerance * cell ? name : -name;

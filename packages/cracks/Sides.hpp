@@ -1,6 +1,7 @@
 #pragma once
 /// Sides of nodes and particles, and the enriched fields of nodes.
 
+#include "cracks/CohesiveLaw.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "state/State.hpp"
 
@@ -26,10 +27,9 @@ struct Surroundings
   View<std::uint64_t*> nearest; ///< of each active node: square distance and number of the nearest simplex
   int stamp = 0;
   int generation = 0; ///< of the nodes
-  /// Whether cracks along the cells have the law of FrontCell.hpp. Not where fronts may grow, nor where faces
-  /// are loaded, touch, or insulate: its nodes ahead of the front are joined by springs alone, and would be
-  /// faces to whatever else acts on these.
-  bool frontCells = false;
+  /// That of FrontCell.hpp is not where fronts may grow, nor where faces are loaded, touch, or insulate: its
+  /// nodes ahead of the front are joined by springs alone, and would be faces to whatever else acts on these.
+  FrontLaw law;
 };
 
 /// The simplex in an entry of Surroundings::nearest.

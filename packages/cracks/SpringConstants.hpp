@@ -11,9 +11,13 @@ constexpr double stiffnessFraction = 0.1;
 /// stiffness finite at the front.
 constexpr double distanceOffset = 0.05;
 
-/// Least xi of a node that opens, in 2D [cells]: below, a stable spring is far too soft, and the node is
-/// closed.
-constexpr double leastDistance = 0.05;
+/// Least xi of a node that opens, in 2D [cells]. In motion a stable spring is far too soft below, and the
+/// node is closed. At rest no spring is too stiff, and with one of this xi a node is as good as closed.
+constexpr double leastInMotion = 0.05, leastAtRest = 0.003;
+
+/// Parts of a particle that a crack divides are joined with another particle on their side below this
+/// fraction of it [-]: in motion as at the edges of bodies, where lighter nodes would need shorter steps.
+constexpr double joinedInMotion = 0.5, joinedAtRest = 0.05;
 
 /// Where nodes open, except along the cells in 2D [cells]: crack closure wants a node at a front along the
 /// cells (within five degrees) closed; at an angle, nodes open a little before the front passes them, which

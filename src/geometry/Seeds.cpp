@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,8 +39,18 @@ Geometry::Bounds<D> reach(const Shape<D>& shape)
   return result;
 }
 
+/// Whether own coordinates are those of space.
 template <int D>
-Lattice<D> makeLattice(const Shape<D>& shape, double edge)
+bool isAlongAxes(const Geometry::Frame<D>& frame)
+{
+  bool found = true;
+  for (int d = 0; d < D; ++d)
+    found = found && frame.axes[d][d] == 1.0;
+  return found;
+}
+
+template <int D>
+Lattice<D> makeLattice(const Shape<D>& shape, double edge, const std::optional<Vector<D>>& node = {})
 {
   const Geometry::Bounds<D> base = shape.base().ownBounds();
   const Geometry::Bounds<D> all = reach(shape);
@@ -47,11 +58,19 @@ Lattice<D> makeLattice(const Shape<D>& shape, double edge)
   lattice.origin = base.lower;
   for (int d = 0; d < D; ++d)
   {
+    // A part that ends on a lattice line must not get an additional row because of rounding.
+    const double slack = 1.0e-9;
+    if (node && isAlongAxes(shape.base().frame))
+    {
+      lattice.edge[d] = edge;
+      lattice.origin[d] = (*node)[d];
+      lattice.first[d] = std::floor((all.lower[d] - (*node)[d]) / edge + slack);
+      lattice.count[d] = std::ceil((all.upper[d] - (*node)[d]) / edge - slack) - lattice.first[d];
+      continue;
+    }
     const double length = base.upper[d] - base.lower[d];
     const double across = std::max(1.0, std::round(length / edge));
     lattice.edge[d] = length / across;
-    // A part that ends on a lattice line must not get an additional row because of rounding.
-    const double slack = 1.0e-9;
     lattice.first[d] = std::floor((all.lower[d] - base.lower[d]) / lattice.edge[d] + slack);
     const double last = std::ceil((all.upper[d] - base.lower[d]) / lattice.edge[d] - slack);
     lattice.count[d] = last - lattice.first[d];
@@ -107,12 +126,12 @@ Part<D> partOf(const Vector<D>& edge, const Geometry::Frame<D>& frame, const Vec
   return part;
 }
 
-/// Adds the part of a lattice cell about `own`. One whose centroid is outside lies on both sides of a slot or
-/// round a corner: the parts of the cell's halves along each axis are then added instead.
+/// Adds a part of a lattice cell about `own` that is in a region. One whose centroid is outside lies on both
+/// sides of a slot or round a corner: the parts of the cell's halves along each axis are then added instead.
 template <int D>
-void addPart(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const Vector<D>& own,
-             const Geometry::Region<D>& region, const decltype(Part<D>::cell)& cell,
-             std::vector<Part<D>>& parts)
+void addPartOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const Vector<D>& own,
+               const Geometry::Region<D>& region, const decltype(Part<D>::cell)& cell,
+               std::vector<Part<D>>& parts)
 {
   const auto add = [&](Part<D> part)
   {
@@ -136,6 +155,97 @@ void addPart(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const V
   }
 }
 
+/// A body, as the cells of its lattice meet it.
+template <int D>
+struct Filling
+{
+  const Geometry::Frame<D>& frame;
+  const Geometry::Region<D>& region;
+  const SeedRules<D>& rules;
+  bool isBox;                 ///< along the lattice
+  Geometry::Bounds<D> bounds; ///< of the base shape, along the lattice
+};
+
+/// The part of a cell of a lattice that is in a box along the lattice.
+template <int D>
+struct CellInBox
+{
+  Vector<D> middle;   ///< own coordinates [m]
+  Vector<D> edge;     ///< [m]
+  double share = 1.0; ///< of the cell; 0: none
+
+  CellInBox(const Vector<D>& own, const Vector<D>& whole, const Geometry::Bounds<D>& box)
+      : middle(own), edge(whole)
+  {
+    for (int d = 0; d < D; ++d)
+    {
+      const double low = std::max(own[d] - 0.5 * whole[d], box.lower[d]),
+                   high = std::min(own[d] + 0.5 * whole[d], box.upper[d]);
+      const double fraction = (high - low) / whole[d];
+      if (fraction >= 1.0 - tiny)
+        continue;
+      share *= fraction > tiny ? fraction : 0.0;
+      middle[d] = 0.5 * (low + high);
+      edge[d] = high - low;
+    }
+  }
+};
+
+template <int D>
+Geometry::Coverage coverageOf(const Filling<D>& body, const Geometry::OrientedBox<D>& box)
+{
+  Geometry::BoxPoints<D> points;
+  points.centre = box.centre;
+  points.reach = 0.5 * norm(box.edge);
+  for (int k = 0; k < 1 << D; ++k)
+  {
+    points.corners[k] = box.centre;
+    for (int d = 0; d < D; ++d)
+      points.corners[k] = points.corners[k] + ((k >> d & 1) != 0 ? 0.5 : -0.5) * box.edge[d] * box.axes[d];
+  }
+  return body.isBox ? Geometry::Coverage::Whole : body.region.coverage(points);
+}
+
+/// Adds the parts of a lattice cell about `own`: one on each side of the surfaces that divide it.
+template <int D>
+void addParts(const Lattice<D>& lattice, const Filling<D>& body, const Geometry::BoxCuts<D>& cuts,
+              const Vector<D>& own, const decltype(Part<D>::cell)& cell, std::vector<Part<D>>& parts)
+{
+  constexpr std::size_t most = 4; // more surfaces in one cell: more than 16 parts
+  Lattice<D> filled = lattice;
+  Vector<D> middle = own;
+  double share = 1.0;
+  if (body.isBox)
+  {
+    const CellInBox<D> part(own, lattice.edge, body.bounds);
+    filled.edge = part.edge;
+    middle = part.middle;
+    share = part.share;
+  }
+  if (share == 0.0)
+    return;
+  const std::size_t before = parts.size();
+  if (!cuts.through.empty() && cuts.through.size() <= most)
+  {
+    const Geometry::OrientedBox<D> box{body.frame.toSpace(middle), filled.edge, body.frame.axes};
+    const bool whole = coverageOf(body, box) == Geometry::Coverage::Whole;
+    for (int sides = 0; sides < 1 << cuts.through.size(); ++sides)
+      addPartOf(filled, body.frame, middle, Geometry::onSides(body.region, whole, cuts.through, sides), cell,
+                parts);
+  }
+  else if (body.isBox)
+  {
+    Vector<D> variance;
+    for (int d = 0; d < D; ++d)
+      variance[d] = filled.edge[d] * filled.edge[d] / 12.0;
+    parts.push_back({cell, 1.0, middle, variance});
+  }
+  else
+    addPartOf(filled, body.frame, middle, body.region, cell, parts);
+  for (std::size_t k = before; k < parts.size(); ++k)
+    parts[k].fraction *= share;
+}
+
 /// Parts of lattices that are finer by a level each.
 template <int D>
 using PartsOfLevels = std::vector<std::vector<Part<D>>>;
@@ -145,11 +255,7 @@ template <int D>
 class Division
 {
 public:
-  Division(const Lattice<D>& lattice, const Geometry::Frame<D>& frame, const Geometry::Region<D>& region,
-           const IsDivided<D>& isDivided)
-      : frame_(frame), region_(region), isDivided_(isDivided), lattices_{lattice}
-  {
-  }
+  Division(const Lattice<D>& lattice, const Filling<D>& body) : body_(body), lattices_{lattice} {}
 
   void add(const Vector<D>& own, const decltype(Part<D>::cell)& cell) { add(own, cell, 0, 0, -1); }
 
@@ -159,20 +265,34 @@ private:
   void add(const Vector<D>& own, const decltype(Part<D>::cell)& cell, int level, int lineage, int family)
   {
     const Vector<D> edge = lattices_[level].edge;
+    const Geometry::OrientedBox<D> box{body_.frame.toSpace(own), edge, body_.frame.axes};
+    Geometry::BoxCuts<D> cuts;
+    if (body_.rules.cuts.ofBox)
+      cuts = body_.rules.cuts.ofBox(box);
+    const bool isWhole = !cuts.any && (body_.isBox ? CellInBox<D>(own, edge, body_.bounds).share == 1.0
+                                                   : body_.rules.isDivided && isFull(own, edge));
+    // Whole particles of a box can be divided later, exactly.
     const bool divided =
-        isDivided_ && isDivided_(Geometry::OrientedBox<D>{frame_.toSpace(own), edge, frame_.axes}, level);
-    if (divided && family < 0) // that of an empty cell has no parts
-      family = partOf(edge, frame_, own, region_).fraction == 1.0 ? families_++ : -1;
+        body_.rules.isDivided && !(isWhole && body_.isBox) && body_.rules.isDivided(box, level);
+    if (divided && family < 0) // that of a cell that is not whole has no family
+      family = isWhole ? families_++ : -1;
     if (divided)
       return divide(own, cell, level, lineage, family);
     std::vector<Part<D>>& these = parts[level];
     const std::size_t before = these.size();
-    addPart(lattices_[level], frame_, own, region_, cell, these);
+    addParts(lattices_[level], body_, cuts, own, cell, these);
     for (std::size_t k = before; k < these.size(); ++k)
     {
+      if (!cuts.through.empty())
+        these[k].least = body_.rules.cuts.joinedBelow;
       these[k].lineage = lineage;
       these[k].family = these[k].fraction == 1.0 ? family : -1;
     }
+  }
+
+  bool isFull(const Vector<D>& own, const Vector<D>& edge) const
+  {
+    return partOf(edge, body_.frame, own, body_.region).fraction == 1.0;
   }
 
   void divide(const Vector<D>& own, const decltype(Part<D>::cell)& cell, int level, int lineage, int family)
@@ -197,21 +317,15 @@ private:
     }
   }
 
-  const Geometry::Frame<D>& frame_;
-  const Geometry::Region<D>& region_;
-  const IsDivided<D>& isDivided_;
+  const Filling<D>& body_;
   std::vector<Lattice<D>> lattices_; ///< of each level
   int families_ = 0;
 };
 
 template <int D>
-PartsOfLevels<D> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& frame,
-                         const Geometry::Region<D>& region, bool isBox, const IsDivided<D>& isDivided)
+PartsOfLevels<D> partsOf(const Lattice<D>& lattice, const Filling<D>& body)
 {
-  Division<D> division(lattice, frame, region, isDivided);
-  Vector<D> variance;
-  for (int d = 0; d < D; ++d)
-    variance[d] = lattice.edge[d] * lattice.edge[d] / 12.0;
+  Division<D> division(lattice, body);
   long long counts[3] = {1, 1, 1};
   for (int d = 0; d < D; ++d)
     counts[d] = static_cast<long long>(lattice.count[d]);
@@ -223,11 +337,7 @@ PartsOfLevels<D> partsOf(const Lattice<D>& lattice, const Geometry::Frame<D>& fr
         const double middle[3] = {double(i) + 0.5, double(j) + 0.5, double(k) + 0.5};
         std::array<long long, D> cell;
         std::copy(index, index + D, cell.begin());
-        const Vector<D> own = positionOf(lattice, middle);
-        if (isBox) // whose lattice it is
-          division.parts[0].push_back({cell, 1.0, own, variance});
-        else
-          division.add(own, cell);
+        division.add(positionOf(lattice, middle), cell);
       }
   for (std::size_t level = 1; level < division.parts.size(); ++level)
     Geometry::sortByCell<D>(division.parts[level]);
@@ -241,7 +351,7 @@ void joinOverLevels(PartsOfLevels<D>& parts, const Vector<D>& edge, const Geomet
 {
   constexpr std::size_t most = 1000; // more are those of thin walls, which stay alone
   std::size_t slivers = 0;
-  const auto isSliver = [](const Part<D>& part) { return part.fraction < Geometry::joinedBelow; };
+  const auto isSliver = [](const Part<D>& part) { return !part.stands(); };
   for (const std::vector<Part<D>>& these : parts)
     slivers += std::count_if(these.begin(), these.end(), isSliver);
   if (parts.size() < 2 || slivers > most)
@@ -337,23 +447,24 @@ double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell)
 
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section,
-                       const IsDivided<D>& isDivided)
+                       const SeedRules<D>& rules)
 {
   if (!(cell > 0.0) || particlesPerCell < 1)
     throw std::invalid_argument(section +
                                 ": particles need a positive cell size and at least one particle per cell.");
-  const Lattice<D> lattice = makeLattice(shape, cell / particlesPerCell);
+  const Lattice<D> lattice = makeLattice(shape, cell / particlesPerCell, rules.node);
   refuseMany(lattice, section);
   const Geometry::Frame<D>& frame = shape.base().frame;
   const Geometry::Region<D> region{[&](const Vector<D>& x) { return shape.depth(x); },
                                    [&](const Geometry::BoxPoints<D>& box) { return shape.coverage(box); }};
   const bool isBox =
       shape.parts().size() == 1 && std::holds_alternative<Geometry::Box<D>>(shape.base().primitive);
-  PartsOfLevels<D> parts = partsOf(lattice, frame, region, isBox, isDivided);
+  const Filling<D> body{frame, region, rules, isBox, shape.base().ownBounds()};
+  PartsOfLevels<D> parts = partsOf(lattice, body);
   const double slack = -tiny * norm(lattice.edge);
   const Geometry::IsSeen<D> isSeen = [&](const Vector<D>& a, const Vector<D>& b)
   {
-    bool seen = true;
+    bool seen = !rules.cuts.separate || !rules.cuts.separate(frame.toSpace(a), frame.toSpace(b));
     for (const double s : {0.25, 0.5, 0.75})
       seen = seen && shape.depth(frame.toSpace(a + s * (b - a))) >= slack;
     return seen;
@@ -366,8 +477,7 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
   {
     any = any || !these.empty();
     stands =
-        stands || std::any_of(these.begin(), these.end(),
-                              [](const Part<D>& part) { return part.fraction >= Geometry::joinedBelow; });
+        stands || std::any_of(these.begin(), these.end(), [](const Part<D>& part) { return part.stands(); });
   }
   if (!any)
     throw std::invalid_argument(section + ": the body contains no particle; it is fully cut away; cut less.");
@@ -383,7 +493,7 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
 
 template double estimateSeeds<2>(const Shape<2>&, double, int);
 template double estimateSeeds<3>(const Shape<3>&, double, int);
-template Seeds<2> seedParticles<2>(const Shape<2>&, double, int, const std::string&, const IsDivided<2>&);
-template Seeds<3> seedParticles<3>(const Shape<3>&, double, int, const std::string&, const IsDivided<3>&);
+template Seeds<2> seedParticles<2>(const Shape<2>&, double, int, const std::string&, const SeedRules<2>&);
+template Seeds<3> seedParticles<3>(const Shape<3>&, double, int, const std::string&, const SeedRules<3>&);
 
 } // namespace Rhegma

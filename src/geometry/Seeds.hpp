@@ -1,10 +1,11 @@
 #pragma once
 /// The initial particles of a body.
 
-#include "geometry/PartOfBox.hpp"
+#include "geometry/Cuts.hpp"
 #include "geometry/Shape.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,18 +33,33 @@ struct Seeds
 template <int D>
 using IsDivided = std::function<bool(const Geometry::OrientedBox<D>& cell, int level)>;
 
+/// What divides the cells of a lattice.
+template <int D>
+struct SeedRules
+{
+  IsDivided<D> isDivided{}; ///< empty: no cell is halved
+  /// A node of the grid, from which the lattices of bodies that are not rotated start; none: each starts at
+  /// its body's lower corner.
+  std::optional<Vector<D>> node{};
+  Geometry::Cuts<D> cuts{}; ///< empty: no surface divides the body
+};
+
 /// Fills a shape with particles.
 ///
 /// The lattice starts at the lower corner of the base shape's bounds, in the base shape's own axes, and its
 /// edges are cell / particlesPerCell, changed along each axis so that a whole number of particles spans those
 /// bounds. So the particles of a box tile it, those of a box on grid lines sit evenly in the cells, and those
-/// of a ball are mirror images of each other.
+/// of a ball are mirror images of each other. With a node of the grid (SeedRules::node) the lattice follows
+/// the cells instead, and particles sit evenly in the cells wherever the body is.
 ///
 /// A particle is the part of a cell of the lattice that is inside the shape: it has the part's volume and
 /// centroid, and a box with its second moments along the axes. A part below a fraction of a cell
 /// (joinedBelow, geometry/Slivers.hpp) belongs to the particle of a cell next to it. So the volume, the first
 /// moments and the second moments along the axes of a shape are those of its particles, as exactly as
 /// partOfBox (geometry/PartOfBox.hpp) finds them.
+///
+/// Where a crack passes through a cell, the part on each side of it is a particle, so that the mass on each
+/// side is exact; parts on different sides are never joined.
 ///
 /// A cell of the lattice is divided into 2^D, and those again, until `isDivided` is content:
 /// parts of cells are exact at each size. The cells of a box, all whole, stay undivided: dividing their
@@ -57,7 +73,7 @@ using IsDivided = std::function<bool(const Geometry::OrientedBox<D>& cell, int l
 /// can count.
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section,
-                       const IsDivided<D>& isDivided = {});
+                       const SeedRules<D>& rules = {});
 
 /// Estimated number of particles of seedParticles, from a sample of positions; fast and without memory.
 template <int D>

@@ -51,7 +51,7 @@ std::vector<int> hostsOf(const std::vector<LatticePart<D>>& parts, const std::ve
       parts, sliver.cell,
       [&](int k)
       {
-        const bool stands = parts[k].fraction >= joinedBelow;
+        const bool stands = parts[k].stands();
         if (k == part || gone[k] != 0 || parts[k].fraction < sliver.fraction || (alone && !stands))
           return;
         const double distance = norm(parts[k].centroid - sliver.centroid);
@@ -108,7 +108,7 @@ void joinSlivers(std::vector<LatticePart<D>>& parts, const Vector<D>& edge, cons
 {
   std::vector<int> slivers;
   for (std::size_t k = 0; k < parts.size(); ++k)
-    if (parts[k].fraction < joinedBelow)
+    if (!parts[k].stands())
       slivers.push_back(static_cast<int>(k));
   std::stable_sort(slivers.begin(), slivers.end(),
                    [&](int a, int b) { return parts[a].fraction < parts[b].fraction; });
@@ -117,7 +117,7 @@ void joinSlivers(std::vector<LatticePart<D>>& parts, const Vector<D>& edge, cons
   const std::vector<LatticePart<D>> before = slivers.empty() ? std::vector<LatticePart<D>>{} : parts;
   for (const int k : slivers)
   {
-    if (parts[k].fraction >= joinedBelow) // by what has joined it
+    if (parts[k].stands()) // by what has joined it
       continue;
     const std::vector<int> hosts = hostsOf(before, gone, k, isSeen);
     LatticePart<D> piece = parts[k];

@@ -8,6 +8,11 @@
 namespace Rhegma::Geometry
 {
 
+/// Parts that fill less of a lattice cell are joined with a neighbour. The box of a part that fills the
+/// fraction f has edges of at least f cells, so this bounds how much lighter a node can become than under
+/// whole particles ([theory](../../docs/theory.md), particles at edges).
+constexpr double joinedBelow = 0.5;
+
 /// A particle that fills a lattice cell or a part of it; all lengths in the lattice's axes.
 template <int D>
 struct LatticePart
@@ -18,12 +23,10 @@ struct LatticePart
   Vector<D> variance;            ///< mean square distance from the centroid along each axis [m^2]
   int lineage = 0;               ///< which part of a whole larger cell it is (Seeds::lineage)
   int family = -1;               ///< number of that cell; -1: it is a part of none
-};
+  double least = joinedBelow;    ///< below this fraction it is joined with another
 
-/// Parts that fill less of a lattice cell are joined with a neighbour. The box of a part that fills the
-/// fraction f has edges of at least f cells, so this bounds how much lighter a node can become than under
-/// whole particles ([theory](../../docs/theory.md), particles at edges).
-constexpr double joinedBelow = 0.5;
+  bool stands() const { return fraction >= least; } ///< whether it is large enough to stand alone
+};
 
 /// Adds one part of a lattice cell to another, whose family it ends. Volume, first and second moments stay.
 template <int D>
@@ -41,10 +44,10 @@ constexpr double longestJoined = 2.0;
 template <int D>
 using IsSeen = std::function<bool(const Vector<D>&, const Vector<D>&)>;
 
-/// Joins the parts below joinedBelow with others: the smallest first, each with the part, not smaller than
-/// itself, of a neighbouring cell (over corners too) whose centroid is nearest and can be seen; in equal
-/// pieces with those that are equally near. Volume, first and second moments stay. A part without such a
-/// neighbour, or by which one would become longer than longestJoined, stays as it is.
+/// Joins the parts that are too small to stand alone with others: the smallest first, each with the part, not
+/// smaller than itself, of a neighbouring cell (over corners too) whose centroid is nearest and can be seen;
+/// in equal pieces with those that are equally near. Volume, first and second moments stay. A part without
+/// such a neighbour, or by which one would become longer than longestJoined, stays as it is.
 ///
 /// \param parts   in the order of their cells: along the first axis first
 /// \param edge    of a lattice cell [m]

@@ -2,6 +2,7 @@
 /// An effect: a value that lists the fields it needs and adds, and the calls of each stage.
 
 #include "base/Field.hpp"
+#include "geometry/Cuts.hpp"
 #include "plan/Quantity.hpp"
 #include "plan/RunOptions.hpp"
 #include "scene/Schema.hpp"
@@ -61,6 +62,9 @@ struct Effect
   std::vector<Call<D>> calls;        ///< of all stages
   Quantities provides;               ///< what it writes outside of calls
   std::vector<std::string> balance;  ///< entries of the energy balance that it contributes to, as columns
+  /// Surfaces that divide bodies into particles at the start, as far as they can be known without particles:
+  /// the state has its lattice. Errors are those of atStart, which follows. Empty: there are none.
+  std::function<Geometry::Cuts<D>(const State<D>&)> cuts;
   std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
   /// Adds warnings of wrong physics, once, after all atStart. Where the scene has an error, some of those
   /// have failed or did not run: it may throw, but must not read what is not there.

@@ -1,12 +1,9 @@
 #include "step/LevelsOfCells.hpp"
 
-#include "base/ReadList.hpp"
 #include "state/Ancestry.hpp"
 #include "state/Subdomain.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace Rhegma
 {
@@ -38,16 +35,16 @@ bool anyRefined(const Branches<D>& refined, int level, const double (&low)[D], c
 
 } // namespace
 
-bool haveCutParticles(const Teuchos::ParameterList& scene)
+template <int D>
+bool haveCutParticles(const State<D>& state)
 {
-  const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
-  const std::vector<std::string> names = sublistNames(bodies);
-  return std::any_of(names.begin(), names.end(),
-                     [&](const std::string& name)
-                     {
-                       const Teuchos::ParameterList& body = bodies.sublist(name);
-                       return body.get<std::string>("Shape") != "Box" || body.isSublist("Operations");
-                     });
+  const auto body = onHost(state.particles.integer(fields::body));
+  const auto edge = onHost(state.particles.template real<D>(fields::edge));
+  for (int p = 0; p < state.particles.size(); ++p)
+    for (int d = 0; d < D; ++d)
+      if (edge(p, d) != state.bodies.info[body(p)].edge[d])
+        return true;
+  return false;
 }
 
 template <int D>
@@ -73,6 +70,8 @@ IsDivided<D> dividedByCells(const State<D>& state)
   };
 }
 
+template bool haveCutParticles(const State<2>&);
+template bool haveCutParticles(const State<3>&);
 template IsDivided<2> dividedByCells(const State<2>&);
 template IsDivided<3> dividedByCells(const State<3>&);
 

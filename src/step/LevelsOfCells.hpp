@@ -4,13 +4,13 @@
 #include "geometry/Seeds.hpp"
 #include "state/State.hpp"
 
-#include <Teuchos_ParameterList.hpp>
-
 namespace Rhegma
 {
 
-/// Whether bodies of a scene have particles at their edges that are parts of lattice cells: all but boxes.
-bool haveCutParticles(const Teuchos::ParameterList& scene);
+/// Whether any particle is only a part of a lattice cell: at edges of bodies that are no boxes, and at
+/// cracks.
+template <int D>
+bool haveCutParticles(const State<D>& state);
 
 /// The deepest level of cells that a box touches, as the particle that fills it would; the cells are those of
 /// the state now.

@@ -56,9 +56,9 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
 }
 
 template <int D>
-void seed(PlacedBody<D>& body, const Grid<D>& grid, const IsDivided<D>& isDivided)
+void seed(PlacedBody<D>& body, const Grid<D>& grid, const SeedRules<D>& rules)
 {
-  body.seeds = seedParticles<D>(body.shape, grid.spacing, body.particlesPerCell(), body.where(), isDivided);
+  body.seeds = seedParticles<D>(body.shape, grid.spacing, body.particlesPerCell(), body.where(), rules);
   for (const Vector<D>& x : body.seeds.position)
     if (!grid.inside(x))
       throw std::invalid_argument(body.where() + ": " + textOfOutside(x, grid));
@@ -110,21 +110,21 @@ void refuseOverlaps(const std::vector<PlacedBody<D>>& bodies, Attempts& attempts
 
 template <int D>
 std::vector<PlacedBody<D>> placeBodies(const Teuchos::ParameterList& section, const State<D>& state,
-                                       const IsDivided<D>& isDivided)
+                                       const SeedRules<D>& rules)
 {
   std::vector<PlacedBody<D>> bodies = planBodies<D>(section);
   refuseTooMuch(bodies, state);
   Attempts attempts;
   for (PlacedBody<D>& body : bodies)
-    attempts.attempt([&] { seed(body, state.mesh.grid, isDivided); });
+    attempts.attempt([&] { seed(body, state.mesh.grid, rules); });
   refuseOverlaps(bodies, attempts);
   attempts.throwIfAny();
   return bodies;
 }
 
 template std::vector<PlacedBody<2>> placeBodies(const Teuchos::ParameterList&, const State<2>&,
-                                                const IsDivided<2>&);
+                                                const SeedRules<2>&);
 template std::vector<PlacedBody<3>> placeBodies(const Teuchos::ParameterList&, const State<3>&,
-                                                const IsDivided<3>&);
+                                                const SeedRules<3>&);
 
 } // namespace Rhegma

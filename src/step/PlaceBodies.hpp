@@ -27,12 +27,12 @@ struct PlacedBody
 
 /// Places the bodies of the section `Bodies`.
 /// \param state has its grid and the fields of its particles, from which memory is estimated
-/// \param isDivided of the cells that are refined at the start; empty: none are
+/// \param rules what divides their particles
 ///
 /// Throws std::invalid_argument, a line per error: a body that has no particle, leaves the domain or overlaps
 /// another, and a scene that is too large for the machine.
 template <int D>
 std::vector<PlacedBody<D>> placeBodies(const Teuchos::ParameterList& section, const State<D>& state,
-                                       const IsDivided<D>& isDivided);
+                                       const SeedRules<D>& rules);
 
 } // namespace Rhegma

@@ -127,7 +127,7 @@ void Run<D>::makeAll(const IsDivided<D>& isDivided)
   state_.method.mechanics = options.mechanics;
   std::vector<Field> extra;
   std::vector<Effect<D>> effects = makeEffects(options, extra);
-  makeParticles(extra, isDivided);
+  makeParticles(extra, effects, isDivided);
   for (const Effect<D>& effect : effects)
     for (const NodalField& field : effect.addsNodal)
       state_.mesh.nodalFields.add(field);
@@ -146,7 +146,7 @@ void Run<D>::makeAll(const IsDivided<D>& isDivided)
   {
     if (effect.atStart && on)
       on = attempts.attempt([&] { effect.atStart(state_); }) || effect.name == boundariesName;
-    if (!isDivided && attempts.succeeded() && state_.mesh.tree.refined() && haveCutParticles(*scene_))
+    if (!isDivided && attempts.succeeded() && state_.mesh.tree.refined() && haveCutParticles(state_))
       return makeAllForRefinedCells();
   }
   if (state_.method.mechanics)
@@ -189,11 +189,20 @@ void Run<D>::makeAllForRefinedCells()
 }
 
 template <int D>
-void Run<D>::makeParticles(const std::vector<Field>& extra, const IsDivided<D>& isDivided)
+void Run<D>::makeParticles(const std::vector<Field>& extra, const std::vector<Effect<D>>& effects,
+                           const IsDivided<D>& isDivided)
 {
+  const auto rules = [&](const State<D>& state)
+  {
+    SeedRules<D> all{isDivided, {}};
+    for (const Effect<D>& effect : effects)
+      if (effect.cuts)
+        all.cuts = effect.cuts(state); // of the one effect that has surfaces in bodies
+    return all;
+  };
   Attempts attempts, hidden;
   state_.mesh.grid.spacing = 0.0; // until there are cells
-  if (attempts.attempt([&] { makeState(*scene_, extra, state_, isDivided); }))
+  if (attempts.attempt([&] { makeState<D>(*scene_, extra, state_, rules); }))
     return;
   if (state_.mesh.grid.spacing > 0.0)
     hidden.attempt([&] { judgeWithoutParticles(*scene_, state_); });

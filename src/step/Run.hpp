@@ -58,13 +58,14 @@ public:
   std::vector<std::string> effectNames() const;
 
 private:
-  /// \param isDivided for makeState
+  /// \param isDivided of the cells that are refined at the start
   void makeAll(const IsDivided<D>& isDivided);
 
   /// Makes all anew, with particles at the edges of bodies that suit the cells, which have been refined.
   void makeAllForRefinedCells();
   /// Throws std::invalid_argument with the warnings that need no particles.
-  void makeParticles(const std::vector<Field>& extra, const IsDivided<D>& isDivided);
+  void makeParticles(const std::vector<Field>& extra, const std::vector<Effect<D>>& effects,
+                     const IsDivided<D>& isDivided);
   /// Adds warnings of wrong physics. \param step first stable step [s] \param driven whether effects may load
   /// or move bodies \param attempt gets each judgment and calls it
   template <class Attempt>

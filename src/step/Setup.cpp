@@ -5,6 +5,7 @@
 #include "material/Materials.hpp"
 #include "material/ThermoMaterials.hpp"
 #include "state/Ancestry.hpp"
+#include "state/AtRest.hpp"
 #include "step/PlaceBodies.hpp"
 #include "transfer/Box.hpp"
 
@@ -289,17 +290,31 @@ void makeBoxes(State<D>& state)
       });
 }
 
+/// Particles sit evenly in the cells as long as they stay in them, that is at rest.
+template <int D>
+SeedRules<D> rulesOf(const State<D>& state, const RulesOfSeeds<D>& rules)
+{
+  SeedRules<D> all = rules ? rules(state) : SeedRules<D>{};
+  if (staysAtRest(state))
+  {
+    all.node.emplace();
+    for (int d = 0; d < D; ++d)
+      (*all.node)[d] = state.mesh.grid.lower[d];
+  }
+  return all;
+}
+
 } // namespace
 
 template <int D>
 void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state,
-               const IsDivided<D>& isDivided)
+               const RulesOfSeeds<D>& rules)
 {
   readMethod(scene, state);
   readMaterials(scene, state);
   addFields(state, extra);
   const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
-  addBodies(placeBodies<D>(bodies, state, isDivided), state);
+  addBodies(placeBodies<D>(bodies, state, rulesOf(state, rules)), state);
   makeBodyAxes(state);
   if (state.method.shape == ShapeKind::Gimp)
     makeBoxes(state);
@@ -307,8 +322,8 @@ void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& ex
 }
 
 template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<2>&,
-                        const IsDivided<2>&);
+                        const RulesOfSeeds<2>&);
 template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<3>&,
-                        const IsDivided<3>&);
+                        const RulesOfSeeds<3>&);
 
 } // namespace Rhegma
