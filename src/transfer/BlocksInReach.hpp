@@ -89,7 +89,7 @@ public:
   template <int N, class Body>
   void sum(const char* label, const Body& body, double (&sums)[N]) const
   {
-    static_assert(N <= mostSums, "a block has room for fewer numbers");
+    static_assert(N <= mostSums, "a block sums fewer numbers");
     const View<int* [2]> range = range_;
     const View<double* [mostSums]> parts = parts_;
     Kokkos::parallel_for(
