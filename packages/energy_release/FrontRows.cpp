@@ -37,26 +37,23 @@ FrontRows<D> FrontRowTable<D>::fillMotion(const State<D>& state, const Region<D>
   return {rows.data()};
 }
 
-template <int D>
-void FrontRowTable<D>::fillWeights(const State<D>& state, const Region<D>& box, const NodalWeight<D>& weight,
+template <>
+void FrontRowTable<2>::fillWeights(const State<2>& state, const Region<2>& box, const NodalWeight<2>& weight,
                                    const CrackPath& path)
 {
-  if constexpr (D == 2)
-  {
-    reserve(state);
-    const View<double * [FrontRows<D>::width]> rows = rows_;
-    const bool bent = path.count > 0;
-    const Vector<D> centre = weight.centre;
-    const ContourRadii radii = weight.radii;
-    forEachNodeIn(
-        "rhegma::weightsAroundFront", state, box, KOKKOS_LAMBDA(const int n, const Vector<D>& x) {
-          const double q = weightAt(norm(x - centre), radii);
-          const Vector<D> shift = bent && q > 0.0 ? q * path(x) : Vector<D>{};
-          rows(n, FrontRows<D>::weightAt) = q;
-          for (int d = 0; d < D; ++d)
-            rows(n, FrontRows<D>::weightAt + 1 + d) = shift[d];
-        });
-  }
+  reserve(state);
+  const View<double * [FrontRows<2>::width]> rows = rows_;
+  const bool bent = path.count > 0;
+  const Vector<2> centre = weight.centre;
+  const ContourRadii radii = weight.radii;
+  forEachNodeIn(
+      "rhegma::weightsAroundFront", state, box, KOKKOS_LAMBDA(const int n, const Vector<2>& x) {
+        const double q = weightAt(norm(x - centre), radii);
+        const Vector<2> shift = bent && q > 0.0 ? q * path(x) : Vector<2>{};
+        rows(n, FrontRows<2>::weightAt) = q;
+        for (int d = 0; d < 2; ++d)
+          rows(n, FrontRows<2>::weightAt + 1 + d) = shift[d];
+      });
 }
 
 template <int D>

@@ -27,7 +27,7 @@ public:
   FrontRows<D> fillMotion(const State<D>& state, const Region<D>& box, bool moving,
                           const NodalAcceleration<D>& acceleration);
 
-  /// Fills the weights of the nodes in a box (2D). \param path of a bent crack; without simplices of a
+  /// Fills the weights of the nodes in a box (2D only). \param path of a bent crack; without simplices of a
   /// straight one, whose rows have no direction
   void fillWeights(const State<D>& state, const Region<D>& box, const NodalWeight<D>& weight,
                    const CrackPath& path);
@@ -41,6 +41,10 @@ private:
   View<double * [FrontRows<D>::width]> rows_;
   View<double* [4]> forces_;
 };
+
+template <>
+void FrontRowTable<2>::fillWeights(const State<2>& state, const Region<2>& box, const NodalWeight<2>& weight,
+                                   const CrackPath& path);
 
 /// What the integrals around a front reuse: their cost is that of the particles and nodes around it.
 template <int D>

@@ -87,6 +87,16 @@ private:
   }
 };
 
+template <int D>
+void clearRows(const State<D>& state, const Region<D>& box, const NodalAcceleration<D>& rows)
+{
+  forEachNodeIn(
+      "rhegma::clearInternalForce", state, box, KOKKOS_LAMBDA(const int n, const Vector<D>&) {
+        for (int i = 0; i <= D; ++i)
+          rows(n, i) = 0.0;
+      });
+}
+
 /// Springs are internal forces, as those of the material.
 template <int D>
 void addSprings(const State<D>& state, const NodalAcceleration<D>& force)
@@ -125,11 +135,7 @@ void InternalAcceleration<D>::sumForces(const State<D>& state, const std::vector
     Kokkos::deep_copy(force, 0.0);
   else
     for (const Region<D>& box : boxes)
-      forEachNodeIn(
-          "rhegma::clearInternalForce", state, box, KOKKOS_LAMBDA(const int n, const Vector<D>&) {
-            for (int i = 0; i <= D; ++i)
-              force(n, i) = 0.0;
-          });
+      clearRows(state, box, force);
   // Each particle of a block is near some range if there are many.
   constexpr std::size_t few = 1;
   blocks_.find(state, boxes);
