@@ -1,6 +1,7 @@
 #include "cracks/AvailableLength.hpp"
 
 #include "state/Subdomain.hpp"
+#include "transfer/BlocksInReach.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -117,9 +118,11 @@ std::vector<std::uint64_t> filledPoints(const State<D>& state, const std::vector
   const ParticleReach<D> reachOf{state.particles.template real<D>(fields::edge),
                                  state.particles.template real<gradientSize<D>>(fields::deformation)};
   const Box<D> box = boxRound(paths);
-  Kokkos::parallel_for(
-      "rhegma::cracks::filledPoints", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) {
+  constexpr double reachOfParticles = 3.0; // cells; half the diagonal of a stretched one is less
+  BlocksInReach<D> blocks;
+  blocks.find(state, {AxisBox<D>{box.lower, box.upper}.widened(reachOfParticles * state.mesh.grid.spacing)});
+  blocks.forEachParticle(
+      "rhegma::cracks::filledPoints", KOKKOS_LAMBDA(const int p) {
         if (of >= 0 && body(p) != of)
           return;
         Vector<D> x;

@@ -1,5 +1,9 @@
 #include "cracks/ForgetSides.hpp"
 
+#include "transfer/BlocksInReach.hpp"
+
+#include <vector>
+
 namespace Rhegma::cracks
 {
 
@@ -19,9 +23,13 @@ void forgetSidesAhead(const State<D>& state, const CrackFront<D>& front, double 
   const auto position = state.particles.template real<D>(fields::position);
   const auto side = state.particles.integer(fields::side);
   const int name = front.crack + 1;
-  Kokkos::parallel_for(
-      "rhegma::cracks::forgetSidesAhead", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) {
+  std::vector<AxisBox<D>> boxes;
+  for (const FrontNode<D>& node : front.nodes)
+    boxes.push_back(boxAround(node.position, reach));
+  BlocksInReach<D> blocks;
+  blocks.find(state, boxes);
+  blocks.forEachParticle(
+      "rhegma::cracks::forgetSidesAhead", KOKKOS_LAMBDA(const int p) {
         if (side(p) != name && side(p) != -name)
           return;
         double least = reach * reach, ahead = 0.0;

@@ -5,6 +5,7 @@
 #include "base/SmallLoops.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/NearNodes.hpp"
 
 #include <string>
 
@@ -73,10 +74,12 @@ int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
   const double reach = adjacent * state.mesh.grid.spacing, around = 2.0 * reach;
   const int name = crack + 1, begin = state.cracks.cracks[crack].firstSimplex,
             end = begin + state.cracks.cracks[crack].numSimplices;
-  int full = 0;
-  Kokkos::parallel_reduce(
-      "rhegma::cracks::learnSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, int& sum) {
+  double full[1];
+  BlocksInReach<2> blocks;
+  blocks.find(state, {boxAround(at, around)});
+  blocks.sumOverParticles(
+      "rhegma::cracks::learnSides",
+      KOKKOS_LAMBDA(const int p, double(&sum)[1]) {
         const Vector<2> x{position(p, 0), position(p, 1)};
         if (side(p) != known || dot(x - at, x - at) > around * around)
           return;
@@ -94,14 +97,13 @@ int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
         if (!(square < reach * reach))
           return;
         if (other(p) != 0 && other(p) != name && other(p) != -name)
-          ++sum;
+          sum[0] += 1.0;
         else
           other(p) = crackSight.locate(nearest, x).distance >= 0.0 ? name : -name;
       },
       full);
-  double all = full;
-  sumParts(state, &all, 1);
-  return static_cast<int>(all);
+  sumParts(state, full, 1);
+  return static_cast<int>(full[0]);
 }
 
 /// Warns that particles would need sides of more than two cracks.
@@ -169,8 +171,6 @@ void Junctions::join(State<2>& state, int one, bool first, int two)
 
 void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundings)
 {
-  const Nodes<2> nodes = state.mesh.nodes;
-  const NodePositions<2> positions = nodePositions(state);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   for (Junction& j : all_)
   {
@@ -178,26 +178,26 @@ void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundin
     const Pieces pieces = piecesAt(state, j);
     const auto end = static_cast<std::uint64_t>(j.endSimplex),
                through = static_cast<std::uint64_t>(j.throughSimplex);
+    const BoxNodes<2> nodes(state, boxAround(j.position, j.radius));
     parallelForSmall(
-        "rhegma::cracks::claimNodes", static_cast<int>(nodes.active.extent(0)), KOKKOS_LAMBDA(const int i) {
-          const int n = nodes.active(i);
-          const Vector<2> x = positions(n);
+        "rhegma::cracks::claimNodes", nodes.count(), KOKKOS_LAMBDA(const int k) {
+          const Vector<2> x = nodes.position(k);
           if (pieces.within(x, pieces.radius))
-            nearest(n) = pieces.near(x) ? end : through;
+            nearest(nodes.node(k)) = pieces.near(x) ? end : through;
         });
   }
 }
 
-void Junctions::markParticles(const State<2>& state, const View<int*>& row) const
+void Junctions::markParticles(const State<2>& state, const View<int*>& row)
 {
   const auto position = state.particles.real<2>(fields::position);
-  for (const Junction& j : all_)
+  for (Junction& j : all_)
   {
     const Vector<2> at = j.position;
     const double reach = j.radius / zone * (zone + sight);
-    Kokkos::parallel_for(
-        "rhegma::cracks::markAtJunctions", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-        KOKKOS_LAMBDA(const int p) {
+    j.blocks.find(state, {boxAround(at, reach)});
+    j.blocks.forEachParticle(
+        "rhegma::cracks::markAtJunctions", KOKKOS_LAMBDA(const int p) {
           const Vector<2> from{position(p, 0) - at[0], position(p, 1) - at[1]};
           if (dot(from, from) < reach * reach)
             row(p) = 0;

@@ -2,6 +2,7 @@
 /// Where a crack ends on the face of another.
 
 #include "cracks/Sides.hpp"
+#include "transfer/BlocksInReach.hpp"
 
 #include <vector>
 
@@ -68,7 +69,7 @@ public:
   void claimNodes(const State<2>& state, const Surroundings& surroundings);
 
   /// Marks the particles near junctions, whose stencils are to be edited.
-  void markParticles(const State<2>& state, const View<int*>& row) const;
+  void markParticles(const State<2>& state, const View<int*>& row);
 
   /// Hides nodes from points, before nodes are replaced by their enriched fields.
   void hideNodes(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table) const;
@@ -85,7 +86,8 @@ private:
     // In this step:
     Vector<2> position{};
     int endSimplex = 0, throughSimplex = 0;
-    double radius = 0.0; ///< [m]
+    double radius = 0.0;       ///< [m]
+    BlocksInReach<2> blocks{}; ///< around it
   };
   static void locate(const State<2>& state, Junction& junction);
 

@@ -1,7 +1,6 @@
 #include "energy_release/ConfigurationalForces.hpp"
 
 #include "energy_release/ParticleHeat.hpp"
-#include "energy_release/ParticleMotion.hpp"
 #include "material/Materials.hpp"
 #include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
@@ -51,34 +50,34 @@ void nearestRotation(double (&a)[D][D])
   }
 }
 
-MeanMotion meanMotion(const State<D>& state, const Region<D>& box)
+MeanMotion meanMotion(const State<D>& state, const Region<D>& box, const BlocksInReach<D>& blocks)
 {
   const auto position = state.particles.real<D>(fields::position);
   const auto velocity = state.particles.real<D>(fields::velocity);
   const auto F = state.particles.real<gradientSize<D>>(fields::deformation);
+  double sums[D * D + D + 1]; // of the gradient, of velocity, number
+  blocks.sumOverParticles(
+      "rhegma::meanMotionOfFront",
+      KOKKOS_LAMBDA(const int p, double(&sum)[D * D + D + 1]) {
+        if (!box.holds({position(p, 0), position(p, 1), position(p, 2)}))
+          return;
+        for (int k = 0; k < D * D; ++k)
+          sum[k] += F(p, k);
+        for (int i = 0; i < D; ++i)
+          sum[D * D + i] += velocity(p, i);
+        sum[D * D + D] += 1.0;
+      },
+      sums);
+  sumParts(state, sums, D * D + D + 1);
+  const double count = sums[D * D + D];
   MeanMotion mean;
+  if (count == 0.0)
+    return mean;
   for (int i = 0; i < D; ++i)
   {
-    double sums[D + 2] = {}; // of a row of the gradient, of the velocity's component, number
-    Kokkos::parallel_reduce(
-        "rhegma::meanMotionOfFront", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-        KOKKOS_LAMBDA(const int p, double& x, double& y, double& z, double& v, double& number) {
-          if (!box.holds({position(p, 0), position(p, 1), position(p, 2)}))
-            return;
-          x += F(p, D * i);
-          y += F(p, D * i + 1);
-          z += F(p, D * i + 2);
-          v += velocity(p, i);
-          number += 1.0;
-        },
-        sums[0], sums[1], sums[2], sums[3], sums[4]);
-    sumParts(state, sums, D + 2);
-    const double count = sums[D + 1];
-    if (count == 0.0)
-      return {};
-    mean.velocity[i] = sums[D] / count;
+    mean.velocity[i] = sums[D * D + i] / count;
     for (int j = 0; j < D; ++j)
-      mean.turn[i][j] = sums[j] / count;
+      mean.turn[i][j] = sums[D * i + j] / count;
   }
   nearestRotation(mean.turn);
   return mean;
@@ -88,12 +87,12 @@ MeanMotion meanMotion(const State<D>& state, const Region<D>& box)
 template <class Connect>
 struct ForceBlock
 {
+  static constexpr int width = 4;
   Connect connect;
   Region<D> box;
   MeanMotion mean;
-  View<double* [D]> force;
-  NodalVelocity<D> motion;
-  NodalAcceleration<D> acceleration;
+  ConfigurationalForces force;
+  FrontRows<D> rows; ///< of the nodes
   BorrowedView<double* [D]> position;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
@@ -106,18 +105,45 @@ struct ForceBlock
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
-    for (int p = begin; p < end; ++p)
-      if (box.holds({position(p, 0), position(p, 1), position(p, 2)}))
-        add(p);
+    for (int first = begin; first < end; first += lanes)
+    {
+      const int last = end - first < lanes ? end : first + lanes;
+      int in = 0;
+      for (int p = first; p < last; ++p)
+        in += isIn(p) ? 1 : 0;
+      if (in > 0)
+        connect.forEachParticle(first, last,
+                                [&](int p, const auto& stencil)
+                                {
+                                  if (isIn(p))
+                                    add(p, stencil);
+                                });
+    }
   }
 
-  KOKKOS_INLINE_FUNCTION void add(int p) const
+  KOKKOS_INLINE_FUNCTION bool isIn(int p) const
   {
-    ParticleMotion<D> is;
+    return box.holds({position(p, 0), position(p, 1), position(p, 2)});
+  }
+
+  template <class Stencil>
+  KOKKOS_INLINE_FUNCTION void add(int p, const Stencil& stencil) const
+  {
+    Vector<D> v{}, a{};
+    double dv[D][D] = {};
     if (moving)
-      is = particleMotion(connect, p, motion, acceleration, mean.velocity);
-    const Vector<D>&v = is.v, &a = is.a;
-    const auto& dv = is.dv;
+    {
+      Pack<8> change[D];
+      const Pack<8> motion =
+          stencil.template valueAndGradient<FrontRows<D>::width>(rows.data + FrontRows<D>::motionAt, change);
+      for (int i = 0; i < D; ++i)
+      {
+        v[i] = motion[i] - mean.velocity[i];
+        a[i] = motion[D + i];
+        for (int j = 0; j < D; ++j)
+          dv[i][j] = change[j][i];
+      }
+    }
     const double* F = &deformation(p, 0);
     const double* tau = &stress(p, 0);
     const double density = mass(p) / volume(p);
@@ -154,23 +180,25 @@ struct ForceBlock
       inertia[k] -= heat.energyAlong(p, material(p), law, F, tau, variables, along);
     }
     const double V = volume(p);
-    connect.visit(p,
-                  [&](int node, double fraction, const double* slope)
-                  {
-                    for (int k = 0; k < D; ++k)
-                      force(node, k) += V * (flux[k][0] * slope[0] + flux[k][1] * slope[1] +
-                                             flux[k][2] * slope[2] + inertia[k] * fraction);
-                  });
+    Pack<4> along[D];
+    for (int j = 0; j < D; ++j)
+      along[j] = pack(V * flux[0][j], V * flux[1][j], V * flux[2][j], 0.0);
+    stencil.template addFlux<width>(force.data(), along);
+    stencil.template addValue<width>(force.data(), pack(V * inertia[0], V * inertia[1], V * inertia[2], 0.0));
   }
 };
 
 } // namespace
 
-View<double* [3]> configurationalForces(const State<3>& state, const Region<3>& box,
-                                        const NodalAcceleration<3>& acceleration)
+ConfigurationalForces configurationalForces(const State<3>& state, const Region<3>& box,
+                                            const NodalAcceleration<3>& acceleration,
+                                            const FrontWork<3>& kept)
 {
-  View<double* [D]> force("rhegma::configurationalForce", state.mesh.nodes.sums.extent(0));
-  const MeanMotion mean = meanMotion(state, box);
+  const Region<3> nodes = nodesOf(state, box);
+  const ConfigurationalForces force = kept.rows.clearForces(state, nodes);
+  kept.blocks.find(state, {box});
+  const MeanMotion mean = meanMotion(state, box, kept.blocks);
+  const bool moving = haveNodalValues(state);
   withConnectivity(state,
                    [&](const auto& connect)
                    {
@@ -179,8 +207,7 @@ View<double* [3]> configurationalForces(const State<3>& state, const Region<3>& 
                                                box,
                                                mean,
                                                force,
-                                               NodalVelocity<D>(state),
-                                               acceleration,
+                                               kept.rows.fillMotion(state, nodes, moving, acceleration),
                                                state.particles.real<D>(fields::position),
                                                state.particles.scalar(fields::mass),
                                                state.particles.scalar(fields::volume),
@@ -190,10 +217,10 @@ View<double* [3]> configurationalForces(const State<3>& state, const Region<3>& 
                                                state.particles.integer(fields::material),
                                                state.materials.device,
                                                ParticleHeat<D>(state),
-                                               haveNodalValues(state)};
+                                               moving};
                      if (state.particles.has(fields::history))
                        block.history = state.particles.table(fields::history);
-                     forEachBlock("rhegma::configurationalForce", state.mesh.blocks, block);
+                     kept.blocks.forEach("rhegma::configurationalForce", block);
                    });
   return force;
 }

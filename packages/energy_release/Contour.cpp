@@ -12,9 +12,9 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Adds the particles' volume to the nodes, without regard to cracks.
-template <int D>
-void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, const View<double*>& volume)
+/// Adds the particles' volume to the nodes, without regard to cracks: calls add(node, volume).
+template <int D, class Add>
+void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, const Add& add)
 {
   const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
@@ -23,20 +23,52 @@ void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, co
   BorrowedView<double* [D]> box;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
+  BlocksInReach<D> blocks;
+  blocks.find(state, {boxAround(centre, radius)});
+  const View<int* [2]> range = blocks.ranges();
   // In a fixed order, so that the result does not depend on the number of threads.
   forEachPushing(
-      "rhegma::contourVolume", state.particles.size(), KOKKOS_LAMBDA(const int p) {
-        Vector<D> x, half;
-        for (int d = 0; d < D; ++d)
+      "rhegma::contourVolume", blocks.count(), KOKKOS_LAMBDA(const int b) {
+        for (int p = range(b, 0); p < range(b, 1); ++p)
         {
-          x[d] = position(p, d);
-          half[d] = boxes ? box(p, d) : 0.0;
+          Vector<D> x, half;
+          for (int d = 0; d < D; ++d)
+          {
+            x[d] = position(p, d);
+            half[d] = boxes ? box(p, d) : 0.0;
+          }
+          if (dot(x - centre, x - centre) < radius * radius)
+            sight.forEachNode(x, half,
+                              [&](int node, double weight, const double(&)[D])
+                              { add(node, weight * initial(p)); });
         }
-        if (dot(x - centre, x - centre) < radius * radius)
-          sight.forEachNode(x, half,
-                            [&](int node, double weight, const double(&)[D])
-                            { Kokkos::atomic_add(&volume(node), weight * initial(p)); });
       });
+}
+
+/// The volume of particles at the nodes of a box, of all ranks [m3].
+template <int D>
+View<double*> volumeOfNodes(const State<D>& state, const Vector<D>& centre, double radius,
+                            const BoxNodes<D>& box)
+{
+  const View<double*> volume("rhegma::volumeOfNodes", box.count());
+  if (!state.mesh.subdomain)
+  {
+    sumVolume(
+        state, centre, radius, KOKKOS_LAMBDA(const int node, const double more) {
+          if (const int k = box.find(node); k >= 0)
+            Kokkos::atomic_add(&volume(k), more);
+        });
+    return volume;
+  }
+  const View<double*> all("rhegma::volumeOfAllNodes", state.mesh.grid.numNodes + state.mesh.tree.numFine);
+  sumVolume(
+      state, centre, radius,
+      KOKKOS_LAMBDA(const int node, const double more) { Kokkos::atomic_add(&all(node), more); });
+  sumOverRanks(state, all);
+  Kokkos::parallel_for(
+      "rhegma::volumeOfNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()),
+      KOKKOS_LAMBDA(const int k) { volume(k) = all(box.node(k)); });
+  return volume;
 }
 
 /// The gap between the faces of a front's crack, which a contour may contain, unlike other surfaces.
@@ -89,37 +121,33 @@ constexpr double smallestOuterCells = 2.0;
 } // namespace
 
 template <int D>
-View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius)
+NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius)
 {
-  View<double*> cover("rhegma::coverOfNodes", state.mesh.grid.numNodes + state.mesh.tree.numFine);
-  sumVolume(state, centre, radius + 3.0 * state.mesh.grid.spacing, cover);
-  sumOverRanks(state, cover);
+  const BoxNodes<D> box(state, boxAround(centre, radius));
+  const View<double*> cover = volumeOfNodes(state, centre, radius + 3.0 * state.mesh.grid.spacing, box);
   double cell = D == 2 ? state.method.thickness : 1.0;
   for (int d = 0; d < D; ++d)
     cell *= state.mesh.grid.spacing;
   const bool refined = state.mesh.tree.refined();
   const View<double*> nodeFraction = state.mesh.tree.nodeVolume;
   Kokkos::parallel_for(
-      "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
-      KOKKOS_LAMBDA(const int n) { cover(n) /= cell * (refined ? nodeFraction(n) : 1.0); });
-  return cover;
+      "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()),
+      KOKKOS_LAMBDA(const int k) { cover(k) /= cell * (refined ? nodeFraction(box.node(k)) : 1.0); });
+  return {box, cover, state.mesh.nodes};
 }
 
 double largestContour(const State<2>& state, const CrackFront<2>& front, double radius)
 {
-  const NodePositions<2> positions = nodePositions(state);
-  const View<double*> cover = coverOfNodes(state, front.position, radius);
-  const Nodes<2> numbers = state.mesh.nodes;
+  const NodeCover<2> cover = coverOfNodes(state, front.position, radius);
   const Gap gap(state, front);
   const Vector<2> centre = front.position;
   double nearest = radius;
   Kokkos::parallel_reduce(
-      "rhegma::largestContour", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
-      KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (!isOpen(numbers, cover, n))
-          return;
-        const double r = norm(positions(n) - centre);
-        if (r < smallest && !gap.holds(positions(n)))
+      "rhegma::largestContour", Kokkos::RangePolicy<ExecSpace>(0, cover.box.count()),
+      KOKKOS_LAMBDA(const int k, double& smallest) {
+        const Vector<2> x = cover.box.position(k);
+        const double r = norm(x - centre);
+        if (r < smallest && cover.isOpen(k) && !gap.holds(x))
           smallest = r;
       },
       Kokkos::Min<double>(nearest));
@@ -145,7 +173,7 @@ double smallestOuter(const GivenRadii& given, double cell)
   return given.inner > 0.0 ? given.inner + cell : smallestOuterCells * cell;
 }
 
-template View<double*> coverOfNodes(const State<2>&, const Vector<2>&, double);
-template View<double*> coverOfNodes(const State<3>&, const Vector<3>&, double);
+template NodeCover<2> coverOfNodes(const State<2>&, const Vector<2>&, double);
+template NodeCover<3> coverOfNodes(const State<3>&, const Vector<3>&, double);
 
 } // namespace Rhegma::energy_release

@@ -2,6 +2,7 @@
 /// The disk around a front over which the domain integrals run.
 
 #include "state/State.hpp"
+#include "transfer/NearNodes.hpp"
 
 namespace Rhegma::energy_release
 {
@@ -40,18 +41,26 @@ struct NodalWeight
 /// surface has.
 constexpr double surrounded = 0.6;
 
-/// Whether a node is known not to be surrounded. At the boundary of its part of the lattice a rank does not
-/// know all cells around a node.
+/// Fraction of the cells of nodes that particles cover, of the nodes in a box.
 template <int D>
-KOKKOS_INLINE_FUNCTION bool isOpen(const Nodes<D>& nodes, const View<double*>& cover, int node)
+struct NodeCover
 {
-  return isOwnedByThisRank(nodes, node) && cover(node) <= surrounded;
-}
+  BoxNodes<D> box;
+  View<double*> fraction; ///< of each node of the box
+  Nodes<D> nodes;
 
-/// Fraction of each node's cells that particles cover, on the lattice and in refined cells, for nodes within
-/// `radius` [m] of a position. Collective.
+  /// Whether node k of the box is known not to be surrounded. At the boundary of its part of the lattice a
+  /// rank does not know all cells around a node.
+  KOKKOS_INLINE_FUNCTION bool isOpen(int k) const
+  {
+    return isOwnedByThisRank(nodes, box.node(k)) && fraction(k) <= surrounded;
+  }
+};
+
+/// The cover of the nodes within `radius` [m] of a position, on the lattice and in refined cells; that of
+/// others in the box around them may be too small. Collective.
 template <int D>
-View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius);
+NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius);
 
 /// Largest outer radius around a front in 2D up to which every node is surrounded by material, and clear of
 /// other fronts, at most `radius` [m]. Collective.

@@ -2,6 +2,7 @@
 /// The energy release rate and the stress intensities of a front by integrals over a disk around it.
 
 #include "energy_release/Contour.hpp"
+#include "energy_release/FrontRows.hpp"
 #include "energy_release/InternalAcceleration.hpp"
 
 #include <optional>
@@ -80,8 +81,15 @@ DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front
 std::optional<double> integrateRelease(const State<2>& state, const CrackFront<2>& front,
                                        const ContourRadii& radii, const NodalAcceleration<2>& acceleration);
 
-/// Radius round a front in which nodes must have their acceleration [m].
-double accelerationReach(const State<2>& state, const ContourRadii& radii);
+/// The same with what is reused.
+DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                               const NodalAcceleration<2>& acceleration, const FrontWork<2>& kept);
+std::optional<double> integrateRelease(const State<2>& state, const CrackFront<2>& front,
+                                       const ContourRadii& radii, const NodalAcceleration<2>& acceleration,
+                                       const FrontWork<2>& kept);
+
+/// The particles that give the nodes in the integrals of a front their acceleration.
+Disk accelerationRange(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii);
 
 /// The same with the acceleration by internal forces, which is found here.
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,

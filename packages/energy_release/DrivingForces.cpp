@@ -68,31 +68,44 @@ void fitTubes(const State<3>& state, const CrackFront<3>& front, double, FrontTu
   release = intensity = fittingTube(state, front, usualCells<3>());
 }
 
+/// The particles that accelerate the nodes in the integrals of a front.
+Disk rangeOf(const State<2>& state, const CrackFront<2>& front, const FrontTube& tube)
+{
+  return accelerationRange(state, front, tube.radii);
+}
+Region<3> rangeOf(const State<3>& state, const CrackFront<3>& front, const FrontTube& tube)
+{
+  return accelerationRange(state, lineOf(front), tube);
+}
+
 /// J at the nodes of a front [J/m2]; none where it can't be computed.
 std::vector<std::optional<double>> releaseAlong(const State<2>& state, const CrackFront<2>& front,
-                                                const FrontTube& tube, InternalAcceleration<2>& acceleration)
+                                                const FrontTube& tube, InternalAcceleration<2>& acceleration,
+                                                const FrontWork<2>& kept)
 {
-  return {
-      integrateRelease(state, front, tube.radii,
-                       acceleration.around(state, {front.position, accelerationReach(state, tube.radii)}))};
+  return {integrateRelease(state, front, tube.radii, acceleration.around(state, rangeOf(state, front, tube)),
+                           kept)};
 }
 
 std::vector<std::optional<double>> releaseAlong(const State<3>& state, const CrackFront<3>& front,
-                                                const FrontTube& tube, InternalAcceleration<3>& acceleration)
+                                                const FrontTube& tube, InternalAcceleration<3>& acceleration,
+                                                const FrontWork<3>& kept)
 {
-  return integrateAlongFront(state, front.crack, lineOf(front), tube, acceleration);
+  return integrateAlongFront(state, front.crack, lineOf(front), tube, acceleration, kept);
 }
 
 /// Stress intensities at the nodes of a front.
 std::vector<Intensities> intensitiesOf(const State<2>& state, const CrackFront<2>& front,
-                                       const FrontTube& tube, InternalAcceleration<2>& acceleration)
+                                       const FrontTube& tube, InternalAcceleration<2>& acceleration,
+                                       const FrontWork<2>& kept)
 {
-  const DomainIntegral integral = integrateDomain(state, front, tube.radii, acceleration);
+  const DomainIntegral integral = integrateDomain(
+      state, front, tube.radii, acceleration.around(state, rangeOf(state, front, tube)), kept);
   return {{integral.modeI, integral.modeII, 0.0}};
 }
 
 std::vector<Intensities> intensitiesOf(const State<3>& state, const CrackFront<3>& front,
-                                       const FrontTube& tube, InternalAcceleration<3>&)
+                                       const FrontTube& tube, InternalAcceleration<3>&, const FrontWork<3>&)
 {
   std::vector<double> J;
   for (const FrontNode<3>& node : front.nodes)
@@ -122,14 +135,25 @@ const typename DrivingForces<D>::Fitted& DrivingForces<D>::tubesOf(const State<D
 template <int D>
 void DrivingForces<D>::computeRelease(State<D>& state)
 {
-  acceleration_.renew();
+  std::vector<std::size_t> due;
+  std::vector<typename InternalAcceleration<D>::Range> ranges;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
-    CrackFront<D>& front = state.cracks.fronts[f];
-    if (front.ended || front.stopped() || front.numFacets == 0)
+    const CrackFront<D>& front = state.cracks.fronts[f];
+    if (!front.due || front.ended || front.stopped() || front.numFacets == 0)
       continue;
+    due.push_back(f);
+    ranges.push_back(rangeOf(state, front, tubesOf(state, f).release));
+  }
+  if (due.empty())
+    return;
+  acceleration_.renew();
+  acceleration_.around(state, ranges); // of all fronts at once
+  for (const std::size_t f : due)
+  {
+    CrackFront<D>& front = state.cracks.fronts[f];
     const std::vector<std::optional<double>> J =
-        releaseAlong(state, front, tubesOf(state, f).release, acceleration_);
+        releaseAlong(state, front, fitted_[f].release, acceleration_, FrontWork<D>{rows_, fitted_[f].blocks});
     for (std::size_t k = 0; k < J.size(); ++k)
     {
       DrivingForce& driving = front.nodes[k].driving;
@@ -142,14 +166,15 @@ void DrivingForces<D>::computeRelease(State<D>& state)
 template <int D>
 void DrivingForces<D>::computeIntensities(State<D>& state)
 {
-  acceleration_.renew();
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<D>& front = state.cracks.fronts[f];
     if (!front.advances() || front.numFacets == 0)
       continue;
+    const FrontTube tube = tubesOf(state, f).intensity;
+    // The accelerations are those of this step's driving forces.
     const std::vector<Intensities> K =
-        intensitiesOf(state, front, tubesOf(state, f).intensity, acceleration_);
+        intensitiesOf(state, front, tube, acceleration_, FrontWork<D>{rows_, fitted_[f].blocks});
     for (std::size_t k = 0; k < K.size(); ++k)
     {
       DrivingForce& driving = front.nodes[k].driving;
@@ -167,6 +192,11 @@ void DrivingForces<D>::serialize(Archive& archive)
 {
   int count = static_cast<int>(fitted_.size());
   archive("fronts", count);
+  if (archive.loads()) // what was found around the fronts was that of other particles
+  {
+    fitted_.clear();
+    acceleration_ = InternalAcceleration<D>();
+  }
   fitted_.resize(count);
   for (int k = 0; k < count; ++k)
   {
@@ -184,7 +214,8 @@ void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
 {
   effect.call(lastStage(scene), "driving forces of crack fronts",
               {quantity::particleStress, quantity::particleVelocity, quantity::crackGeometry,
-               quantity::enrichedFields, ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
+               quantity::enrichedFields, ifWritten(quantity::dueFronts), ifWritten(quantity::springForce),
+               ifWritten(quantity::facePressure)},
               {quantity::drivingForces}, {}, [driving](State<D>& state) { driving->computeRelease(state); });
   effect.call(lastStage(scene), "intensities at fronts that advance",
               {quantity::drivingForces, quantity::advancingFronts}, {quantity::stressIntensities}, {},

@@ -1,6 +1,7 @@
 #pragma once
 /// Driving forces of the nodes of crack fronts, in every step, for effects that let fronts grow.
 
+#include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontTube.hpp"
 #include "energy_release/InternalAcceleration.hpp"
 #include "plan/Effect.hpp"
@@ -33,10 +34,12 @@ private:
     std::vector<double> at; ///< positions of the nodes then, one after the other [m]
     double cell = 0.0;      ///< edge of the cells there [m]
     FrontTube release, intensity;
+    BlocksInReach<D> blocks{}; ///< around the front
   };
   const Fitted& tubesOf(const State<D>& state, std::size_t front);
 
   std::vector<Fitted> fitted_;
+  FrontRowTable<D> rows_; ///< of one front after the other
   InternalAcceleration<D> acceleration_;
 };
 

@@ -121,20 +121,41 @@ CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Optio
   }
 }
 
-/// Computes J and K at the front of a sample.
-void compute(const State<2>& state, FrontSample<2>& s, InternalAcceleration<2>& acceleration)
+/// What the samples of a run reuse.
+template <int D>
+struct SampleWork
 {
-  const DomainIntegral integral = integrateDomain(state, s.front, s.tube.radii, acceleration);
+  InternalAcceleration<D> acceleration;
+  FrontRowTable<D> rows;
+  std::vector<BlocksInReach<D>> blocks; ///< around each front
+};
+
+Disk rangeOf(const State<2>& state, const FrontSample<2>& s)
+{
+  return accelerationRange(state, s.front, s.tube.radii);
+}
+Region<3> rangeOf(const State<3>& state, const FrontSample<3>& s)
+{
+  return accelerationRange(state, lineOf(s.front), s.tube);
+}
+
+/// Computes J and K at the front of a sample.
+void compute(const State<2>& state, FrontSample<2>& s, InternalAcceleration<2>& acceleration,
+             const FrontWork<2>& kept)
+{
+  const DomainIntegral integral =
+      integrateDomain(state, s.front, s.tube.radii, acceleration.around(state, rangeOf(state, s)), kept);
   s.J = {integral.lost ? notYet : integral.J};
   s.modeI = {integral.lost ? notYet : integral.modeI};
   s.modeII = {integral.lost ? notYet : integral.modeII};
   s.tipOffset = integral.tipOffset;
 }
 
-void compute(const State<3>& state, FrontSample<3>& s, InternalAcceleration<3>& acceleration)
+void compute(const State<3>& state, FrontSample<3>& s, InternalAcceleration<3>& acceleration,
+             const FrontWork<3>& kept)
 {
   const std::vector<std::optional<double>> release =
-      integrateAlongFront(state, s.front.crack, lineOf(s.front), s.tube, acceleration);
+      integrateAlongFront(state, s.front.crack, lineOf(s.front), s.tube, acceleration, kept);
   for (std::size_t k = 0; k < release.size(); ++k)
     s.J[k] = release[k].value_or(notYet);
   const std::vector<Intensities> K = intensitiesAlong(state, s.front, s.tube.halfWidth, s.J);
@@ -153,31 +174,46 @@ bool isMeasured(const CrackFront<D>& front, const Options& options)
   return options.contour && !front.ended && front.numFacets > 0;
 }
 
+/// Computes what domain integrals give, of all fronts.
 template <int D>
-void sample(State<D>& state, const Options& options, Samples<D>& samples)
+void integrateAll(State<D>& state, const Options& options, Samples<D>& samples, SampleWork<D>& work)
+{
+  std::vector<typename InternalAcceleration<D>::Range> ranges;
+  for (FrontSample<D>& s : samples.last)
+  {
+    if (!isMeasured(s.front, options))
+      continue;
+    s.tube = fittingTube(state, s.front, options.radii);
+    warnOfTube(state, s.front, s.tube.radii, options, samples);
+    if constexpr (D == 2)
+      warnOfLoads(state, s.front, s.tube.radii, samples.loads);
+    ranges.push_back(rangeOf(state, s));
+  }
+  work.acceleration.renew();
+  work.acceleration.around(state, ranges);
+  work.blocks.resize(samples.last.size());
+  for (std::size_t f = 0; f < samples.last.size(); ++f)
+    if (isMeasured(samples.last[f].front, options))
+      compute(state, samples.last[f], work.acceleration, {work.rows, work.blocks[f]});
+}
+
+template <int D>
+void sample(State<D>& state, const Options& options, Samples<D>& samples, SampleWork<D>& work)
 {
   samples.last.clear();
   samples.time = state.clock.time;
-  InternalAcceleration<D> acceleration;
   for (const CrackFront<D>& front : state.cracks.fronts)
+    samples.last.emplace_back(front, front.ended ? 0.0 : notYet);
+  integrateAll(state, options, samples, work);
+  for (FrontSample<D>& s : samples.last)
   {
-    FrontSample<D> s(front, front.ended ? 0.0 : notYet);
-    if (isMeasured(front, options))
-    {
-      s.tube = fittingTube(state, front, options.radii);
-      warnOfTube(state, front, s.tube.radii, options, samples);
-      if constexpr (D == 2)
-        warnOfLoads(state, front, s.tube.radii, samples.loads);
-      compute(state, s, acceleration);
-    }
     if constexpr (D == 2)
     {
-      s.closed = wantsClosure(state, options, samples, front);
+      s.closed = wantsClosure(state, options, samples, s.front);
       if (s.closed)
-        s.closure = front.ended ? CrackClosure{0.0, 0.0} : tryToClose(state, front, options, samples);
+        s.closure = s.front.ended ? CrackClosure{0.0, 0.0} : tryToClose(state, s.front, options, samples);
     }
-    samples.last.push_back(s);
-    s.addTo(state.sample.row, columnName(state, front), options);
+    s.addTo(state.sample.row, columnName(state, s.front), options);
   }
   samples.largest.add(samples.last, samples.time);
 }
@@ -231,6 +267,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   if constexpr (D == 2)
     samples->loads = readLoads(scene);
   const auto driving = std::make_shared<DrivingForces<D>>();
+  const auto work = std::make_shared<SampleWork<D>>();
   Effect<D> effect;
   effect.name = "Energy Release";
   const auto strain = std::make_shared<StrainWatch>();
@@ -247,7 +284,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
               [=](State<D>& state)
               {
                 if (state.clock.observing)
-                  sample(state, options, *samples);
+                  sample(state, options, *samples, *work);
                 strain->sample(state.energy.strain);
               });
   if (run.growth)
@@ -255,6 +292,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   effect.memory = [=](State<D>&, Archive& archive)
   {
     serialize(*samples, archive);
+    if (archive.loads())
+      *work = SampleWork<D>(); // of other particles
     const Archive::Group group(archive, "driving forces");
     driving->serialize(archive);
   };

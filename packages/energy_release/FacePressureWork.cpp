@@ -112,7 +112,7 @@ PressedParts partsNear(const State<3>& state, const Crack<3>& crack, const Front
 } // namespace
 
 void addForceOfPressure(const State<3>& state, int crack, const FrontLine& line, const FrontTube& tube,
-                        const View<double* [3]>& force)
+                        const ConfigurationalForces& force)
 {
   if (!isPressed(state) || line.empty())
     return;

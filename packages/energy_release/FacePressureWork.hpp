@@ -1,6 +1,7 @@
 #pragma once
 /// The contribution of a pressure on the faces of a crack to J along its fronts in 3D.
 
+#include "energy_release/ConfigurationalForces.hpp"
 #include "energy_release/ForceOfPressure.hpp"
 #include "energy_release/FrontLine.hpp"
 #include "energy_release/FrontTube.hpp"
@@ -21,6 +22,6 @@ namespace Rhegma::energy_release
 ///
 /// \param force of each row of nodes [N]
 void addForceOfPressure(const State<3>& state, int crack, const FrontLine& line, const FrontTube& tube,
-                        const View<double* [3]>& force);
+                        const ConfigurationalForces& force);
 
 } // namespace Rhegma::energy_release

@@ -14,30 +14,30 @@ namespace
 constexpr int D = 2;
 
 /// Mean positions of the particles in a disk, now and before deformation.
-void addMeanPositions(const State<D>& state, const Vector<D>& centre, double reach, FrontDisk& disk)
+void addMeanPositions(const State<D>& state, const Disk& disk, const BlocksInReach<D>& blocks,
+                      FrontDisk& means)
 {
   const auto position = state.particles.real<D>(fields::position);
   const auto reference = state.particles.real<D>(fields::reference);
-  double sums[5] = {}; // of positions, of positions before deformation, number
-  Kokkos::parallel_reduce(
-      "rhegma::meanPosition", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& sumX, double& sumY, double& sumFromX, double& sumFromY,
-                    double& number) {
-        if (distance(position, p, centre) > reach)
+  double sums[5]; // of positions, of positions before deformation, number
+  blocks.sumOverParticles(
+      "rhegma::meanPosition",
+      KOKKOS_LAMBDA(const int p, double(&sum)[5]) {
+        if (!disk.holds({position(p, 0), position(p, 1)}))
           return;
-        sumX += position(p, 0);
-        sumY += position(p, 1);
-        sumFromX += reference(p, 0);
-        sumFromY += reference(p, 1);
-        number += 1.0;
+        sum[0] += position(p, 0);
+        sum[1] += position(p, 1);
+        sum[2] += reference(p, 0);
+        sum[3] += reference(p, 1);
+        sum[4] += 1.0;
       },
-      sums[0], sums[1], sums[2], sums[3], sums[4]);
+      sums);
   sumParts(state, sums, 5);
   const double count = sums[4];
   if (count == 0.0)
     return;
-  disk.position = {{sums[0] / count, sums[1] / count}};
-  disk.reference = {{sums[2] / count, sums[3] / count}};
+  means.position = {{sums[0] / count, sums[1] / count}};
+  means.reference = {{sums[2] / count, sums[3] / count}};
 }
 
 } // namespace
@@ -68,45 +68,45 @@ Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
   return law;
 }
 
-FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii)
+FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                       const BlocksInReach<2>& blocks)
 {
   const auto position = state.particles.real<D>(fields::position);
   const auto velocity = state.particles.real<D>(fields::velocity);
   const auto F = state.particles.real<gradientSize<D>>(fields::deformation);
-  const Vector<D> centre = front.position;
-  const double reach = radii.outer;
-  double sums[5] = {}; // of the gradient's trace and skew part, of velocity, number
-  Kokkos::parallel_reduce(
-      "rhegma::meanMotion", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& trace, double& skew, double& x, double& y, double& number) {
-        if (distance(position, p, centre) > reach)
+  const Disk disk{front.position, radii.outer};
+  double sums[5]; // of the gradient's trace and skew part, of velocity, number
+  blocks.sumOverParticles(
+      "rhegma::meanMotion",
+      KOKKOS_LAMBDA(const int p, double(&sum)[5]) {
+        if (!disk.holds({position(p, 0), position(p, 1)}))
           return;
-        trace += F(p, 0) + F(p, 3);
-        skew += F(p, 2) - F(p, 1);
-        x += velocity(p, 0);
-        y += velocity(p, 1);
-        number += 1.0;
+        sum[0] += F(p, 0) + F(p, 3);
+        sum[1] += F(p, 2) - F(p, 1);
+        sum[2] += velocity(p, 0);
+        sum[3] += velocity(p, 1);
+        sum[4] += 1.0;
       },
-      sums[0], sums[1], sums[2], sums[3], sums[4]);
+      sums);
   sumParts(state, sums, 5);
-  FrontDisk disk;
+  FrontDisk means;
   const double along = sums[0], across = sums[1], count = sums[4];
-  disk.empty = !(count > 0.0);
-  if (!disk.empty)
+  means.empty = !(count > 0.0);
+  if (!means.empty)
   {
     const double size = std::sqrt(along * along + across * across);
-    disk.cosine = along / size;
-    disk.sine = across / size;
-    disk.velocity = {{sums[2] / count, sums[3] / count}};
+    means.cosine = along / size;
+    means.sine = across / size;
+    means.velocity = {{sums[2] / count, sums[3] / count}};
   }
-  addMeanPositions(state, centre, reach, disk);
+  addMeanPositions(state, disk, blocks, means);
   const Elasticity e = elasticity(lawAtFront(state, front));
-  disk.moduli.shear = e.shear;
-  disk.moduli.kolosov =
+  means.moduli.shear = e.shear;
+  means.moduli.kolosov =
       state.method.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
-  disk.effectiveModulus = e.effectiveModulus;
-  disk.traceFactor = state.method.plane == Plane::Stress ? 1.0 : 1.0 + e.poisson;
-  return disk;
+  means.effectiveModulus = e.effectiveModulus;
+  means.traceFactor = state.method.plane == Plane::Stress ? 1.0 : 1.0 + e.poisson;
+  return means;
 }
 
 } // namespace Rhegma::energy_release

@@ -1,8 +1,10 @@
 #pragma once
 /// The particles in a disk round a front in 2D, taken together.
 
+#include "energy_release/Contour.hpp"
 #include "energy_release/CrackTipFields.hpp"
-#include "energy_release/DomainIntegral.hpp"
+#include "energy_release/FrontRegion.hpp"
+#include "transfer/BlocksInReach.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::energy_release
@@ -21,16 +23,10 @@ struct FrontDisk
   double traceFactor;      ///< trace of Williams' stress over that of its part in the plane
 };
 
-KOKKOS_INLINE_FUNCTION double distance(const BorrowedView<double* [2]>& position, int p,
-                                       const Vector<2>& from)
-{
-  const double x = position(p, 0) - from[0], y = position(p, 1) - from[1];
-  return std::sqrt(x * x + y * y);
-}
-
 /// Means over the particles within the outer radius, and the material at the front, at its temperature.
-/// Collective.
-FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii);
+/// \param blocks with these particles Collective.
+FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                       const BlocksInReach<2>& blocks);
 
 /// The material at a front, with its moduli at the front's temperature.
 Properties lawAtFront(const State<2>& state, const CrackFront<2>& front);

@@ -5,6 +5,7 @@
 #include "geometry/Cross.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/NearNodes.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>
@@ -31,68 +32,59 @@ struct TubeNode
 struct TubeNodes
 {
   std::vector<TubeNode> nodes;
-  View<int*> number; ///< of each row of the lattice and of refined cells, in `nodes`, or -1
+  BoxNodes<D> box;
+  std::vector<int> number; ///< of each node of the box, in `nodes`, or -1
 };
 
+/// What is found at a node of the box: whether it is in the tube, the part of TubeNode.
+constexpr int tubeWidth = 8;
+
 TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const ContourRadii& radii,
-                    const Region<D>& box, const View<double* [D]>& force)
+                    const Region<D>& region, const ConfigurationalForces& force)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePositions<D> positions = nodePositions(state);
-  const int candidates = static_cast<int>(nodes.active.extent(0));
-  TubeNodes found;
-  found.number = View<int*>("rhegma::tubeNode", nodes.numLattice);
-  Kokkos::deep_copy(found.number, -1);
-  const View<int*> number = found.number;
-  const auto isNear = KOKKOS_LAMBDA(const int n, FrontFoot& foot)
-  {
-    const Vector<D> x = positions(n);
-    if (!box.holds(x))
-      return false;
-    foot = sight.locate(x);
-    return foot.distance < radii.outer;
-  };
-  int count = 0;
-  Kokkos::parallel_scan(
-      "rhegma::tubeNodes", Kokkos::RangePolicy<ExecSpace>(0, candidates),
-      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
-        FrontFoot foot;
-        if (!isNear(nodes.active(i), foot))
+  TubeNodes found{{}, BoxNodes<D>(state, region), {}};
+  const BoxNodes<D> box = found.box;
+  const View<double* [tubeWidth]> values("rhegma::tubeNodes", box.count());
+  Kokkos::parallel_for(
+      "rhegma::tubeNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()), KOKKOS_LAMBDA(const int k) {
+        const Vector<D> x = box.position(k);
+        if (!region.holds(x))
           return;
-        if (final)
-          number(nodes.active(i)) = at;
-        ++at;
-      },
-      count);
-  const View<double* [7]> values("rhegma::tubeNodes", count);
-  const int rows = candidates + nodes.numEnriched;
-  // Both fields of a node, one after the other.
-  for (const bool second : {false, true})
-    Kokkos::parallel_for(
-        "rhegma::tubeForces",
-        Kokkos::RangePolicy<ExecSpace>(second ? candidates : 0, second ? rows : candidates),
-        KOKKOS_LAMBDA(const int i) {
-          const int row = activeNode(nodes, i), k = number(latticeNode(nodes, row));
-          if (k < 0)
-            return;
-          const FrontFoot foot = sight.locate(positions(latticeNode(nodes, row)));
-          const double ramp = (radii.outer - foot.distance) / (radii.outer - radii.inner);
-          values(k, 0) = ramp > 1.0 ? 1.0 : ramp;
-          values(k, 1) = foot.arc;
-          for (int d = 0; d < D; ++d)
-          {
-            values(k, 2) += foot.direction[d] * force(row, d);
-            values(k, 3 + d) = foot.direction[d];
-          }
-          values(k, 6) = foot.line;
-        });
+        const FrontFoot foot = sight.locate(x);
+        if (!(foot.distance < radii.outer))
+          return;
+        const double ramp = (radii.outer - foot.distance) / (radii.outer - radii.inner);
+        values(k, 0) = ramp > 1.0 ? 1.0 : ramp;
+        values(k, 1) = foot.arc;
+        for (int d = 0; d < D; ++d)
+        {
+          values(k, 2) += foot.direction[d] * force(box.node(k), d);
+          values(k, 3 + d) = foot.direction[d];
+        }
+        values(k, 6) = foot.line;
+        values(k, 7) = 1.0;
+      });
+  Kokkos::parallel_for(
+      "rhegma::tubeForces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched), KOKKOS_LAMBDA(const int i) {
+        const int k = box.find(nodes.parent(i));
+        if (k < 0 || values(k, 7) == 0.0)
+          return;
+        for (int d = 0; d < D; ++d)
+          values(k, 2) += values(k, 3 + d) * force(nodes.numLattice + i, d);
+      });
   const auto host = onHost(values);
-  for (int k = 0; k < count; ++k)
-    found.nodes.push_back({host(k, 0),
-                           static_cast<int>(host(k, 6)),
-                           host(k, 1),
-                           host(k, 2),
-                           {host(k, 3), host(k, 4), host(k, 5)}});
+  found.number.assign(box.count(), -1);
+  for (int k = 0; k < box.count(); ++k)
+    if (host(k, 7) > 0.0)
+    {
+      found.number[k] = static_cast<int>(found.nodes.size());
+      found.nodes.push_back({host(k, 0),
+                             static_cast<int>(host(k, 6)),
+                             host(k, 1),
+                             host(k, 2),
+                             {host(k, 3), host(k, 4), host(k, 5)}});
+    }
   return found;
 }
 
@@ -143,11 +135,10 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
   const auto count = onHost(table.count);
   const auto node = onHost(table.node);
   const auto weight = onHost(table.weight);
-  const auto number = onHost(tubeNodes.number);
   for (int k = 0; k < points.count; ++k)
     for (int i = 0; i < count(k); ++i)
     {
-      const int own = number(node(k, i));
+      const int at = tubeNodes.box.find(node(k, i)), own = at < 0 ? -1 : tubeNodes.number[at];
       if (own < 0)
         continue;
       const TubeNode& n = tubeNodes.nodes[own];
@@ -169,7 +160,7 @@ constexpr double leastWidth = 0.01;
 
 /// J at every front node, of the nodes' configurational forces [N].
 std::vector<std::optional<double>> integrate(const State<D>& state, const FrontLine& line,
-                                             const FrontTube& tube, const View<double* [D]>& force)
+                                             const FrontTube& tube, const ConfigurationalForces& force)
 {
   const std::size_t frontNodes = line.nodes.size();
   const FrontSight sight(line, reachOf(state, tube));
@@ -191,27 +182,44 @@ std::vector<std::optional<double>> integrate(const State<D>& state, const FrontL
 
 } // namespace
 
+Region<3> accelerationRange(const State<3>& state, const FrontLine& line, const FrontTube& tube)
+{
+  // Nodes that particles in the tube touch are touched by others.
+  return regionAround(line, reachOf(state, tube) + 4.0 * state.mesh.grid.spacing);
+}
+
 std::vector<std::optional<double>> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
                                                              const FrontTube& tube,
                                                              const NodalAcceleration<3>& acceleration)
 {
   if (line.empty())
     return std::vector<std::optional<double>>(line.nodes.size());
-  return integrate(state, line, tube,
-                   configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration));
+  FrontRowTable<3> rows;
+  BlocksInReach<3> blocks;
+  return integrate(
+      state, line, tube,
+      configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration, {rows, blocks}));
 }
 
 std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, int crack,
                                                        const FrontLine& line, const FrontTube& tube,
                                                        InternalAcceleration<3>& acceleration)
 {
+  FrontRowTable<3> rows;
+  BlocksInReach<3> blocks;
+  return integrateAlongFront(state, crack, line, tube, acceleration, {rows, blocks});
+}
+
+std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, int crack,
+                                                       const FrontLine& line, const FrontTube& tube,
+                                                       InternalAcceleration<3>& acceleration,
+                                                       const FrontWork<3>& kept)
+{
   if (line.empty())
     return std::vector<std::optional<double>>(line.nodes.size());
-  // Nodes that particles in the tube touch are touched by others.
-  const double reach = reachOf(state, tube);
-  const View<double* [D]> force = configurationalForces(
-      state, regionAround(line, reach),
-      acceleration.around(state, regionAround(line, reach + 4.0 * state.mesh.grid.spacing)));
+  const ConfigurationalForces force =
+      configurationalForces(state, regionAround(line, reachOf(state, tube)),
+                            acceleration.around(state, accelerationRange(state, line, tube)), kept);
   addForceOfPressure(state, crack, line, tube, force);
   return integrate(state, line, tube, force);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// The energy release rate along a front in 3D by domain integrals.
 
+#include "energy_release/FrontRows.hpp"
 #include "energy_release/FrontTube.hpp"
 #include "energy_release/InternalAcceleration.hpp"
 
@@ -34,9 +35,18 @@ std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, in
                                                        const FrontLine& line, const FrontTube& tube,
                                                        InternalAcceleration<3>& acceleration);
 
+/// The same with what is reused.
+std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, int crack,
+                                                       const FrontLine& line, const FrontTube& tube,
+                                                       InternalAcceleration<3>& acceleration,
+                                                       const FrontWork<3>& kept);
+
 /// The same with a given acceleration of nodes.
 std::vector<std::optional<double>> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
                                                              const FrontTube& tube,
                                                              const NodalAcceleration<3>& acceleration);
+
+/// The particles that give the nodes in the integrals of a front their acceleration.
+Region<3> accelerationRange(const State<3>& state, const FrontLine& line, const FrontTube& tube);
 
 } // namespace Rhegma::energy_release

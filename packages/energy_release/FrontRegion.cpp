@@ -22,4 +22,23 @@ Region<3> regionAround(const FrontLine& line, double room)
   return box;
 }
 
+template <int D>
+double reachOfStencils(const State<D>& state)
+{
+  // Ghosts of a crack, and boxes of coarse cells in fine ones, reach further than the nodes of equal cells.
+  constexpr double equal = 2.0, other = 4.0;
+  return state.cracks.dualField && !state.mesh.tree.refined() ? equal : other;
+}
+
+template <int D>
+Region<D> nodesOf(const State<D>& state, const Region<D>& box)
+{
+  return box.widened(reachOfStencils(state) * state.mesh.grid.spacing);
+}
+
+template double reachOfStencils(const State<2>&);
+template double reachOfStencils(const State<3>&);
+template Region<2> nodesOf(const State<2>&, const Region<2>&);
+template Region<3> nodesOf(const State<3>&, const Region<3>&);
+
 } // namespace Rhegma::energy_release

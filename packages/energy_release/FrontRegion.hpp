@@ -2,6 +2,7 @@
 /// The part of a body around a front from which particles are taken.
 
 #include "energy_release/FrontLine.hpp"
+#include "transfer/BlocksInReach.hpp"
 
 namespace Rhegma::energy_release
 {
@@ -18,22 +19,18 @@ struct Disk
   }
 };
 
-/// A box with its faces along the axes.
 template <int D>
-struct Region
-{
-  Vector<D> lower, upper;
-
-  KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
-  {
-    bool in = true;
-    for (int d = 0; d < D; ++d)
-      in = in && x[d] >= lower[d] && x[d] <= upper[d];
-    return in;
-  }
-};
+using Region = AxisBox<D>;
 
 /// The box around all nodes of a front with this much room on all sides [m].
 Region<3> regionAround(const FrontLine& line, double room);
+
+/// Cells along each axis from a particle to the furthest of its nodes.
+template <int D>
+double reachOfStencils(const State<D>& state);
+
+/// The box of the nodes that particles in a box touch.
+template <int D>
+Region<D> nodesOf(const State<D>& state, const Region<D>& box);
 
 } // namespace Rhegma::energy_release

@@ -34,9 +34,7 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   double extent = 0.0;
   for (const FrontNode<3>& s : line.nodes)
     extent = std::max(extent, norm(s.position - middle));
-  const View<double*> cover = coverOfNodes(state, middle, extent + radius);
-  const NodePositions<3> positions = nodePositions(state);
-  const Nodes<3> numbers = state.mesh.nodes;
+  const NodeCover<3> cover = coverOfNodes(state, middle, extent + radius);
   const FrontSight sight(line, radius);
   const double cell = state.mesh.grid.spacing;
   double most = 1e300;
@@ -44,11 +42,12 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
     most = length > 0.0 ? std::min(most, atAnEnd * length) : most;
   double nearest = radius;
   Kokkos::parallel_reduce(
-      "rhegma::clearOfSurfaces", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
-      KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (!isOpen(numbers, cover, n) || norm(positions(n) - middle) > extent + radius)
+      "rhegma::clearOfSurfaces", Kokkos::RangePolicy<ExecSpace>(0, cover.box.count()),
+      KOKKOS_LAMBDA(const int k, double& smallest) {
+        const Vector<3> x = cover.box.position(k);
+        if (!cover.isOpen(k) || norm(x - middle) > extent + radius)
           return;
-        const FrontFoot foot = sight.locate(positions(n));
+        const FrontFoot foot = sight.locate(x);
         const double end = std::fmin(cell + leans * foot.distance, std::fmax(cell, most));
         if (foot.inside >= end && foot.distance < smallest)
           smallest = foot.distance;

@@ -27,6 +27,10 @@ struct FrontTube
 /// 3D. With 1 and 3 cells J of verification/thick_plate.xml is 2.5 % low.
 template <int D>
 GivenRadii usualCells();
+template <>
+GivenRadii usualCells<2>();
+template <>
+GivenRadii usualCells<3>();
 
 /// Largest outer radius that stays inside the body and clear of other fronts, of other cracks and of parts of
 /// its own crack that come back to the front (ClearOfCracks.hpp), at most `radius` [m]. In 3D it is no more

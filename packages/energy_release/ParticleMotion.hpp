@@ -1,5 +1,5 @@
 #pragma once
-/// The motion of a particle, interpolated from nodes, in the integrals around a front.
+/// The motion of nodes in the integrals around a front.
 
 #include "state/State.hpp"
 
@@ -33,40 +33,22 @@ struct NodalVelocity
   }
 };
 
-/// Velocity [m/s] relative to that of the disk, acceleration [m/s2] and slopes of the velocity [1/s],
-/// dv[i][j] = v_i,j.
+/// With USL, the velocity and acceleration of a node that boxes reach by round-off only are arbitrary: a node
+/// with less mass than this [kg] is left out, which changes a sum by less than 1e-10 of what neighbours
+/// contribute. 0 with other schemes.
 template <int D>
-struct ParticleMotion
+double lightestNode(const State<D>& state)
 {
-  Vector<D> v{}, a{};
-  double dv[D][D] = {};
-};
-
-/// With USL, the contribution of a node that a box reaches by round-off only would be arbitrary. Such nodes
-/// are left out, which changes a slope by less than 1e-10 of the contribution of neighbours.
-constexpr double leastFraction = 1e-20;
-
-/// \param mean velocity of the disk, subtracted
-template <int D, class Connect, class Acceleration>
-KOKKOS_INLINE_FUNCTION ParticleMotion<D>
-particleMotion(const Connect& connect, int p, const NodalVelocity<D>& velocity,
-               const Acceleration& acceleration, const Vector<D>& mean)
-{
-  ParticleMotion<D> is;
-  connect.visit(p,
-                [&](int node, double weight, const double* slope)
-                {
-                  if (weight < leastFraction)
-                    return;
-                  for (int i = 0; i < D; ++i)
-                  {
-                    is.v[i] += weight * (velocity(node, i) - mean[i]);
-                    is.a[i] += weight * acceleration(node, i);
-                    for (int j = 0; j < D; ++j)
-                      is.dv[i][j] += slope[j] * velocity(node, i);
-                  }
-                });
-  return is;
+  constexpr double leastFraction = 1e-20; // of a full cell
+  if (state.method.scheme != UpdateScheme::Usl)
+    return 0.0;
+  double mass = D == 2 ? state.method.thickness : 1.0;
+  for (int d = 0; d < D; ++d)
+    mass *= state.mesh.grid.spacing;
+  double density = 0.0;
+  for (const Properties& material : state.materials.properties)
+    density = material.density > density ? material.density : density;
+  return leastFraction * density * mass;
 }
 
 } // namespace Rhegma::energy_release

@@ -3,6 +3,7 @@
 #include "energy_release/CrackSide.hpp"
 #include "energy_release/WholeNodes.hpp"
 #include "state/Subdomain.hpp"
+#include "transfer/BlocksInReach.hpp"
 #include "transfer/TreeStencil.hpp"
 
 #include <algorithm>
@@ -17,25 +18,38 @@ namespace
 /// Numbers of one particle that the host needs: position, displacement, mass, volume, four stresses.
 constexpr int rowWidth = 10;
 
+/// The particles within a radius of a position, in their order.
 View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double radius)
 {
-  const int n = state.particles.size();
   const auto position = state.particles.real<2>(fields::position);
-  const View<int*> all("rhegma::patchParticles", n);
+  BlocksInReach<2> blocks;
+  blocks.find(state, {boxAround(centre, radius)});
+  const View<int* [2]> range = blocks.ranges();
+  const auto isIn = KOKKOS_LAMBDA(const int p)
+  {
+    const double x = position(p, 0) - centre[0], y = position(p, 1) - centre[1];
+    return x * x + y * y <= radius * radius;
+  };
+  const View<int*> first("rhegma::patchParticlesOfBlocks", blocks.count() + 1);
   int count = 0;
   Kokkos::parallel_scan(
-      "rhegma::listPatchParticles", Kokkos::RangePolicy<ExecSpace>(0, n),
-      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
-        const double x = position(p, 0) - centre[0], y = position(p, 1) - centre[1];
-        if (x * x + y * y > radius * radius)
-          return;
+      "rhegma::countPatchParticles", Kokkos::RangePolicy<ExecSpace>(0, blocks.count()),
+      KOKKOS_LAMBDA(const int b, int& at, const bool final) {
         if (final)
-          all(at) = p;
-        ++at;
+          first(b) = at;
+        for (int p = range(b, 0); p < range(b, 1); ++p)
+          at += isIn(p) ? 1 : 0;
       },
       count);
-  View<int*> list("rhegma::patchList", count);
-  Kokkos::deep_copy(list, Kokkos::subview(all, std::make_pair(0, count)));
+  const View<int*> list("rhegma::patchList", count);
+  Kokkos::parallel_for(
+      "rhegma::listPatchParticles", Kokkos::RangePolicy<ExecSpace>(0, blocks.count()),
+      KOKKOS_LAMBDA(const int b) {
+        int at = first(b);
+        for (int p = range(b, 0); p < range(b, 1); ++p)
+          if (isIn(p))
+            list(at++) = p;
+      });
   return list;
 }
 

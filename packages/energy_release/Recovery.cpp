@@ -1,8 +1,6 @@
 #include "energy_release/Recovery.hpp"
 
-#include <Teuchos_SerialDenseMatrix.hpp>
-#include <Teuchos_SerialSpdDenseSolver.hpp>
-#include <Teuchos_SerialSymDenseMatrix.hpp>
+#include "energy_release/SkylineMatrix.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,11 +22,11 @@ struct Normal
 {
   std::vector<std::pair<int, int>> nodes; ///< and their sides (0 where a node is not split), in order
   std::vector<std::array<int, ParticleAroundTip::capacity>>
-      at;                                              ///< positions of each particle's nodes among them
-  Teuchos::SerialSymDenseMatrix<int, double> coupling; ///< sum of theta m N N^T, lower triangle
-  std::vector<double> own;                             ///< sum of (1 - theta) m N
-  std::vector<double> lumped;                          ///< row sums of both
-  Teuchos::SerialDenseMatrix<int, double> right;
+      at;                     ///< positions of each particle's nodes among them
+  SkylineMatrix coupling;     ///< sum of theta m N N^T
+  std::vector<double> own;    ///< sum of (1 - theta) m N
+  std::vector<double> lumped; ///< row sums of both
+  std::vector<SkylineMatrix::Pair> right;
 
   Normal(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split);
   int size() const { return static_cast<int>(nodes.size()); }
@@ -40,7 +38,7 @@ Normal::Normal(const std::vector<ParticleAroundTip>& particles, const SplitNodes
 {
   listNodes(particles, split);
   lumped.assign(size(), 0.0);
-  right.shape(size(), 2);
+  right.assign(size(), {0.0, 0.0});
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const ParticleAroundTip& p = particles[i];
@@ -48,7 +46,7 @@ Normal::Normal(const std::vector<ParticleAroundTip>& particles, const SplitNodes
     {
       lumped[at[i][k]] += p.mass * p.weight[k];
       for (int d = 0; d < 2; ++d)
-        right(at[i][k], d) += p.mass * p.weight[k] * p.displacement[d];
+        right[at[i][k]][d] += p.mass * p.weight[k] * p.displacement[d];
     }
   }
 }
@@ -105,7 +103,18 @@ double consistentFraction(double fromFront, const RecoveryMatrix& choice)
 void Normal::couple(const std::vector<ParticleAroundTip>& particles, const RecoveryMatrix& choice,
                     double fullCell)
 {
-  coupling.shape(size());
+  std::vector<int> first(size());
+  for (int k = 0; k < size(); ++k)
+    first[k] = k;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    int lowest = size();
+    for (int k = 0; k < particles[i].count; ++k)
+      lowest = std::min(lowest, at[i][k]);
+    for (int k = 0; k < particles[i].count; ++k)
+      first[at[i][k]] = std::min(first[at[i][k]], lowest);
+  }
+  coupling = SkylineMatrix(first);
   own.assign(size(), 0.0);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
@@ -125,38 +134,38 @@ void Normal::couple(const std::vector<ParticleAroundTip>& particles, const Recov
 }
 
 /// M_eps u = right, factored.
-void solve(Normal& normal, double eps, Teuchos::SerialDenseMatrix<int, double>& solution)
+std::vector<SkylineMatrix::Pair> solve(Normal& normal, double eps)
 {
-  normal.coupling *= 1.0 - eps;
+  normal.coupling.scale(1.0 - eps);
   for (int i = 0; i < normal.size(); ++i)
     normal.coupling(i, i) += (1.0 - eps) * normal.own[i] + eps * normal.lumped[i];
-  Teuchos::SerialSpdDenseSolver<int, double> solver;
-  solver.setMatrix(Teuchos::rcpFromRef(normal.coupling));
-  solver.setVectors(Teuchos::rcpFromRef(solution), Teuchos::rcpFromRef(normal.right));
-  solver.factorWithEquilibration(true);
-  if (solver.factor() != 0 || solver.solve() != 0)
+  if (!normal.coupling.factor())
     throw std::runtime_error("the displacement of the nodes around a crack front can't be recovered: their "
                              "mass matrix is not positive definite");
+  std::vector<SkylineMatrix::Pair> solution = normal.right;
+  normal.coupling.solve(solution);
+  return solution;
 }
 
 /// The sum of (1 - L^-1 M)^k L^-1 right over k below `terms`, L the row sums.
-void sumSeries(const Normal& normal, int terms, Teuchos::SerialDenseMatrix<int, double>& solution)
+std::vector<SkylineMatrix::Pair> sumSeries(const Normal& normal, int terms)
 {
-  const int n = normal.size();
-  Teuchos::SerialDenseMatrix<int, double> term(n, 2), image(n, 2);
-  for (int i = 0; i < n; ++i)
+  std::vector<SkylineMatrix::Pair> term = normal.right;
+  for (int i = 0; i < normal.size(); ++i)
     for (int d = 0; d < 2; ++d)
-      solution(i, d) = term(i, d) = normal.right(i, d) / normal.lumped[i];
+      term[i][d] /= normal.lumped[i];
+  std::vector<SkylineMatrix::Pair> solution = term;
   for (int k = 1; k < terms; ++k)
   {
-    image.multiply(Teuchos::LEFT_SIDE, 1.0, normal.coupling, term, 0.0);
-    for (int i = 0; i < n; ++i)
+    const std::vector<SkylineMatrix::Pair> image = normal.coupling.times(term);
+    for (int i = 0; i < normal.size(); ++i)
       for (int d = 0; d < 2; ++d)
       {
-        term(i, d) -= (image(i, d) + normal.own[i] * term(i, d)) / normal.lumped[i];
-        solution(i, d) += term(i, d);
+        term[i][d] -= (image[i][d] + normal.own[i] * term[i][d]) / normal.lumped[i];
+        solution[i][d] += term[i][d];
       }
   }
+  return solution;
 }
 
 } // namespace
@@ -168,16 +177,14 @@ NodeDisplacement recoverDisplacement(const std::vector<ParticleAroundTip>& parti
   NodeDisplacement result;
   if (normal.size() == 0)
     return result;
-  Teuchos::SerialDenseMatrix<int, double> solution(normal.size(), 2);
   const bool rowSums = choice.lumpedFraction >= 1.0;
   if (!rowSums)
     normal.couple(particles, choice, fullCell);
-  if (rowSums || choice.terms > 0)
-    sumSeries(normal, rowSums ? 1 : choice.terms, solution);
-  else
-    solve(normal, choice.lumpedFraction, solution);
+  const std::vector<SkylineMatrix::Pair> solution = rowSums || choice.terms > 0
+                                                        ? sumSeries(normal, rowSums ? 1 : choice.terms)
+                                                        : solve(normal, choice.lumpedFraction);
   for (int i = 0; i < normal.size(); ++i)
-    result.emplace_hint(result.end(), normal.nodes[i], Vector<2>{{solution(i, 0), solution(i, 1)}});
+    result.emplace_hint(result.end(), normal.nodes[i], Vector<2>{{solution[i][0], solution[i][1]}});
   return result;
 }
 

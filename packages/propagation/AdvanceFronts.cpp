@@ -35,16 +35,26 @@ bool mayAdvance(const AdvanceRule& rule, double now, double release, FrontNodeSt
 {
   if (node.history.running())
   {
-    FrontHistory advanced = node.history;
-    if (advanced.advance(rule, now, release, node.increment, node.speedLimit).increments > 0)
+    if (node.history.wouldAdvance(rule, now, release, node.increment, node.speedLimit))
       return true;
-    node.history = std::move(advanced);
+    node.history.advance(rule, now, release, node.increment, node.speedLimit); // none, but it may be arrested
     return false;
   }
   if (release >= rule.initiation && now >= rule.startTime)
     return true;
   node.history.recordAtRest(rule, now, release);
   return false;
+}
+
+/// Finds what a front node needs to know of its position before its next advance.
+template <int D>
+void prepareNode(const State<D>& state, const Options& options, const FrontNode<D>& node, FrontNodeState& own)
+{
+  if (own.speedLimit == 0.0)
+    own.speedLimit = speedLimitAt(state, node.position, options);
+  // Cells may be refined around a front at rest.
+  if (own.increment == 0.0 || !own.history.running())
+    own.increment = incrementFraction<D>(options) * options.cells * spacingAt(state, node.position);
 }
 
 /// What helps a front node without a contour.
@@ -199,6 +209,34 @@ void recordPath(const CrackFront<D>& front, const FrontNodeAdvance<D>& advance, 
 } // namespace
 
 template <int D>
+void markDue(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts)
+{
+  constexpr double beforeStart = 2.0; // intervals: as many samples are known when fronts may advance
+  const double now = state.clock.time + state.clock.dt;
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    CrackFront<D>& front = state.cracks.fronts[f];
+    front.due = options.equilibrium || !(options.samplingCells > 0.0);
+    if (front.ended || front.due)
+      continue;
+    fronts[f].matchNodes(front);
+    const double interval = options.samplingCells * spacingAt(state, front.position) / options.waveSpeed;
+    if (now < options.rule.startTime - beforeStart * interval - state.clock.dt)
+      continue;
+    front.due = std::any_of(front.nodes.begin(), front.nodes.end(),
+                            [&](const FrontNode<D>& node)
+                            {
+                              FrontNodeState& own = fronts[f].nodes.at(node.name);
+                              if (node.stopped)
+                                return false;
+                              prepareNode(state, options, node, own);
+                              return own.history.isDue(ruleAt(node.temperature, options), now, state.clock.dt,
+                                                       interval, own.increment, own.speedLimit);
+                            });
+  }
+}
+
+template <int D>
 void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts)
 {
   const double now = state.clock.time + state.clock.dt;
@@ -213,18 +251,19 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       node.advances = false;
       if (node.stopped)
         continue;
+      if (!front.due)
+      {
+        node.speed = fronts[f].nodes.at(node.name).history.speed(now);
+        continue;
+      }
       FrontNodeState& own = fronts[f].nodes.at(node.name);
       if (node.driving.lost)
       {
         stopLost(state, options, now, front, node, own.history);
         continue;
       }
-      if (own.speedLimit == 0.0)
-        own.speedLimit = speedLimitAt(state, node.position, options);
+      prepareNode(state, options, node, own);
       fronts[f].speedLimit = std::max(fronts[f].speedLimit, own.speedLimit);
-      // Cells may be refined around a front at rest.
-      if (own.increment == 0.0 || !own.history.running())
-        own.increment = incrementFraction<D>(options) * options.cells * spacingAt(state, node.position);
       const AdvanceRule rule = ruleAt(node.temperature, options);
       if (!std::isfinite(node.driving.release))
       {
@@ -305,6 +344,8 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
   }
 }
 
+template void markDue(State<2>&, const Options&, std::vector<FrontState<2>>&);
+template void markDue(State<3>&, const Options&, std::vector<FrontState<3>>&);
 template void selectAdvancing(State<2>&, const Options&, std::vector<FrontState<2>>&);
 template void selectAdvancing(State<3>&, const Options&, std::vector<FrontState<3>>&);
 template void measureDrive(State<2>&, const Options&, const std::vector<FrontState<2>>&);

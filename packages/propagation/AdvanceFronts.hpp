@@ -9,11 +9,17 @@
 namespace Rhegma::propagation
 {
 
+/// Marks the fronts whose driving forces are needed at the end of the step (CrackFront::due): those that may
+/// advance, and those whose last are older than Options::samplingCells allows. A wave takes many steps across
+/// the domain of a J integral. In equilibrium, all.
+template <int D>
+void markDue(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts);
+
 /// Marks the front nodes that may advance after the step that ends (FrontNode::advances): those whose J
-/// reaches the toughness Gc(v, T). Whether J opens the crack follows from their stress intensities, which are
-/// computed next. Sets the speeds of all nodes, and State::failure where a toughness is not positive. Stops
-/// nodes whose J can't be computed (DrivingForce::lost). In equilibrium all nodes are marked that can
-/// advance.
+/// reaches the toughness Gc(v, T), of fronts that are due. Whether J opens the crack follows from their
+/// stress intensities, which are computed next. Sets the speeds of all nodes, and State::failure where a
+/// toughness is not positive. Stops nodes whose J can't be computed (DrivingForce::lost). In equilibrium all
+/// nodes are marked that can advance.
 template <int D>
 void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts);
 

@@ -13,6 +13,9 @@ namespace
 /// A front that is slower than this fraction of the speed limit may arrest.
 constexpr double almostStopped = 0.02;
 
+/// Fraction of a prediction of G by which it may be too low. Fronts that are sampled late advance late.
+constexpr double safety = 0.05;
+
 /// Upper bound of the increments in a step.
 constexpr int mostIncrements = 16;
 
@@ -83,6 +86,36 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
   return made;
 }
 
+bool FrontHistory::wouldAdvance(const AdvanceRule& rule, double time, double release, double increment,
+                                double fastest) const
+{
+  if (time < rule.startTime)
+    return false;
+  if (!running_)
+    return release >= rule.initiation;
+  const double from = std::max(timeBefore_, last_ + increment / fastest);
+  if (from > time)
+    return false;
+  const double part = time > timeBefore_ ? (time - from) / (time - timeBefore_) : 0.0;
+  const auto exceeds = [&](double at, double releaseThen)
+  { return !(releaseThen < rule.toughness(increment / (at - last_), rule.temperature)); };
+  return exceeds(from, release + part * (releaseBefore_ - release)) || exceeds(time, release);
+}
+
+bool FrontHistory::isDue(const AdvanceRule& rule, double time, double dt, double interval, double increment,
+                         double fastest) const
+{
+  constexpr double rounding = 1e-9;
+  const bool first = timeBefore_ == 0.0;
+  if (first || !(interval > 0.0))
+    return true;
+  if (running_ && time + dt < (1.0 - rounding) * (last_ + increment / fastest))
+    return false;
+  return time - timeBefore_ >= (1.0 - rounding) * interval ||
+         wouldAdvance(rule, time, (1.0 + safety) * (releaseBefore_ + rate_ * (time - timeBefore_)), increment,
+                      fastest);
+}
+
 void FrontHistory::advanceInEquilibrium(double time, double release, double increment)
 {
   recordRelease(time, release);
@@ -104,6 +137,8 @@ void FrontHistory::recordAtRest(const AdvanceRule& rule, double time, double rel
 
 void FrontHistory::recordRelease(double time, double release)
 {
+  if (time > timeBefore_)
+    rate_ = (release - releaseBefore_) / (time - timeBefore_);
   impulse_ += 0.5 * (time - timeBefore_) * (release + releaseBefore_);
   timeBefore_ = time;
   releaseBefore_ = release;
@@ -111,7 +146,8 @@ void FrontHistory::recordRelease(double time, double release)
 
 void FrontHistory::recordIncrement(double time, double increment)
 {
-  // Increments lie within the step that has just ended.
+  rate_ = 0.0; // G is now that of another position
+  // Increments lie after the sample before.
   times_.push_back(time);
   lengths_.push_back(increment);
   impulses_.push_back(impulse_ - (timeBefore_ - time) * releaseBefore_);
@@ -190,6 +226,7 @@ void FrontHistory::serialize(Archive& archive)
   archive("increment", increment_);
   archive("time_before", timeBefore_);
   archive("release_before", releaseBefore_);
+  archive("rate", rate_);
   archive("arrest_release", arrestRelease_);
   archive("arrest_toughness", arrestToughness_);
   archive("impulse", impulse_);

@@ -55,10 +55,22 @@ public:
   /// \param release energy release rate now [J/m2] \param increment da [m] \param fastest speed [m/s]
   Advance advance(const AdvanceRule& rule, double time, double release, double increment, double fastest);
 
+  /// Whether advance() would make an increment: nothing is recorded.
+  bool wouldAdvance(const AdvanceRule& rule, double time, double release, double increment,
+                    double fastest) const;
+
+  /// Whether the energy release rate must be known at the end of a step. It need not where the last increment
+  /// is so recent that none can follow in this step nor in the next; else if the last sample is older than
+  /// `interval` [s], or if the front would advance by the straight line through the last two samples, which
+  /// may be too low by 5 %.
+  /// \param dt length of the step [s] \param increment, fastest as for advance()
+  bool isDue(const AdvanceRule& rule, double time, double dt, double interval, double increment,
+             double fastest) const;
+
   /// Records an advance in equilibrium, which has no speed. \param release energy release rate there [J/m2]
   void advanceInEquilibrium(double time, double release, double increment);
 
-  /// Records a step in which a front at rest does not initiate.
+  /// Records a sample in which a front at rest does not initiate.
   void recordAtRest(const AdvanceRule& rule, double time, double release);
 
   /// Present speed: that of the last increment, or less when the next one is overdue [m/s].
@@ -96,10 +108,11 @@ private:
 
   bool running_ = false;
   double closest_ = 0.0;
-  double last_ = 0.0;                                  ///< time of the last increment [s]
-  double lastSpeed_ = 0.0;                             ///< of the last increment [m/s]
-  double increment_ = 0.0;                             ///< its length [m]
-  double timeBefore_ = 0.0, releaseBefore_ = 0.0;      ///< at the end of the step before
+  double last_ = 0.0;                             ///< time of the last increment [s]
+  double lastSpeed_ = 0.0;                        ///< of the last increment [m/s]
+  double increment_ = 0.0;                        ///< its length [m]
+  double timeBefore_ = 0.0, releaseBefore_ = 0.0; ///< of the last sample [s, J/m2]
+  double rate_ = 0.0; ///< between the last two samples; 0 if the front has advanced since [J/m2/s]
   double arrestRelease_ = 0.0, arrestToughness_ = 0.0; ///< of the last arrest [J/m2]
   double impulse_ = 0.0;                               ///< energy release rate over time, all of it [J s/m2]
   std::vector<double> times_, lengths_, impulses_;     ///< of each increment; impulses_ up to it

@@ -129,6 +129,12 @@ Section propagationSection()
       .positive()
       .optional("Rayleigh wave speed")
       .meaning("Upper limit of the front speed.");
+  s.real("Sampling Interval")
+      .range(0.0, 4.0)
+      .byDefault(0.5)
+      .meaning("Cells at the front that a Rayleigh wave travels between two evaluations of G of a "
+               "front, in a dynamic analysis. A front whose G would reach the toughness by extrapolation is "
+               "evaluated in each step. 0: every step.");
   s.choice("On Stop", {"Stop", "Continue"})
       .byDefault("Stop")
       .mayChange()
@@ -225,6 +231,8 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
                   list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
                   run.initialTemperature.value_or(0.0),
                   {},
+                  list.isParameter("Sampling Interval") ? list.get<double>("Sampling Interval") : 0.0,
+                  0.0,
                   isEquilibrium(scene),
                   !list.isParameter("On Stop") || list.get<std::string>("On Stop") == "Stop"};
   options.contours = run.contours;
@@ -236,6 +244,15 @@ double speedLimitAt(const State<D>& state, const Vector<D>& position, const Opti
 {
   return options.speedLimit > 0.0 ? options.speedLimit
                                   : rayleighSpeed(state.materials.properties[materialAt(state, position)]);
+}
+
+template <int D>
+double fastestRayleighWave(const State<D>& state)
+{
+  double fastest = 0.0;
+  for (const Properties& material : state.materials.properties)
+    fastest = std::max(fastest, rayleighSpeed(material));
+  return fastest;
 }
 
 AdvanceRule ruleAt(double temperature, const Options& options)
@@ -262,9 +279,7 @@ std::string failureOfWeak(double temperature)
 template <int D>
 void refuseWeak(const State<D>& state, const Options& options)
 {
-  double fastest = options.speedLimit;
-  for (const Properties& material : state.materials.properties)
-    fastest = std::max(fastest, rayleighSpeed(material));
+  const double fastest = std::max(options.speedLimit, fastestRayleighWave(state));
   try
   {
     options.rule.toughness.refuseWeak(fastest, options.temperature);
@@ -293,6 +308,8 @@ double openingRelease(const DrivingForce& driving, const Elasticity& e)
 
 template double speedLimitAt(const State<2>&, const Vector<2>&, const Options&);
 template double speedLimitAt(const State<3>&, const Vector<3>&, const Options&);
+template double fastestRayleighWave(const State<2>&);
+template double fastestRayleighWave(const State<3>&);
 template void refuseWeak(const State<2>&, const Options&);
 template void refuseWeak(const State<3>&, const Options&);
 

@@ -20,8 +20,10 @@ struct Options
   double speedLimit;  ///< [m/s]; 0: that of Rayleigh waves
   double temperature; ///< at the start [K]
   DrivingContours contours;
-  bool equilibrium = false; ///< fronts advance in equilibrium instead of in time
-  bool endsAtStops = true;  ///< the run ends where a front node stops for a numerical reason
+  double samplingCells = 0.0; ///< cells that a Rayleigh wave travels between two evaluations of G
+  double waveSpeed = 0.0;     ///< of the fastest Rayleigh wave of all materials, set at the start [m/s]
+  bool equilibrium = false;   ///< fronts advance in equilibrium instead of in time
+  bool endsAtStops = true;    ///< the run ends where a front node stops for a numerical reason
 };
 
 Section propagationSection();
@@ -36,6 +38,10 @@ void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run);
 /// Speed that no front exceeds at a position [m/s].
 template <int D>
 double speedLimitAt(const State<D>& state, const Vector<D>& position, const Options& options);
+
+/// Speed of the fastest Rayleigh wave of all materials [m/s].
+template <int D>
+double fastestRayleighWave(const State<D>& state);
 
 /// The rule at a front, whose toughness depends on its temperature [K].
 AdvanceRule ruleAt(double temperature, const Options& options);

@@ -31,6 +31,7 @@ void start(State<D>& state, Run<D>& run)
   state.cracks.driven = true;
   state.cracks.drivingContours = run.options.contours;
   refuseWeak(state, run.options);
+  run.options.waveSpeed = fastestRayleighWave(state);
   run.fronts.resize(state.cracks.fronts.size());
   for (std::size_t f = 0; f < run.fronts.size(); ++f)
     run.fronts[f].matchNodes(state.cracks.fronts[f]);
@@ -81,6 +82,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.atStart = [run](State<D>& state) { start(state, *run); };
   effect.judge = [run, options, all = Teuchos::ParameterList(scene)](State<D>& state)
   { judgeToughness(all, options, run->options, state); };
+  effect.call(lastStage(scene), "fronts that are due", {}, {quantity::dueFronts}, {},
+              [run](State<D>& state) { markDue(state, run->options, run->fronts); });
   effect.call(lastStage(scene), "fronts that advance",
               {quantity::drivingForces, ifWritten(quantity::frontTemperature)}, {quantity::advancingFronts},
               {}, [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); });

@@ -70,6 +70,7 @@ inline constexpr Quantity springStiffness("front spring stiffness"); ///< last c
 inline constexpr Quantity springForce("front spring force");         ///< first columns of CrackSet::spring
 inline constexpr Quantity springStretch("front spring stretch");     ///< of the springs' memory
 inline constexpr Quantity fractureEnergy("fracture energy");         ///< of fronts: required and pending
+inline constexpr Quantity dueFronts("due fronts");                   ///< of fronts: due
 inline constexpr Quantity drivingForces("driving forces");           ///< of fronts: DrivingForce
 inline constexpr Quantity
     stressIntensities("stress intensities");                   ///< of fronts that advance, in DrivingForce

@@ -89,6 +89,7 @@ struct CrackFront
 
   bool grown = false;           ///< it has advanced since the start
   bool ended = false;           ///< it has met the surface of its body or another crack and has no facet
+  bool due = true;              ///< its driving forces are computed in this step
   ReleaseBudget budget{D == 3}; ///< energy of its new faces
   FrontExtension extension;     ///< how far it has advanced since the start
   FrontEvent<D> stop;           ///< the first stop of a node for a numerical reason
@@ -221,10 +222,10 @@ struct CrackSet
   /// on its enriched field [N], and stiffness [N/m]. Holds for nodes with both; empty without springs.
   View<double * [D + 1]> spring;
   std::vector<FrontAdvance<D>> advances; ///< that fronts are to make before the next step
-  bool driven = false;                   ///< whether driving forces of fronts are computed in every step
-  DrivingContours drivingContours;       ///< of the integrals that measure driving forces
-  bool dualField = true;                 ///< whether nodes behind fronts have an enriched field
-  bool frontSprings = false;             ///< springs between the two fields of nodes just behind fronts
+  bool driven = false;             ///< whether driving forces of fronts are computed in the steps of a run
+  DrivingContours drivingContours; ///< of the integrals that measure driving forces
+  bool dualField = true;           ///< whether nodes behind fronts have an enriched field
+  bool frontSprings = false;       ///< springs between the two fields of nodes just behind fronts
 
   EquilibriumGrowth growth; ///< in steps of equilibrium
 

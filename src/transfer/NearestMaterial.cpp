@@ -1,29 +1,56 @@
 #include "transfer/NearestMaterial.hpp"
 
 #include "state/Subdomain.hpp"
+#include "transfer/BlocksInReach.hpp"
 
 namespace Rhegma
 {
 
-template <int D>
-int materialAt(const State<D>& state, const Vector<D>& x)
+namespace
 {
-  using Reducer = Kokkos::MinLoc<double, int>;
+
+using Reducer = Kokkos::MinLoc<double, int>;
+using Nearest = typename Reducer::value_type;
+
+/// The particle of this rank that is nearest to x, of those in the blocks around it.
+template <int D>
+Nearest nearestParticle(const State<D>& state, const Vector<D>& x, double reach)
+{
   const auto position = state.particles.template real<D>(fields::position);
-  typename Reducer::value_type nearest;
+  BlocksInReach<D> blocks;
+  blocks.find(state, {boxAround(x, reach)});
+  const View<int* [2]> range = blocks.ranges();
+  Nearest nearest;
   Kokkos::parallel_reduce(
-      "rhegma::nearestParticle", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, typename Reducer::value_type& best) {
-        double square = 0.0;
-        for (int d = 0; d < D; ++d)
-          square += (position(p, d) - x[d]) * (position(p, d) - x[d]);
-        if (square < best.val)
+      "rhegma::nearestParticle", Kokkos::RangePolicy<ExecSpace>(0, blocks.count()),
+      KOKKOS_LAMBDA(const int b, Nearest& best) {
+        for (int p = range(b, 0); p < range(b, 1); ++p)
         {
-          best.val = square;
-          best.loc = p;
+          double square = 0.0;
+          for (int d = 0; d < D; ++d)
+            square += (position(p, d) - x[d]) * (position(p, d) - x[d]);
+          if (square < best.val)
+          {
+            best.val = square;
+            best.loc = p;
+          }
         }
       },
       Reducer(nearest));
+  return nearest;
+}
+
+} // namespace
+
+template <int D>
+int materialAt(const State<D>& state, const Vector<D>& x)
+{
+  if (state.materials.properties.size() == 1)
+    return 0;
+  double reach = 2.0 * state.mesh.grid.spacing;
+  Nearest nearest = nearestParticle(state, x, reach);
+  if (!(nearest.val <= reach * reach)) // others may be nearer
+    nearest = nearestParticle(state, x, 1e300);
   double closeness = -nearest.val; // least where this rank has no particle
   maxParts(state, &closeness, 1);
   int own = 0;

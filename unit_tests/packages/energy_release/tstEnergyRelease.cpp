@@ -336,6 +336,7 @@ TEST(EnergyRelease, ReportsTheKinkCounterClockwise)
   for (const double handed : {1.0, -1.0})
   {
     State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+    state.clock.step = 0; // nodes do not move: in the cells the exact field is not in equilibrium
     CrackFront<2> front = addFront(state, {{0.0, 0.0}}, 0.4);
     const DisplacementField field = tipDisplacement(state, front, 2.0, 2.0);
     state.cracks.fronts[0].normal = handed * front.normal;

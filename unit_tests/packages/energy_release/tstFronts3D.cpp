@@ -270,7 +270,7 @@ TEST(Fronts3D, FindTheReleaseByAPressure)
   Kokkos::deep_copy(state.cracks.pressure, pressure);
   for (const ContourRadii& radii : {ContourRadii{2e-3, 4e-3}, ContourRadii{1.5e-3, 4.5e-3}})
   {
-    const View<double* [3]> force("force", state.mesh.nodes.sums.extent(0));
+    const ConfigurationalForces force("force", state.mesh.nodes.sums.extent(0));
     addForceOfPressure(state, front.crack, lineOf(front), {radii, 2e-3}, force);
     double release = 0.0;
     for (int n = 0; n < state.mesh.grid.numNodes; ++n)

@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <random>
+#include <string>
 
 using namespace Rhegma;
 using namespace Rhegma::propagation;
@@ -125,6 +128,85 @@ TEST(FrontHistory, AdvancesSeveralTimesInALargeStep)
   const Advance made = history.advance(rule, 1.2e-5, 180.0, 1e-3, 900.0);
   EXPECT_EQ(made.increments, 4); // at 400 m/s one takes 2.5 us
   EXPECT_NEAR(made.toughness, 180.0, 1e-6);
+}
+
+/// Whether a front would advance is what advance() does, and asking changes nothing.
+TEST(FrontHistory, KnowsWhetherItWouldAdvance)
+{
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> release(60.0, 260.0), step(2e-7, 2e-6);
+  const AdvanceRule rule{Toughness::parse("100*(1 + v/500)"), 120.0, 90.0, 2e-5};
+  FrontHistory history;
+  double time = 0.0;
+  for (int k = 0; k < 2000; ++k)
+  {
+    time += step(engine);
+    const double G = release(engine);
+    const bool would = history.wouldAdvance(rule, time, G, 1e-3, 900.0);
+    EXPECT_EQ(history.wouldAdvance(rule, time, G, 1e-3, 900.0), would);
+    EXPECT_EQ(history.advance(rule, time, G, 1e-3, 900.0).increments > 0, would) << k;
+  }
+  EXPECT_GT(history.increments(), 100);
+}
+
+namespace
+{
+
+/// Lets a front run until `end` under a release that changes in time, which is known only when it is due.
+/// \param samples out: how often
+FrontHistory runSampled(const std::function<double(double)>& release, const AdvanceRule& rule,
+                        double interval, double end, int& samples)
+{
+  const double dt = 2e-7, increment = 1e-3, fastest = 900.0;
+  FrontHistory history;
+  samples = 0;
+  for (int k = 1; k * dt <= end; ++k)
+  {
+    if (!history.isDue(rule, k * dt, dt, interval, increment, fastest))
+      continue;
+    history.advance(rule, k * dt, release(k * dt), increment, fastest);
+    ++samples;
+  }
+  return history;
+}
+
+} // namespace
+
+/// Where the release is a straight line in time, interpolated and extrapolated crossings are exact, so that a
+/// front that is sampled when it is due advances when one does that is sampled in every step.
+TEST(FrontHistory, AdvancesAsOftenSampledWhereTheReleaseIsALine)
+{
+  const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
+  const auto line = [](double t) { return 60.0 + 4e6 * t; };
+  int every = 0, due = 0;
+  const FrontHistory often = runSampled(line, rule, 0.0, 4e-5, every);
+  const FrontHistory seldom = runSampled(line, rule, 1e-6, 4e-5, due);
+  ASSERT_EQ(often.increments(), seldom.increments());
+  EXPECT_GT(often.increments(), 8);
+  EXPECT_NEAR(often.firstTime(), 1e-5, 1e-11);
+  EXPECT_NEAR(seldom.firstTime(), often.firstTime(), 1e-11);
+  EXPECT_NEAR(seldom.lastTime(), often.lastTime(), 1e-11);
+  EXPECT_EQ(every, 200);
+  EXPECT_LT(due, 100);
+}
+
+/// Of a wave whose period is eight intervals or more, the straight line misses at most (pi / 8)^2 / 2 of its
+/// amplitude A, 8 %: the front initiates no later than by the time in which G changes by that, and an
+/// interval.
+TEST(FrontHistory, InitiatesInTimeWhereTheReleaseIsAWave)
+{
+  const double interval = 1e-6, period = 8.0 * interval, amplitude = 50.0;
+  const AdvanceRule rule = ruleOf("100", 100.0);
+  for (const double phase : {0.0, 0.7, 1.4, 2.1, 2.8})
+  {
+    int samples = 0;
+    const auto wave = [&](double t) { return 80.0 + amplitude * std::sin(2.0 * pi * t / period + phase); };
+    const double often = runSampled(wave, rule, 0.0, 4.0 * period, samples).firstTime();
+    const double seldom = runSampled(wave, rule, interval, 4.0 * period, samples).firstTime();
+    EXPECT_NEAR(seldom, often, interval) << phase;
+  }
 }
 
 /// Pure sliding: the kink of largest energy release is at 75.6 degrees (Hussain, Pu and Underwood 1974

@@ -1,0 +1,242 @@
+#pragma once
+/// The integrands of the domain integrals around a front in 2D.
+
+#include "energy_release/FrontDisk.hpp"
+#include "energy_release/FrontRows.hpp"
+#include "energy_release/ParticleHeat.hpp"
+#include "material/Materials.hpp"
+#include "transfer/ParticleViews.hpp"
+
+namespace Rhegma::energy_release
+{
+
+namespace domainIntegrand
+{
+
+constexpr int D = 2;
+
+/// Angle of a position around the front in the front's frame; the side of a particle decides on which face it
+/// is.
+KOKKOS_INLINE_FUNCTION double tipAngle(double along, double across, int side)
+{
+  const double halfTurn = 4.0 * std::atan(1.0);
+  const double theta = std::atan2(across, along);
+  if (side > 0 && theta < -0.75 * halfTurn)
+    return theta + 2.0 * halfTurn;
+  if (side < 0 && theta > 0.75 * halfTurn)
+    return theta - 2.0 * halfTurn;
+  return theta;
+}
+
+/// Williams' fields of the two modes at a particle.
+struct Pair
+{
+  double interaction[2] = {0.0, 0.0};
+  double reciprocal[2] = {0.0, 0.0};
+};
+
+/// Sums the integrands of particles: J, both interaction integrals, both reciprocal integrals.
+template <ShapeKind S, bool Stored>
+struct Integrand
+{
+  static constexpr int numSums = 5;
+  Connectivity<D, S, Stored> broken;
+  FrontRows<D> rows; ///< of the nodes
+  Vector<D> centre;
+  double reach; ///< of particles from the centre that count [m]
+  BorrowedView<double*[D]> position, reference;
+  BorrowedView<double*> mass, volume;
+  BorrowedView<double * [gradientSize<D>]> deformation;
+  BorrowedView<double * [symmetricSize<D>]> stress;
+  BorrowedView<double**> history;
+  BorrowedView<int*> material, side;
+  View<Properties*> materials;
+  ParticleHeat<D> heat;
+  FrontDisk disk;
+  Vector<D> tip; ///< of Williams' field
+  Vector<D> direction, normal;
+  int positive, negative; ///< names of the crack's sides
+  bool sides, moving;
+  bool bent;        ///< the weight is a vector along the crack
+  bool intensities; ///< false: only J is wanted
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end, double (&sums)[numSums]) const
+  {
+    for (int first = begin; first < end; first += lanes)
+    {
+      const int last = end - first < lanes ? end : first + lanes;
+      int near = 0;
+      for (int p = first; p < last; ++p)
+        near += isNear(p) ? 1 : 0;
+      if (near > 0)
+        broken.forEachParticle(first, last,
+                               [&](int p, const auto& stencil)
+                               {
+                                 if (isNear(p))
+                                   add(p, stencil, sums);
+                               });
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION bool isNear(int p) const
+  {
+    const double x = position(p, 0) - centre[0], y = position(p, 1) - centre[1];
+    return x * x + y * y <= reach * reach;
+  }
+
+  template <class Stencil>
+  KOKKOS_INLINE_FUNCTION void add(int p, const Stencil& stencil, double (&sums)[numSums]) const
+  {
+    // Interpolated like the motion, a weighted shift of the body is a motion that the cells can represent:
+    // stresses in equilibrium do no work on it, for any rotation of the body next to the crack
+    // (docs/broken_cells.md).
+    Pack<4> slope[D];
+    const Pack<4> weight =
+        stencil.template valueAndGradient<FrontRows<D>::width>(rows.data + FrontRows<D>::weightAt, slope);
+    const double q = weight[0];
+    const Vector<D> dq{{slope[0][0], slope[1][0]}};
+    if (q == 0.0 && dq[0] == 0.0 && dq[1] == 0.0)
+      return;
+    Vector<D> v{}, a{};
+    double dv[D][D] = {};
+    if (moving)
+    {
+      Pack<4> change[D];
+      const Pack<4> motion =
+          stencil.template valueAndGradient<FrontRows<D>::width>(rows.data + FrontRows<D>::motionAt, change);
+      for (int i = 0; i < D; ++i)
+      {
+        v[i] = motion[i] - disk.velocity[i];
+        a[i] = motion[D + i];
+        for (int j = 0; j < D; ++j)
+          dv[i][j] = change[j][i];
+      }
+    }
+
+    const double* F = &deformation(p, 0);
+    // The direction in the undeformed disk, its image, and u,1 relative to the turned disk.
+    const Vector<D> material1{{disk.cosine * direction[0] + disk.sine * direction[1],
+                               -disk.sine * direction[0] + disk.cosine * direction[1]}};
+    const Vector<D> image{
+        {F[0] * material1[0] + F[1] * material1[1], F[2] * material1[0] + F[3] * material1[1]}};
+    const Vector<D> du = image - direction;
+    const Vector<D> dv1{
+        {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
+    // P_iJ q,J in undeformed space is tau_ij q,j in 3D.
+    const double* tau = &stress(p, 0);
+    const Vector<D> flux{{tau[0] * dq[0] + tau[2] * dq[1], tau[2] * dq[0] + tau[1] * dq[1]}};
+    const double density = mass(p) / volume(p);
+    const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
+    const Properties& law = materials(material(p));
+    const double energy = heat.energy(p, material(p), law, F, variables) + 0.5 * density * dot(v, v);
+    if (!bent)
+      sums[0] += volume(p) * (dot(flux, du) - energy * dot(dq, image) +
+                              (density * (dot(a, du) - dot(v, dv1)) -
+                               heat.energyAlong(p, material(p), law, F, tau, variables, image)) *
+                                  q);
+    else
+      sums[0] += volume(p) * alongPath(p, weight, slope, energy, density, v, a, dv);
+    if (!intensities)
+      return;
+    const Pair sum = interaction(p, q, dq, flux, du, density, a, image);
+    for (int mode = 0; mode < 2; ++mode)
+    {
+      sums[1 + mode] += sum.interaction[mode];
+      sums[3 + mode] += sum.reciprocal[mode];
+    }
+  }
+
+  /// The same with a weight that is a vector along the crack: the sum over both axes of the integrand in the
+  /// direction of the axis with the weight's component.
+  KOKKOS_INLINE_FUNCTION double alongPath(int p, const Pack<4>& weight, const Pack<4> (&weightSlope)[D],
+                                          double energy, double density, const Vector<D>& v,
+                                          const Vector<D>& a, const double (&dv)[D][D]) const
+  {
+    const double* F = &deformation(p, 0);
+    const double* tau = &stress(p, 0);
+    double sum = 0.0;
+    for (int k = 0; k < D; ++k)
+    {
+      // The axis in the undeformed disk, its image, and u,k relative to the turned disk.
+      const Vector<D> axis{{k == 0 ? 1.0 : 0.0, k == 0 ? 0.0 : 1.0}};
+      const Vector<D> before{
+          {disk.cosine * axis[0] + disk.sine * axis[1], -disk.sine * axis[0] + disk.cosine * axis[1]}};
+      const Vector<D> image{{F[0] * before[0] + F[1] * before[1], F[2] * before[0] + F[3] * before[1]}};
+      const Vector<D> du = image - axis;
+      const Vector<D> dvk{
+          {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
+      const Vector<D> slope{{weightSlope[0][1 + k], weightSlope[1][1 + k]}};
+      const Vector<D> flux{{tau[0] * slope[0] + tau[2] * slope[1], tau[2] * slope[0] + tau[1] * slope[1]}};
+      const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
+      sum += dot(flux, du) - energy * dot(slope, image) +
+             (density * (dot(a, du) - dot(v, dvk)) -
+              heat.energyAlong(p, material(p), materials(material(p)), F, tau, variables, image)) *
+                 weight[1 + k];
+    }
+    return sum;
+  }
+
+  /// Displacement relative to the disk's mean motion and turn, as `du` is.
+  KOKKOS_INLINE_FUNCTION Vector<D> displacement(int p) const
+  {
+    const double x = reference(p, 0) - disk.reference[0], y = reference(p, 1) - disk.reference[1];
+    return {{position(p, 0) - disk.position[0] - disk.cosine * x + disk.sine * y,
+             position(p, 1) - disk.position[1] - disk.sine * x - disk.cosine * y}};
+  }
+
+  KOKKOS_INLINE_FUNCTION Pair interaction(int p, double q, const Vector<D>& dq, const Vector<D>& flux,
+                                          const Vector<D>& du, double density, const Vector<D>& a,
+                                          const Vector<D>& image) const
+  {
+    Pair sum;
+    const Vector<D> from{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
+    const double along = dot(from, direction), across = dot(from, normal);
+    const double r = std::sqrt(along * along + across * across);
+    if (!(r > 0.0))
+      return sum;
+    const int named = sides ? side(p) : 0;
+    const double theta = tipAngle(along, across, named == positive ? 1 : (named == negative ? -1 : 0));
+    const double fluxIn[2] = {dot(flux, direction), dot(flux, normal)};
+    const double slopeIn[2] = {dot(dq, direction), dot(dq, normal)};
+    const double duIn[2] = {dot(du, direction), dot(du, normal)};
+    const double aIn[2] = {dot(a, direction), dot(a, normal)};
+    const Vector<D> u = displacement(p);
+    const double uIn[2] = {dot(u, direction), dot(u, normal)};
+    const double* tau = &stress(p, 0);
+    const Vector<D> pull{
+        {tau[0] * direction[0] + tau[2] * direction[1], tau[2] * direction[0] + tau[1] * direction[1]}};
+    const Vector<D> lift{{tau[0] * normal[0] + tau[2] * normal[1], tau[2] * normal[0] + tau[1] * normal[1]}};
+    const double s11 = dot(pull, direction), s12 = dot(pull, normal), s22 = dot(lift, normal);
+    const bool warm = heat.strains(material(p));
+    const double expanded = warm ? heat.strain(p, material(p)) : 0.0;
+    const double expansionAlong = warm ? heat.expansion(p, material(p)) * heat.alongImage(p, image) : 0.0;
+    for (int mode = 0; mode < 2; ++mode)
+    {
+      const TipField w = williamsField(mode, r, theta, disk.moduli);
+      double m = -slopeIn[0] * (s11 * w.gradient[0][0] + s22 * w.gradient[1][1] +
+                                s12 * (w.gradient[0][1] + w.gradient[1][0]));
+      double reciprocal = 0.0;
+      for (int i = 0; i < 2; ++i)
+      {
+        const double pulled = fluxIn[i], pushed = density * aIn[i] * q;
+        m += (pulled + pushed) * w.gradient[i][0];
+        reciprocal += (pulled + pushed) * w.displacement[i];
+        for (int j = 0; j < 2; ++j)
+        {
+          m += w.stress[i][j] * duIn[i] * slopeIn[j];
+          reciprocal -= w.stress[i][j] * uIn[i] * slopeIn[j];
+        }
+      }
+      const double traced = disk.traceFactor * (w.stress[0][0] + w.stress[1][1]) * q;
+      m += expansionAlong * traced;
+      reciprocal -= expanded * traced;
+      sum.interaction[mode] = volume(p) * m;
+      sum.reciprocal[mode] = volume(p) * reciprocal;
+    }
+    return sum;
+  }
+};
+
+} // namespace domainIntegrand
+
+} // namespace Rhegma::energy_release

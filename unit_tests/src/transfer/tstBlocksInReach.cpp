@@ -1,0 +1,135 @@
+// Particles and nodes in and around boxes.
+
+#include "transfer/NearNodes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// Particles at random positions in a domain of 60 by 40 by 30 cells, in the order of blocks.
+template <int D>
+State<D> scattered(std::mt19937& engine)
+{
+  State<D> state;
+  Vector<D> lower{}, upper{};
+  for (int d = 0; d < D; ++d)
+    upper[d] = d == 0 ? 60.0 : (d == 1 ? 40.0 : 30.0);
+  state.mesh.grid = makeGrid<D>(lower, upper, 1.0);
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes, 0);
+  state.particles.add({fields::position, D, "m", ""});
+  state.particles.resize(5000);
+  const auto position = state.particles.template real<D>(fields::position);
+  for (int p = 0; p < state.particles.size(); ++p)
+    for (int d = 0; d < D; ++d)
+      position(p, d) = std::uniform_real_distribution<double>(0.0, upper[d])(engine);
+  sortParticles(state.mesh.grid, state.particles, state.mesh.blocks, state.mesh.nodes.active);
+  state.particles.sorted = true;
+  return state;
+}
+
+template <int D>
+Vector<D> positionOf(const State<D>& state, int p)
+{
+  const auto position = state.particles.template real<D>(fields::position);
+  Vector<D> x;
+  for (int d = 0; d < D; ++d)
+    x[d] = position(p, d);
+  return x;
+}
+
+/// How many of the listed particles lie in the box, of all that do; and whether none is listed twice.
+template <int D>
+void expectAllIn(const State<D>& state, const BlocksInReach<D>& blocks, const AxisBox<D>& box)
+{
+  std::set<int> listed;
+  blocks.forEachParticle("test", [&](int p) { EXPECT_TRUE(listed.insert(p).second); });
+  for (int p = 0; p < state.particles.size(); ++p)
+    if (box.holds(positionOf(state, p)))
+      EXPECT_EQ(listed.count(p), 1U) << p;
+}
+
+template <int D>
+class BlocksAround : public testing::Test
+{
+public:
+  void listParticles()
+  {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 engine(seed);
+    State<D> state = scattered<D>(engine);
+    BlocksInReach<D> blocks;
+    std::uniform_real_distribution<double> reach(0.5, 8.0), shift(-0.9, 0.9);
+    for (int k = 0; k < 20; ++k)
+    {
+      Vector<D> x = positionOf(state, std::uniform_int_distribution<int>(0, 4999)(engine));
+      const double half = reach(engine);
+      blocks.find(state, {boxAround(x, half)});
+      expectAllIn(state, blocks, boxAround(x, half));
+      EXPECT_LT(blocks.count(), state.mesh.blocks.numBlocks);
+      // Particles and boxes that move a little keep the list.
+      const auto position = state.particles.template real<D>(fields::position);
+      for (int p = 0; p < state.particles.size(); ++p)
+        position(p, 0) += 0.5 * shift(engine) / 20.0;
+      x[0] += shift(engine);
+      blocks.find(state, {boxAround(x, half)});
+      expectAllIn(state, blocks, boxAround(x, half));
+    }
+    state.particles.sorted = false;
+    blocks.find(state, {boxAround(Vector<D>{}, 1.0)});
+    double number[1];
+    blocks.sumOverParticles(
+        "test", [](int, double(&sum)[1]) { sum[0] += 1.0; }, number);
+    EXPECT_EQ(number[0], 5000.0);
+  }
+
+  void visitNodes()
+  {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 engine(seed);
+    const State<D> state = scattered<D>(engine);
+    std::uniform_real_distribution<double> reach(0.5, 8.0);
+    for (int k = 0; k < 10; ++k)
+    {
+      const Vector<D> x = positionOf(state, std::uniform_int_distribution<int>(0, 4999)(engine));
+      const AxisBox<D> box = boxAround(x, reach(engine));
+      const BoxNodes<D> nodes(state, box);
+      std::set<int> visited;
+      forEachNodeIn("test", state, box,
+                    [&](int n, const Vector<D>& at)
+                    {
+                      EXPECT_TRUE(visited.insert(n).second);
+                      EXPECT_TRUE(box.widened(1.0).holds(at));
+                      EXPECT_EQ(norm(at - state.mesh.grid.nodePosition(n)), 0.0);
+                      EXPECT_EQ(nodes.node(nodes.find(n)), n);
+                    });
+      for (int n = 0; n < state.mesh.grid.numNodes; ++n)
+        if (box.holds(state.mesh.grid.nodePosition(n)))
+          EXPECT_EQ(visited.count(n), 1U);
+        else if (!box.widened(1.0).holds(state.mesh.grid.nodePosition(n)))
+          EXPECT_EQ(nodes.find(n), -1);
+    }
+  }
+};
+
+using In2D = BlocksAround<2>;
+using In3D = BlocksAround<3>;
+
+} // namespace
+
+TEST_F(In2D, ListTheParticlesOfABox) { listParticles(); }
+TEST_F(In3D, ListTheParticlesOfABox) { listParticles(); }
+TEST_F(In2D, VisitTheNodesOfABox) { visitNodes(); }
+TEST_F(In3D, VisitTheNodesOfABox) { visitNodes(); }
+
+} // namespace Rhegma
