@@ -1,0 +1,262 @@
+/// Thermal strain in cells that cannot represent it: stresses of free bodies in a linear temperature.
+
+#include "src/step/Bodies.hpp"
+#include "thermal/CellExpansion.hpp"
+#include "transfer/ParticleViews.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <random>
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+constexpr double alpha = 1e-7, start = 300.0; // so small that squares of strains do not count
+
+/// A body of 6 m along each axis in cells of 1 m, E = 1 Pa. \param corner of the body
+template <int D>
+Teuchos::ParameterList body(const Vector<D>& corner, const std::string& shape, const std::string& plane,
+                            double poisson)
+{
+  Teuchos::ParameterList scene =
+      emptyScene<D>(corner - all<D>(5.0), corner + all<D>(16.0), 1.0, "MUSL", shape, plane);
+  const Vector<D> origin = all<D>(-5.0); // nodes at whole numbers
+  scene.sublist("Domain").set("Lower Corner", array(origin));
+  scene.sublist("Domain").set("Upper Corner", array(all<D>(16.0)));
+  addMaterial(scene, "Linear Elastic", poisson);
+  Teuchos::ParameterList& solid = scene.sublist("Materials").sublist("Solid");
+  solid.set("Specific Heat", 1e6); // straining does not change the temperature
+  solid.set("Conductivity", 0.0);
+  solid.set("Thermal Expansion", alpha);
+  solid.set("Reference Temperature", start);
+  scene.sublist("Thermal").set("Initial Temperature", start);
+  addBox<D>(scene, "Body", corner, corner + all<D>(6.0));
+  return scene;
+}
+
+template <int D>
+Vector<D> randomVector(std::mt19937& random, double from, double to)
+{
+  std::uniform_real_distribution<double> between(from, to);
+  Vector<D> v;
+  for (int d = 0; d < D; ++d)
+    v[d] = between(random);
+  return v;
+}
+
+/// Free displacement of the temperature T0 + g . x above the reference, over alpha.
+template <int D>
+struct FreeDisplacement
+{
+  double T0;
+  Vector<D> g;
+
+  KOKKOS_INLINE_FUNCTION double temperature(const Vector<D>& x) const { return T0 + dot(g, x); }
+  KOKKOS_INLINE_FUNCTION double operator()(const Vector<D>& x, int i) const
+  {
+    return x[i] * temperature(x) - 0.5 * g[i] * dot(x, x);
+  }
+};
+
+/// Normal strains of the particles by the free displacement of their nodes, over alpha.
+template <int D, class Connect>
+struct StrainBlock
+{
+  Connect connect;
+  Nodes<D> nodes;
+  NodePositions<D> positions;
+  View<double* [D]> strain;
+  FreeDisplacement<D> free;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    for (int p = begin; p < end; ++p)
+      connect.visit(p,
+                    [&](int node, double, const double* slope)
+                    {
+                      const Vector<D> x = positions(latticeNode(nodes, node));
+                      for (int d = 0; d < D; ++d)
+                        strain(p, d) += slope[d] * free(x, d);
+                    });
+  }
+};
+
+template <int D>
+View<double* [D]> strainOf(const State<D>& state, const FreeDisplacement<D>& free)
+{
+  const View<double* [D]> strain("strain", state.particles.size());
+  withConnectivity(
+      state,
+      [&](const auto& connect)
+      {
+        using Connect = std::decay_t<decltype(connect)>;
+        const StrainBlock<D, Connect> block{connect, state.mesh.nodes, nodePositions(state), strain, free};
+        forEachBlock("strain", state.mesh.blocks, block);
+      });
+  return strain;
+}
+
+/// Gives nodes the change of temperature T0 + g . x. \param jump added to the gradient on the side of a crack
+/// whose nodes have the sign of it
+template <int D>
+thermal::HeatNodes<D> changeOf(const State<D>& state, const FreeDisplacement<D>& free)
+{
+  thermal::HeatNodes<D> heat;
+  heat.clear(state);
+  const auto value = Kokkos::create_mirror_view(heat.value);
+  const NodePositions<D> positions = nodePositions(state);
+  for (int i = 0; i < state.mesh.nodes.numActive(); ++i)
+  {
+    const int n = activeNode(state.mesh.nodes, i);
+    value(n, 1) = free.temperature(positions(latticeNode(state.mesh.nodes, n)));
+  }
+  Kokkos::deep_copy(heat.value, value);
+  return heat;
+}
+
+/// The strain of free nodes and the correction together are alpha T at every particle.
+template <int D>
+void expectFreeStrain(Teuchos::ParameterList scene, double factor, unsigned seed)
+{
+  std::mt19937 random(seed);
+  Rhegma::Run<D> run(validated(scene));
+  run.initialize();
+  run.step(1e30, false); // cells, sides and stencils are known; nothing moves
+  State<D>& state = run.state();
+  const FreeDisplacement<D> free{0.0, randomVector<D>(random, -1.0, 1.0)};
+  const auto strain = onHost(strainOf(state, free));
+  thermal::correctExpansion(state, changeOf(state, free));
+  const HostParticles<D> particles(state);
+  double most = 0.0, corrected = 0.0;
+  for (int p = 0; p < particles.size; ++p)
+    for (int d = 0; d < D; ++d)
+    {
+      const double correction = (particles.deformation(p, d * D + d) - 1.0) / (factor * alpha);
+      corrected = std::max(corrected, std::fabs(correction));
+      most = std::max(most, std::fabs(strain(p, d) + correction - free.temperature(particles.at(p))));
+    }
+  EXPECT_GT(corrected, 0.05) << "seed " << seed;
+  // Rounding of F = 1 over alpha, and the linear field over 20 cells.
+  EXPECT_LT(most, 1e-8) << "seed " << seed;
+}
+
+template <int D>
+void refine(Teuchos::ParameterList& scene, const Vector<D>& corner)
+{
+  Teuchos::ParameterList& adaptivity = scene.sublist("Adaptivity");
+  adaptivity.set("Maximum Level", 2);
+  Vector<D> upper = corner + all<D>(6.0);
+  upper[0] = corner[0] + 2.5;
+  adaptivity.sublist("Part").set("Lower Corner", array(corner));
+  adaptivity.sublist("Part").set("Upper Corner", array(upper));
+  adaptivity.sublist("Part").set("Level", 2);
+}
+
+} // namespace
+
+TEST(CellExpansion, FreeNodesStrainParticlesByTheirTemperature)
+{
+  std::mt19937 random(3);
+  for (unsigned seed = 0; seed < 12; ++seed)
+  {
+    const Vector<2> corner = randomVector<2>(random, 0.0, 1.0);
+    const bool strain = seed % 3 == 0;
+    Teuchos::ParameterList scene =
+        body<2>(corner, seed % 2 == 0 ? "GIMP" : "Linear", strain ? "Strain" : "Stress", 0.3);
+    scene.sublist("Bodies").sublist("Body").set("Rotation", 90.0 * corner[0]);
+    if (seed % 4 >= 2)
+      refine<2>(scene, corner);
+    if (seed >= 6)
+    {
+      const double y = 2.0 + 2.0 * corner[1], slope = corner[0] - 0.5;
+      scene.sublist("Cracks").sublist("Cut").set(
+          "Points",
+          Teuchos::Array<double>(Teuchos::tuple(-4.0, y - 4.0 * slope, corner[0] + 3.0, y + slope * 3.0)));
+    }
+    expectFreeStrain<2>(scene, strain ? 1.3 : 1.0, seed);
+  }
+}
+
+TEST(CellExpansion, FreeNodesStrainParticlesByTheirTemperature3D)
+{
+  std::mt19937 random(4);
+  for (unsigned seed = 0; seed < 4; ++seed)
+  {
+    const Vector<3> corner = randomVector<3>(random, 0.0, 1.0);
+    Teuchos::ParameterList scene = body<3>(corner, seed % 2 == 0 ? "GIMP" : "Linear", "", 0.3);
+    if (seed >= 2)
+      refine<3>(scene, corner);
+    expectFreeStrain<3>(scene, 1.0, seed);
+  }
+}
+
+namespace
+{
+
+template <int D>
+std::string linearField(const Vector<D>& g)
+{
+  std::string text = std::to_string(start);
+  const char* const axis[] = {"x", "y", "z"};
+  for (int d = 0; d < D; ++d)
+    text += " + (" + std::to_string(g[d]) + ") * " + axis[d];
+  return text;
+}
+
+/// Largest component of stress that the particles have, over E alpha |g| h.
+template <int D>
+double largestStress(const State<D>& state, const Vector<D>& g)
+{
+  const HostParticles<D> particles(state);
+  double most = 0.0;
+  for (int p = 0; p < particles.size; ++p)
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      if (D == 3 || k < 3) // in plane strain the stress across the plane stays
+        most = std::max(most, std::fabs(particles.stress(p, k)));
+  return most / (alpha * norm(g));
+}
+
+/// A free body in equilibrium under a linear temperature in any direction.
+template <int D>
+double stressOfFreeBody(const Vector<D>& corner, const Vector<D>& g, const std::string& shape,
+                        const std::string& shear, const std::string& plane)
+{
+  Teuchos::ParameterList scene = body<D>(corner, shape, plane, 0.3);
+  scene.sublist("Domain").set("Shear Strain", shear);
+  scene.sublist("Time").set("Analysis", "Quasi-Static");
+  scene.sublist("Time").set("Rigid Modes", "Remove");
+  scene.sublist("Time").set("Final Time", 1.0);
+  scene.sublist("Thermal").set("Conduction", "Implicit");
+  scene.sublist("Bodies").sublist("Body").set("Temperature Field", linearField<D>(g));
+  Rhegma::Run<D> run(validated(scene));
+  run.initialize();
+  while (run.state().clock.time < 1.0)
+    run.step(1.0, false);
+  return largestStress<D>(run.state(), g);
+}
+
+} // namespace
+
+/// With shear strain at the centres of cells nothing is left but squares of the strain, 600 alpha, times the
+/// 6 cells of the body, and what Newton's method leaves.
+TEST(CellExpansion, AFreeBodyHasNoStress)
+{
+  std::mt19937 random(5);
+  for (const char* const shape : {"Linear", "GIMP"})
+    for (const char* const plane : {"Stress", "Strain"})
+      EXPECT_LT(stressOfFreeBody<2>(all<2>(0.0), randomVector<2>(random, -1.0, 1.0), shape, "At Cell Centres",
+                                    plane),
+                4e-4)
+          << shape << plane;
+  EXPECT_LT(
+      stressOfFreeBody<3>(all<3>(0.0), randomVector<3>(random, -1.0, 1.0), "GIMP", "At Cell Centres", ""),
+      4e-4);
+}
+
+} // namespace Test
+} // namespace Rhegma
