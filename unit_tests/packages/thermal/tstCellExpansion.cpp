@@ -2,6 +2,7 @@
 
 #include "src/step/Bodies.hpp"
 #include "thermal/CellExpansion.hpp"
+#include "thermal/Start.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <cmath>
@@ -101,8 +102,7 @@ View<double* [D]> strainOf(const State<D>& state, const FreeDisplacement<D>& fre
   return strain;
 }
 
-/// Gives nodes the change of temperature T0 + g . x. \param jump added to the gradient on the side of a crack
-/// whose nodes have the sign of it
+/// Gives nodes the change of temperature T0 + g . x.
 template <int D>
 thermal::HeatNodes<D> changeOf(const State<D>& state, const FreeDisplacement<D>& free)
 {
@@ -256,6 +256,116 @@ TEST(CellExpansion, AFreeBodyHasNoStress)
   EXPECT_LT(
       stressOfFreeBody<3>(all<3>(0.0), randomVector<3>(random, -1.0, 1.0), "GIMP", "At Cell Centres", ""),
       4e-4);
+}
+
+namespace
+{
+
+/// A free body whose particles have the strain of a linear temperature moves by two cells, into refined ones
+/// where its particles are split. \return largest stress at the end, over E alpha |g| h
+double stressAfterMotion(const Vector<2>& g, bool refined)
+{
+  Teuchos::ParameterList scene = body<2>(all<2>(0.0), "GIMP", "Stress", 0.3);
+  Teuchos::ParameterList& moving = scene.sublist("Bodies").sublist("Body");
+  moving.set("Temperature Field", linearField<2>(g));
+  moving.set("Velocity", array(Vector<2>{{0.1, 0.07}}));
+  if (refined)
+    refine<2>(scene, Vector<2>{{6.6, 0.0}});
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  const HostParticles<2> particles(run.state());
+  for (int p = 0; p < particles.size; ++p)
+    for (int d = 0; d < 2; ++d)
+      particles.deformation(p, 3 * d) += alpha * dot(g, particles.at(p));
+  particles.store(run.state());
+  thermal::startEnergy(run.state());
+  while (run.state().clock.time < 20.0)
+    run.step(20.0, false);
+  EXPECT_EQ(run.state().particles.size() > particles.size, refined);
+  return largestStress<2>(run.state(), g);
+}
+
+} // namespace
+
+/// Temperature that moves with the body does not strain it, and parts of split particles have the stress of
+/// the whole: none. Squares of the strain are 1e-6 of it, rounding of F is 1e-8 of it.
+TEST(CellExpansion, AMovingBodyStaysFree)
+{
+  std::mt19937 random(6);
+  EXPECT_LT(stressAfterMotion(randomVector<2>(random, -1.0, 1.0), false), 1e-5);
+  EXPECT_LT(stressAfterMotion(randomVector<2>(random, -1.0, 1.0), true), 1e-5);
+}
+
+/// In cells full of particles the mean strain, and with it the mean thermal stress of a body that is held,
+/// does not change; the strain of no particle changes by more than alpha g h / 4, with 2 x 2 in a cell.
+TEST(CellExpansion, TheMeanOfACellStays)
+{
+  std::mt19937 random(7);
+  for (const char* const shape : {"Linear", "GIMP"})
+  {
+    Rhegma::Run<2> run(validated(body<2>(all<2>(0.0), shape, "Stress", 0.3)));
+    run.initialize();
+    run.step(1e30, false);
+    const Vector<2> g = randomVector<2>(random, -1.0, 1.0);
+    thermal::correctExpansion(run.state(), changeOf(run.state(), FreeDisplacement<2>{5.0, g}));
+    const HostParticles<2> particles(run.state());
+    for (int d = 0; d < 2; ++d)
+    {
+      double sum = 0.0, most = 0.0;
+      for (int p = 0; p < particles.size; ++p)
+      {
+        const double strain = (particles.deformation(p, 3 * d) - 1.0) / alpha;
+        sum += strain;
+        most = std::max(most, std::fabs(strain));
+      }
+      EXPECT_LT(std::fabs(sum) / particles.size, 1e-8);
+      EXPECT_NEAR(most, 0.25 * std::fabs(g[d]), 1e-8);
+    }
+  }
+}
+
+/// On each side of a crack anywhere in the cells, particles are corrected by the gradient of that side:
+/// -alpha g_i times the distance to the middle of the cell along axis i.
+TEST(CellExpansion, SidesOfACrackDoNotMix)
+{
+  std::mt19937 random(8);
+  for (int k = 0; k < 4; ++k)
+  {
+    const double height = 2.0 + 2.0 * randomVector<2>(random, 0.05, 0.45)[0];
+    Teuchos::ParameterList scene = body<2>(all<2>(0.0), "Linear", "Stress", 0.3);
+    scene.sublist("Cracks").sublist("Cut").set(
+        "Points", Teuchos::Array<double>(Teuchos::tuple(-1.0, height, 7.0, height)));
+    Rhegma::Run<2> run(validated(scene));
+    run.initialize();
+    run.step(1e30, false);
+    const State<2>& state = run.state();
+    const Vector<2> g = randomVector<2>(random, -1.0, 1.0);
+    const thermal::HeatNodes<2> heat = changeOf(state, FreeDisplacement<2>{0.0, g});
+    const auto value = onHost(heat.value);
+    const auto side = onHost(state.cracks.nodeSide);
+    const auto parent = onHost(state.mesh.nodes.parent);
+    EXPECT_GT(state.mesh.nodes.numEnriched, 10);
+    const auto negate = [&](int n) { value(n, 1) = -value(n, 1); };
+    for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
+      if (state.mesh.grid.nodePosition(n)[1] < height)
+        negate(n); // temperature -g . x below the crack
+    for (int e = 0; e < state.mesh.nodes.numEnriched; ++e)
+      if (side(parent(e)) > 0)
+        negate(state.mesh.nodes.numLattice + e); // the material below, at a node above
+    Kokkos::deep_copy(heat.value, value);
+    thermal::correctExpansion(run.state(), heat);
+    const HostParticles<2> particles(run.state());
+    double most = 0.0;
+    for (int p = 0; p < particles.size; ++p)
+      for (int d = 0; d < 2; ++d)
+      {
+        const double x = particles.position(p, d), middle = std::floor(x) + 0.5;
+        const double own = particles.position(p, 1) > height ? g[d] : -g[d];
+        most =
+            std::max(most, std::fabs((particles.deformation(p, 3 * d) - 1.0) / alpha + own * (middle - x)));
+      }
+    EXPECT_LT(most, 1e-8) << "crack at " << height;
+  }
 }
 
 } // namespace Test
