@@ -146,7 +146,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     reportSides(state, *sides, summary);
-    if (measuresStress)
+    if (measuresStress && state.clock.step > 0) // before, particles have no nodes
       reportStress(state, summary);
     if constexpr (D == 3)
       reportShapes(state, *circles, summary);
