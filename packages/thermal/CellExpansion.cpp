@@ -43,25 +43,30 @@ struct Correction
   /// \param g gradient of temperature, or of its change [K/m]
   KOKKOS_INLINE_FUNCTION void operator()(int p, const double (&g)[D]) const
   {
-    double missed[D] = {}; // m_i [K]
-    connect.visit(p,
-                  [&](int node, double, const double* slope)
-                  {
-                    const Vector<D> x = positions(latticeNode(nodes, node));
-                    double r[D], along = 0.0, square = 0.0;
-                    for (int d = 0; d < D; ++d)
-                    {
-                      r[d] = x[d] - position(p, d);
-                      along += g[d] * r[d];
-                      square += r[d] * r[d];
-                    }
-                    for (int d = 0; d < D; ++d)
-                      missed[d] += slope[d] * (r[d] * along - 0.5 * g[d] * square);
-                  });
-    const double alpha = expansion(p);
+    double missed[D][D] = {}; // M_ij [K]
+    connect.visitStraining(p,
+                           [&](int node, double, const typename Connect::Slopes& slopes)
+                           {
+                             const Vector<D> x = positions(latticeNode(nodes, node));
+                             double r[D], along = 0.0, square = 0.0;
+                             for (int d = 0; d < D; ++d)
+                             {
+                               r[d] = x[d] - position(p, d);
+                               along += g[d] * r[d];
+                               square += r[d] * r[d];
+                             }
+                             for (int i = 0; i < D; ++i)
+                               for (int j = 0; j < D; ++j)
+                                 missed[i][j] += slopes(i, j) * (r[i] * along - 0.5 * g[i] * square);
+                           });
+    const double half = 0.5 * expansion(p);
+    double F[D * D];
+    for (int k = 0; k < D * D; ++k)
+      F[k] = deformation(p, k);
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
-        deformation(p, i * D + j) *= 1.0 - alpha * missed[i];
+        for (int k = 0; k < D; ++k)
+          deformation(p, i * D + j) -= half * (missed[i][k] + missed[k][i]) * F[k * D + j];
   }
 
   /// Whether F of a particle is 1, but for the thickness in plane stress.
@@ -84,24 +89,22 @@ struct ChangeOfNodesBlock
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
-    const double* const rows = heat.value.data();
-    correct.connect.forEachParticle(begin, end,
-                                    [&](int p, const auto& stencil)
-                                    {
-                                      if (correct.expansion(p) == 0.0 ||
-                                          isLeftOut(correct.connect, heat, conducts, p))
-                                        return;
-                                      Pack<2> slope[D];
-                                      stencil.template valueAndGradient<4>(rows, slope);
-                                      double g[D], size = 0.0;
-                                      for (int d = 0; d < D; ++d)
-                                      {
-                                        g[d] = slope[d][1];
-                                        size += std::fabs(g[d]);
-                                      }
-                                      if (size > 0.0)
-                                        correct(p, g);
-                                    });
+    for (int p = begin; p < end; ++p)
+    {
+      if (correct.expansion(p) == 0.0 || isLeftOut(correct.connect, heat, conducts, p))
+        continue;
+      double g[D] = {}, size = 0.0;
+      correct.connect.visit(p,
+                            [&](int node, double, const double* slope)
+                            {
+                              for (int d = 0; d < D; ++d)
+                                g[d] += slope[d] * heat.value(node, 1);
+                            });
+      for (int d = 0; d < D; ++d)
+        size += std::fabs(g[d]);
+      if (size > 0.0)
+        correct(p, g);
+    }
   }
 };
 
@@ -138,26 +141,26 @@ bool anyExpands(const ThermoTables& tables)
 template <int D>
 void correctExpansion(State<D>& state, const HeatNodes<D>& nodes)
 {
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     using Connect = std::decay_t<decltype(connect)>;
-                     const ChangeOfNodesBlock<D, Connect> block{Correction<D, Connect>(state, connect), nodes,
-                                                                particleFlux(state)};
-                     forEachBlock("rhegma::thermal::correctExpansion", state.mesh.blocks, block);
-                   });
+  withStraining(state,
+                [&](const auto& connect)
+                {
+                  using Connect = std::decay_t<decltype(connect)>;
+                  const ChangeOfNodesBlock<D, Connect> block{Correction<D, Connect>(state, connect), nodes,
+                                                             particleFlux(state)};
+                  forEachBlock("rhegma::thermal::correctExpansion", state.mesh.blocks, block);
+                });
 }
 
 template <int D>
 void correctExpansion(State<D>& state, const View<double* [D]>& gradient)
 {
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     using Connect = std::decay_t<decltype(connect)>;
-                     const StartBlock<D, Connect> block{Correction<D, Connect>(state, connect), gradient};
-                     forEachBlock("rhegma::thermal::expansionAtStart", state.mesh.blocks, block);
-                   });
+  withStraining(state,
+                [&](const auto& connect)
+                {
+                  using Connect = std::decay_t<decltype(connect)>;
+                  const StartBlock<D, Connect> block{Correction<D, Connect>(state, connect), gradient};
+                  forEachBlock("rhegma::thermal::expansionAtStart", state.mesh.blocks, block);
+                });
 }
 
 template void correctExpansion(State<2>&, const HeatNodes<2>&);

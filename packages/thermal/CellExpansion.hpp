@@ -11,22 +11,20 @@
 ///
 ///     u_i = alpha (T r_i + r_i (g . r) - g_i r^2 / 2),
 ///
-/// and its normal strains at x are alpha T. The shape functions of the particle's nodes n give
+/// and its strain at x is alpha T times the unit tensor. The shape functions of the particle's nodes n give
 ///
-///     sum_n dN_n/dx_i u_i(r_n) = alpha (T + m_i),   m_i = sum_n dN_n/dx_i (r_i (g . r) - g_i r^2 / 2)_n.
+///     alpha (T d_ij + (M_ij + M_ji) / 2),   M_ij = sum_n dN_n/dx_j (r_i (g . r) - g_i r^2 / 2)_n.
 ///
-/// In a cell of a lattice m_i = g_i (centre - x)_i, so that T + m_i is the temperature in the middle of the
-/// cell along axis i. In refined cells, for boxes across several cells, and with the nodes of one side of a
-/// crack, m_i is that of the same shape functions which strain the particle. Thus the deformation gradient of
-/// a particle changes by -alpha m_i along with every change of the nodes' temperature: when the motion of the
-/// nodes has followed, it contains the thermal strain of the particle itself, and W(F / theta; T) needs no
-/// change. The mean over a cell that is full of particles does not change.
+/// In a cell of a lattice M_ii = g_i (centre - x)_i, so that T + M_ii is the temperature in the middle of the
+/// cell along axis i, and M_ij + M_ji is the shear strain of a bilinear cell that bends. In refined cells,
+/// for boxes across several cells, and with the nodes of one side of a crack, M is that of the same slopes
+/// which strain the particle. Thus the deformation gradient of a particle changes by -alpha (M + M^T) F / 2
+/// along with every change of the nodes' temperature: when the motion of the nodes has followed, it contains
+/// the thermal strain of the particle itself, and W(F / theta; T) needs no change. The mean over a cell that
+/// is full of particles does not change.
 ///
 /// As a change of strain, it is that of the cell in which the particle is at that time. A body that moves
 /// through the cells with a constant temperature is not strained by it.
-///
-/// Only normal strains are corrected. The shear strain of a bilinear cell that bends is no thermal strain:
-/// Domain > Shear Strain removes it.
 
 #include "thermal/HeatNodes.hpp"
 
