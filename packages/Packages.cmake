@@ -57,7 +57,7 @@ rhegma_package(load_balance "Load Balance")
 rhegma_package(mass_matrix "Mass Matrix")
 rhegma_package(propagation "Propagation" NEEDS cracks energy_release)
 rhegma_package(sub_cycling "Sub-Cycling" NEEDS adaptivity)
-rhegma_package(measure "Measure" NEEDS cracks)
+rhegma_package(measure "Measure")
 
 file(GLOB folders RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/*/)
 foreach(folder ${folders})

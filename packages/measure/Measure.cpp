@@ -2,7 +2,10 @@
 
 #include "measure/FrontShape.hpp"
 #include "measure/SideEnergy.hpp"
+#include "measure/StressAlternation.hpp"
+#include "scene/Compatibility.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -26,7 +29,14 @@ Section section()
                 "Radius, roundness and flatness of fronts that are a circle, or part of one, at the start.");
   shape.onlyIn(3);
   s.subsection(shape);
-  s.needs("Cracks", "there is no crack to measure at; add a section Cracks or leave Measure out");
+  Section stress("Stress Alternation",
+                 "Part of the stress of each body that changes from particle to particle within the cells.");
+  s.subsection(stress);
+  for (const char* const ofCracks : {"Measure > Side Energy", "Measure > Front Shape"})
+    s.refuse({when::present(ofCracks), when::absent("Cracks")},
+             "there is no crack to measure at; add a section Cracks or remove this section");
+  s.refuse({when::present("Measure > Stress Alternation"), when::is("Thermal", "Mechanics", {"false"})},
+           "without mechanics there is no stress; remove one of the two");
   return s;
 }
 
@@ -98,6 +108,20 @@ void reportShapes(const State<3>& state, const std::vector<Circle>& circles, nlo
 }
 
 template <int D>
+void reportStress(const State<D>& state, nlohmann::json& summary)
+{
+  nlohmann::json& bodies = summary["bodies"];
+  const std::size_t count = std::min(bodies.size(), state.bodies.info.size());
+  for (std::size_t b = 0; b < count; ++b)
+  {
+    const StressAlternation found = stressAlternation(state, static_cast<int>(b));
+    bodies[b]["stress_alternation"] = {{"deviation", found.deviation},
+                                       {"largest", found.largest},
+                                       {"ratio", where(found.largest > 0.0, found.ratio())}};
+  }
+}
+
+template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Measure");
@@ -105,6 +129,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   double part = 1.0;
   if constexpr (D == 2)
     part = measuresSides ? list.sublist("Side Energy").get<double>("Part") : 1.0;
+  const bool measuresStress = list.isSublist("Stress Alternation");
   const bool measuresShapes = D == 3 && list.isSublist("Front Shape");
   const auto sides = std::make_shared<Sides<D>>();
   const auto circles = std::make_shared<std::vector<Circle>>();
@@ -121,6 +146,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     reportSides(state, *sides, summary);
+    if (measuresStress && state.clock.step > 0) // before, particles have no nodes
+      reportStress(state, summary);
     if constexpr (D == 3)
       reportShapes(state, *circles, summary);
   };

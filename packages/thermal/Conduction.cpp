@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "state/Subdomain.hpp"
+#include "thermal/CellExpansion.hpp"
 #include "thermal/MeetingMaterials.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -59,6 +60,7 @@ void Conduction<D>::measure(const State<D>& state)
     }
   }
   several = materials.extent(0) > 1 && diffusivity > 0.0;
+  expands = state.method.mechanics && anyExpands(state.materials.thermo);
   if (!std::isfinite(leastDiffusivity))
     leastDiffusivity = 0.0;
 }
@@ -172,6 +174,8 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
     heat += faces.exchange(state, nodes, dt);
   ++stepsTaken;
   changeToParticles(state, nodes, fading, supplied, dt);
+  if (expands)
+    correctExpansion(state, nodes);
   state.energy.heat += heat;
 }
 

@@ -27,6 +27,7 @@ struct Conduction
   double diffusivity = 0.0;             ///< largest of the materials [m2/s]
   double leastDiffusivity = 0.0;        ///< least of the materials that conduct [m2/s]
   bool several = false;                 ///< materials may meet, and some conduct
+  bool expands = false;                 ///< temperature strains some material
   double leastCapacity = 0.0;           ///< least of the materials [J/(m3 K)]
   double fractureSeen = 0.0;            ///< fracture energy for which fronts have received heat [J]
   std::vector<double> frontHeat;        ///< of which of each front [J]

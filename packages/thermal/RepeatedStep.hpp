@@ -23,6 +23,7 @@ public:
       Kokkos::deep_copy(particles.scalar(fields::temperature), temperature_);
       Kokkos::deep_copy(particles.scalar(fields::internalEnergy), internal_);
       Kokkos::deep_copy(particles.template real<D>(fields::temperatureGradient), gradient_);
+      Kokkos::deep_copy(particles.template real<gradientSize<D>>(fields::deformation), deformation_);
       state.energy.heat = heat_;
       conduction.stepsTaken = stepsTaken_;
       conduction.pending = pending_;
@@ -35,9 +36,11 @@ public:
     temperature_ = View<double*>("rhegma::thermal::keptTemperature", particles.size());
     internal_ = View<double*>("rhegma::thermal::keptEnergy", particles.size());
     gradient_ = View<double* [D]>("rhegma::thermal::keptGradient", particles.size());
+    deformation_ = View<double * [gradientSize<D>]>("rhegma::thermal::keptDeformation", particles.size());
     Kokkos::deep_copy(temperature_, particles.scalar(fields::temperature));
     Kokkos::deep_copy(internal_, particles.scalar(fields::internalEnergy));
     Kokkos::deep_copy(gradient_, particles.template real<D>(fields::temperatureGradient));
+    Kokkos::deep_copy(deformation_, particles.template real<gradientSize<D>>(fields::deformation));
     heat_ = state.energy.heat;
     stepsTaken_ = conduction.stepsTaken;
     pending_ = conduction.pending;
@@ -50,6 +53,7 @@ private:
   long step_ = 0, stepsTaken_ = 0;
   View<double*> temperature_, internal_;
   View<double* [D]> gradient_;
+  View<double * [gradientSize<D>]> deformation_;
   std::vector<double> frontTemperature_;
 };
 

@@ -4,8 +4,10 @@
 #include "base/ShortNumber.hpp"
 #include "material/ThermoLaw.hpp"
 #include "scene/PositionFunction.hpp"
+#include "thermal/CellExpansion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -25,6 +27,26 @@ PositionFunction fieldOf(const Teuchos::ParameterList& body, const std::string& 
   {
     throw std::invalid_argument(where + ": " + wrong.what());
   }
+}
+
+/// Gradient of a function at x: along each axis the smaller of the differences to both sides, so that a step
+/// next to x, as over a crack, does not count. \param by distance of the positions compared [m]
+template <int D>
+Vector<D> gradientOf(const PositionFunction& function, const Vector<D>& x, double by)
+{
+  const double here = function.scalar(x);
+  Vector<D> gradient;
+  for (int d = 0; d < D; ++d)
+  {
+    Vector<D> before = x, after = x;
+    before[d] -= by;
+    after[d] += by;
+    const double back = (here - function.scalar(before)) / by, on = (function.scalar(after) - here) / by;
+    gradient[d] = std::fabs(back) < std::fabs(on) ? back : on;
+    if (!std::isfinite(gradient[d]))
+      gradient[d] = 0.0;
+  }
+  return gradient;
 }
 
 } // namespace
@@ -88,6 +110,41 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
 }
 
 template <int D>
+void correctStart(State<D>& state, const Teuchos::ParameterList& bodies)
+{
+  constexpr double part = 1e-3; // of a cell
+  const View<double* [D]> gradient("rhegma::thermal::startGradient", state.particles.size());
+  const auto body = onHost(state.particles.integer(fields::body));
+  const auto positions = onHost(state.particles.template real<D>(fields::position));
+  const auto g = Kokkos::create_mirror_view(gradient);
+  bool any = false;
+  for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
+  {
+    const std::string& name = state.bodies.info[b].name;
+    const Teuchos::ParameterList& list = bodies.sublist(name);
+    if (!list.isParameter("Temperature Field"))
+      continue;
+    any = true;
+    const PositionFunction function = fieldOf(list, "Bodies > " + name + " > Temperature Field");
+    for (int p = 0; p < state.particles.size(); ++p)
+    {
+      if (body(p) != static_cast<int>(b))
+        continue;
+      Vector<D> x;
+      for (int d = 0; d < D; ++d)
+        x[d] = positions(p, d);
+      const Vector<D> own = gradientOf(function, x, part * state.mesh.smallestSpacing());
+      for (int d = 0; d < D; ++d)
+        g(p, d) = own[d];
+    }
+  }
+  if (!any)
+    return;
+  Kokkos::deep_copy(gradient, g);
+  correctExpansion(state, gradient);
+}
+
+template <int D>
 void startEnergy(State<D>& state)
 {
   const ThermoTables tables = state.materials.thermo;
@@ -140,11 +197,15 @@ void copyGradient(State<D>& state, const SplitParts& parts)
   const auto material = state.particles.integer(fields::material);
   const auto x = state.particles.template real<D>(fields::position);
   const auto g = state.particles.template real<D>(fields::temperatureGradient);
+  const bool mechanics = state.method.mechanics;
+  const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
   Kokkos::parallel_for(
       "rhegma::thermal::splitByGradient", Kokkos::RangePolicy<ExecSpace>(0, whole.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int w = whole(i);
-        const double capacity = ThermoPoint(tables, material(w), T(w)).capacity();
+        const ThermoPoint at(tables, material(w), T(w));
+        const double expansion = mechanics ? freeExpansion(at) : 0.0;
+        const double capacity = at.capacity() + T(w) * expansion * heatOfExpansion<D>(at);
         double middle[D] = {};
         for (int k = 0; k < number; ++k)
           for (int d = 0; d < D; ++d)
@@ -157,12 +218,16 @@ void copyGradient(State<D>& state, const SplitParts& parts)
             rise += g(p, d) * (x(p, d) - middle[d]);
           T(p) += rise;
           internal(p) += capacity * rise;
+          for (int k = 0; k < D * D && mechanics; ++k)
+            F(p, k) *= 1.0 + expansion * rise;
         }
       });
 }
 
 template void startTemperature(State<2>&, const Teuchos::ParameterList&, double);
 template void startTemperature(State<3>&, const Teuchos::ParameterList&, double);
+template void correctStart(State<2>&, const Teuchos::ParameterList&);
+template void correctStart(State<3>&, const Teuchos::ParameterList&);
 template void startEnergy(State<2>&);
 template void startEnergy(State<3>&);
 template void copyGradient(State<2>&, const SplitParts&);

@@ -46,6 +46,7 @@ struct Run
   int settledSamples = 0;
   PeakTemperature<D> peak;
   std::vector<TabulatedProperty> tables; ///< of all materials
+  bool startCorrected = false;           ///< CellExpansion.hpp
 };
 
 /// Sets the properties of materials that other effects use to those at the reference temperature.
@@ -131,6 +132,18 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     for (FrontNode<D>& frontNode : front.nodes)
       frontNode.temperature = run.initial;
   state.particles.afterSplit.push_back([](State<D>& s, const SplitParts& parts) { copyGradient(s, parts); });
+}
+
+/// \param bodies the section Bodies
+template <int D>
+void conduct(State<D>& state, const Teuchos::ParameterList& bodies, Run<D>& run)
+{
+  if (!run.startCorrected && state.clock.step == 0 && run.conduction.expands)
+    correctStart(state, bodies);
+  run.startCorrected = true;
+  if (state.method.equilibrium())
+    run.repeated.begin(state, run.conduction);
+  run.conduction.step(state);
 }
 
 template <int D>
@@ -246,12 +259,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [run, all = Teuchos::ParameterList(scene)](State<D>& state) { start(state, all, *run); };
   effect.call(Stage::BeforeSolve, "conduction", {quantity::stencils, ifWritten(quantity::fractureEnergy)},
               {quantity::temperature, quantity::frontTemperature}, {},
-              [run](State<D>& state)
-              {
-                if (state.method.equilibrium())
-                  run->repeated.begin(state, run->conduction);
-                run->conduction.step(state);
-              });
+              [run, bodies = Teuchos::ParameterList(scene.sublist("Bodies"))](State<D>& state)
+              { conduct(state, bodies, *run); });
   effect.call(Stage::Observe, "temperatures", {quantity::temperature, quantity::frontTemperature}, {}, {},
               [run](State<D>& state) { observe(state, *run); });
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
