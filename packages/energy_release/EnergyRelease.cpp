@@ -6,6 +6,7 @@
 #include "energy_release/Disagreement.hpp"
 #include "energy_release/DomainIntegral.hpp"
 #include "energy_release/DrivingForces.hpp"
+#include "energy_release/ErrorEstimate.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
 #include "energy_release/FrontSample.hpp"
@@ -38,12 +39,14 @@ template <int D>
 struct Samples
 {
   std::vector<FrontSample<D>> last;
-  double time = 0.0;             ///< of these [s]
-  LargestRelease largest;        ///< of all samples
-  std::vector<LoadRegion> loads; ///< that may act near fronts (2D)
-  FrontSet inclined;             ///< fronts that did not start along the grid: without crack closure (2D)
-  FrontSet warned;               ///< fronts whose tube has left the body during the run
-  FrontSet unclosed;             ///< fronts that had no crack closure at some time (2D)
+  double time = 0.0;                 ///< of these [s]
+  LargestRelease largest;            ///< of all samples
+  std::vector<LoadRegion> loads;     ///< that may act near fronts (2D)
+  FrontSet inclined;                 ///< fronts that did not start along the grid: without crack closure (2D)
+  FrontSet warned;                   ///< fronts whose tube has left the body during the run
+  FrontSet unclosed;                 ///< fronts that had no crack closure at some time (2D)
+  std::vector<ErrorEstimate> errors; ///< of the answers of a report
+  long errorsOfStep = -1;            ///< at whose end these were estimated
 };
 
 /// The columns of a front in the history begin with it, such as "Notch.0".
@@ -218,6 +221,24 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples, Sample
   samples.largest.add(samples.last, samples.time);
 }
 
+/// The errors of the last samples; reports of one step estimate them once.
+template <int D>
+const std::vector<ErrorEstimate>& errorsOf(const State<D>& state, const Options& options, Samples<D>& samples)
+{
+  if (samples.errorsOfStep == state.clock.step && samples.errors.size() == samples.last.size())
+    return samples.errors;
+  if (state.sample.step == state.clock.step)
+    samples.errors = estimateErrors(state, samples.last, options);
+  else
+  {
+    samples.errors.assign(samples.last.size(), ErrorEstimate());
+    for (ErrorEstimate& error : samples.errors)
+      error.none = "no sample was taken at the end of the run";
+  }
+  samples.errorsOfStep = state.clock.step;
+  return samples.errors;
+}
+
 /// Checks the tubes, and prepares samples: what will be reported is known from the start, though its values
 /// are not.
 template <int D>
@@ -299,12 +320,15 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
-    for (const FrontSample<D>& s : samples->last)
+    const std::vector<ErrorEstimate>& errors = errorsOf(state, options, *samples);
+    for (std::size_t k = 0; k < samples->last.size(); ++k)
     {
+      const FrontSample<D>& s = samples->last[k];
       nlohmann::json& crack = summary["cracks"][s.front.crack];
       crack["name"] = state.cracks.cracks[s.front.crack].name;
       nlohmann::json& front = crack["fronts"][s.front.number];
       s.report(options, front);
+      reportError(s, options, errors[k], front);
       if (options.contour && !state.method.equilibrium())
       {
         const LargestRelease::Peak largest = samples->largest.of(s.front.crack, s.front.number);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -17,32 +18,56 @@ namespace
 /// Fronts that get a line each.
 constexpr std::size_t mostLines = 4;
 
+constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
+
 /// A value as its entry in the summary has it; none where it is not a number.
 bool isKnown(const nlohmann::json& entry, const std::string& name)
 {
   return entry.contains(name) && entry[name].is_number() && std::isfinite(entry[name].get<double>());
 }
 
-/// A stress intensity [Pa m^0.5] with a unit prefix.
-std::string intensityAsText(double value)
+/// An error in two digits.
+std::string errorAsText(double error)
 {
-  const double size = std::fabs(value);
-  return size >= 1e6   ? formatShort(1e-6 * value) + " MPa m^0.5"
-         : size >= 1e3 ? formatShort(1e-3 * value) + " kPa m^0.5"
-                       : formatShort(value) + " Pa m^0.5";
+  if (!(error > 0.0))
+    return formatShort(error);
+  const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
+  return formatShort(std::round(error / unit) * unit);
 }
 
-std::string releaseAsText(double value) { return formatShort(value) + " J/m2"; }
+/// A value as text with its error, where that is a number: "2 +- 0.01".
+std::string withError(double value, double error)
+{
+  return formatShort(value) + (std::isfinite(error) ? " +- " + errorAsText(error) : "");
+}
 
-/// "K_I = 2 MPa m^0.5", in 3D with its range along the front.
+/// A stress intensity [Pa m^0.5] with a unit prefix.
+std::string intensityAsText(double value, double error = noNumber)
+{
+  const double size = std::fabs(value);
+  return size >= 1e6   ? withError(1e-6 * value, 1e-6 * error) + " MPa m^0.5"
+         : size >= 1e3 ? withError(1e-3 * value, 1e-3 * error) + " kPa m^0.5"
+                       : withError(value, error) + " Pa m^0.5";
+}
+
+std::string releaseAsText(double value, double error = noNumber)
+{
+  return withError(value, error) + " J/m2" +
+         (std::isfinite(error) ? " (" + errorAsText(100.0 * error / std::fabs(value)) + " %)" : "");
+}
+
+/// "K_I = 2 +- 0.01 MPa m^0.5", in 3D with its range along the front.
 template <class AsText>
 std::string quantityAsText(const nlohmann::json& entry, const std::string& name, const std::string& shown,
                            const AsText& asText)
 {
-  std::string text = shown + " = " + asText(entry[name].get<double>());
+  const std::string ofError = name + "_error_estimate";
+  std::string text =
+      shown + " = " +
+      asText(entry[name].get<double>(), isKnown(entry, ofError) ? entry[ofError].get<double>() : noNumber);
   if (isKnown(entry, name + "_min") && isKnown(entry, name + "_max"))
-    text += " (" + asText(entry[name + "_min"].get<double>()) + " to " +
-            asText(entry[name + "_max"].get<double>()) + " along the front)";
+    text += " (" + asText(entry[name + "_min"].get<double>(), noNumber) + " to " +
+            asText(entry[name + "_max"].get<double>(), noNumber) + " along the front)";
   return text;
 }
 
@@ -60,6 +85,26 @@ std::string closedAsText(const nlohmann::json& entry, const std::string& release
   return "; the crack is closed (K_I < 0), so about " +
          releaseAsText(std::max(0.0, entry[release].get<double>()) * (1.0 - closing / all)) +
          " of G would advance it";
+}
+
+/// Why fronts have no error estimate, a message for each reason.
+std::vector<std::string>
+withoutEstimate(const std::vector<std::pair<std::string, std::string>>& namesAndReasons)
+{
+  std::vector<std::string> messages;
+  std::vector<std::string> reasons;
+  for (const auto& [name, reason] : namesAndReasons)
+  {
+    const auto at = std::find(reasons.begin(), reasons.end(), reason);
+    if (at != reasons.end())
+    {
+      messages[at - reasons.begin()] += "; " + name;
+      continue;
+    }
+    reasons.push_back(reason);
+    messages.push_back("no error estimate (" + reason + "; compare with --twice) for " + name);
+  }
+  return messages;
 }
 
 /// The largest G of a run where it was not the last one, by more than 1 %.
@@ -82,6 +127,7 @@ void addAnswersOfHeldFronts(const CrackSet<D>& set, const std::vector<FrontSampl
                             nlohmann::json& summary)
 {
   std::vector<std::pair<double, std::string>> lines; // G and what is said
+  std::vector<std::pair<std::string, std::string>> unknown;
   for (std::size_t f = 0; f < set.fronts.size() && f < samples.size(); ++f)
   {
     const CrackFront<D>& front = set.fronts[f];
@@ -97,6 +143,8 @@ void addAnswersOfHeldFronts(const CrackSet<D>& set, const std::vector<FrontSampl
         text += ", " + quantityAsText(entry, name, name, intensityAsText);
     lines.emplace_back(entry[release].get<double>(), text + " at t = " + readableTime(time) +
                                                          largestAsText(entry) + closedAsText(entry, release));
+    if (entry.contains("no_error_estimate"))
+      unknown.emplace_back(frontName(set, front), entry["no_error_estimate"].get<std::string>());
   }
   const std::size_t count = lines.size();
   if (count > mostLines)
@@ -108,6 +156,8 @@ void addAnswersOfHeldFronts(const CrackSet<D>& set, const std::vector<FrontSampl
     summary["answers"].push_back("these are the " + std::to_string(mostLines) +
                                  " fronts with the largest G of " + std::to_string(count) +
                                  "; summary.json has all");
+  for (const std::string& message : withoutEstimate(unknown))
+    summary["answers"].push_back(message);
 }
 
 template void addAnswersOfHeldFronts(const CrackSet<2>&, const std::vector<FrontSample<2>>&, double,

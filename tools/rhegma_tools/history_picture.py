@@ -115,6 +115,23 @@ def initiation_toughness(summary):
     return float(value) if isinstance(value, (int, float)) else None
 
 
+def error_estimate(summary, front, quantity):
+    """The estimated error of the last value of a front, or None. front: (crack's name, number)"""
+    for i, crack in enumerate((summary or {}).get("cracks", [])):
+        if crack.get("name", str(i)) == front[0]:
+            of = (crack.get("fronts") or [])[int(front[1]):]
+            value = (of[0] or {}).get(quantity + "_error_estimate") if of else None
+            return float(value) if isinstance(value, (int, float)) else None
+    return None
+
+
+def draw_error(axes, summary, front, quantity, time, samples, factor, colour):
+    """A bar at the last sample, where its numerical error is estimated."""
+    error = error_estimate(summary, front, quantity)
+    if error is not None and np.isfinite(samples[-1]):
+        axes.errorbar(time[-1:], samples[-1:] * factor, yerr=error * factor, color=colour, capsize=4, lw=1.2, clip_on=False)
+
+
 def draw_release(axes, history, summary, time, per_second=1.0):
     """`time` is drawn, in units of which there are so many in a second."""
     rates = release_rates(history)
@@ -135,6 +152,7 @@ def draw_release(axes, history, summary, time, per_second=1.0):
             colour = style.COLOURS[[m[0] for m in METHODS].index(quantity) if name == "" else fronts.index(front)]
             axes.plot(time, samples * factor, color=colour, ls=dashes, label=name + method,
                       lw=width(fronts.index(front), len(fronts)))
+            draw_error(axes, summary, front, quantity, time, samples, factor, colour)
     else:
         for (quantity, method, dashes), colour in zip(METHODS, style.COLOURS):
             samples = [s for _, q, s in rates if q == quantity]
@@ -163,14 +181,16 @@ def intensities(history):
     return [entry for entry in found if finite_maximum([entry[2]]) > 1.0e-3 * largest]
 
 
-def draw_intensities(axes, found, time):
+def draw_intensities(axes, found, time, summary=None):
     factor, unit = style.scale(finite_maximum([samples for _, _, samples in found]), "Pa")
     fronts = list(dict.fromkeys(front for front, _, _ in found))
     for front, mode, samples in found:
         name = "" if len(fronts) == 1 else f"{front[0]}, front {front[1]}: "
         dashes = {"I": "-", "II": (0, (5, 1.5)), "III": ":"}[mode]
-        axes.plot(time, samples * factor, color=style.COLOURS[fronts.index(front)], ls=dashes, label=rf"{name}$K_\mathrm{{{mode}}}$",
+        colour = style.COLOURS[fronts.index(front)]
+        axes.plot(time, samples * factor, color=colour, ls=dashes, label=rf"{name}$K_\mathrm{{{mode}}}$",
                   lw=width(fronts.index(front), len(fronts)))
+        draw_error(axes, summary, front, f"K_{mode}", time, samples, factor, colour)
     axes.set_title("Stress intensity")
     axes.set_ylabel(f"K [{unit} √m]")
     axes.margins(x=0)
@@ -319,7 +339,7 @@ def draw_history(history, summary, title, path):
         panels.append(lambda axes: draw_release(axes, history, summary, time, factor))
     stressed = intensities(history)
     if stressed:
-        panels.append(lambda axes: draw_intensities(axes, stressed, time))
+        panels.append(lambda axes: draw_intensities(axes, stressed, time, summary))
     inside = pressures(history)
     if inside:
         panels.append(lambda axes: draw_pressures(axes, inside, time))

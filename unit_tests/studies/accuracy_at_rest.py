@@ -29,8 +29,6 @@ import tempfile
 INPUTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../xml_inputs")
 sys.path.insert(0, os.path.join(INPUTS, "references"))
 sys.dont_write_bytecode = True
-import cracks_and_holes  # noqa: E402
-import edge_crack  # noqa: E402
 
 MODULUS, POISSON, STRESS = 3e9, 0.33, 5e4
 FAMILIES = ("inclined", "inclined", "inclined", "strip", "beam")
@@ -48,10 +46,10 @@ def replaced(text, *pairs):
     return text
 
 
-def inclined(pick):
+def inclined(pick, widest=40):
     """A crack in a square whose edges move as in the infinite plate: text of the scene, G at each front."""
     a = 5e-3
-    half = a * math.exp(pick.uniform(math.log(3), math.log(40)))
+    half = a * math.exp(pick.uniform(math.log(3), math.log(widest)))
     angle, turn = pick.uniform(-90, 90), math.radians(pick.uniform(-60, 60))
     x, y = (pick.uniform(2 * a - half, half - 2 * a) for _ in range(2))
     c, s = math.cos(turn), math.sin(turn)
@@ -107,6 +105,8 @@ def placed(pick, first):
 
 
 def beside(pick):
+    import cracks_and_holes  # needs numpy
+
     while True:
         turn = pick.uniform(0, math.pi)
         tip = 5e-3 * complex(math.cos(turn), math.sin(turn))
@@ -140,6 +140,8 @@ def beside(pick):
 
 def by_elements(crack, **strip):
     """G [J/m2] of a crack in small strain, plane stress."""
+    import edge_crack  # needs numpy and scipy
+
     edge_crack.STIFFNESS = MODULUS / (1 - POISSON**2) * edge_crack.np.array([[1, POISSON, 0], [POISSON, 1, 0], [0, 0, (1 - POISSON) / 2]])
     return edge_crack.release(min(crack, strip["width"] - crack) / 250, crack=crack, **strip)
 
@@ -174,18 +176,23 @@ def beam(pick):
     return (read("verification/dcb_static.xml"), sets), [by_elements(a, stress=0.0, width=0.1, height=arm, force=1.0)]
 
 
+def with_usual_answers(text, sets, pick):
+    """A scene with the default contours, without references, and with random functions and particles."""
+    for section in ("Reference", "Output"):
+        text = re.sub(r'<ParameterList name="%s">.*?\n  </ParameterList>' % section, "", text, flags=re.S)
+    text = re.sub(r'<ParameterList name="Energy Release">.*?</ParameterList>', '<ParameterList name="Energy Release"/>', text, flags=re.S)
+    body = re.search(r'<ParameterList name="(Plate|Strip|Beam)">', text)[1]
+    return text, dict(sets, **{"Domain:Shape Functions": pick.choice(["Linear", "GIMP"]),
+                               "Bodies:%s:Particles Per Cell" % body: pick.choice([2, 3])})
+
+
 def draw(seed, k, families=FAMILIES):
     """\\return (family, text, overrides, G at each front)"""
     pick = random.Random(1000 * seed + k)
     family = families[k % len(families)]
     scene, exact = {"inclined": inclined, "strip": strip, "beam": beam, "beside": beside}[family](pick)
     text, sets = scene if isinstance(scene, tuple) else (scene, {})
-    for section in ("Reference", "Output"):
-        text = re.sub(r'<ParameterList name="%s">.*?\n  </ParameterList>' % section, "", text, flags=re.S)
-    text = re.sub(r'<ParameterList name="Energy Release">.*?</ParameterList>', '<ParameterList name="Energy Release"/>', text, flags=re.S)
-    body = re.search(r'<ParameterList name="(Plate|Strip|Beam)">', text)[1]
-    sets = dict(sets, **{"Domain:Shape Functions": pick.choice(["Linear", "GIMP"]),
-                         "Bodies:%s:Particles Per Cell" % body: pick.choice([2, 3])})
+    text, sets = with_usual_answers(text, sets, pick)
     return family, text, sets, exact
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from rhegma_tools import style
 from rhegma_tools.history import read_history
 from rhegma_tools.history_picture import draw_energies, draw_growth, draw_pressures, draw_release, draw_temperatures
-from rhegma_tools.history_picture import ends, growth, pressures, references, temperatures
+from rhegma_tools.history_picture import ends, error_estimate, growth, pressures, references, temperatures
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.style import plt, scale
 from rhegma_tools.summary import look_up, read_summary
@@ -69,6 +69,22 @@ class History(ToolTest):
         plt.close(figure)
         self.assertEqual(lines["initiation toughness 750 mJ/m²"].get_ydata()[0], 750.0)
         self.assertEqual(len(lines), 4)
+
+    def test_the_picture_shows_estimated_errors(self):
+        made_up_run.beam(self.folder)
+        history, summary = read_history(self.folder), read_summary(self.folder)
+        summary["cracks"][0]["fronts"][0].update({"G_J_error_estimate": 0.02, "G_closure_error_estimate": None})
+        name = summary["cracks"][0]["name"]
+        self.assertEqual(error_estimate(summary, (name, 0), "G_J"), 0.02)
+        for front, quantity in (((name, 0), "G_closure"), ((name, 7), "G_J"), (("Other", 0), "G_J")):
+            self.assertIsNone(error_estimate(summary, front, quantity))
+        figure, axes = plt.subplots()
+        draw_release(axes, history, summary, history.time)
+        (_, _, (bar,)), = axes.containers
+        plt.close(figure)
+        low, high = bar.get_segments()[0][:, 1]
+        self.assertAlmostEqual(high - low, 40.0)  # of 20 mJ/m2 on both sides
+        self.assertAlmostEqual(0.5 * (low + high), 500.0, delta=1.0)
 
     def test_units_get_prefixes(self):
         self.assertEqual(scale(2.5e6, "Pa"), (1.0e-6, "MPa"))

@@ -1,0 +1,124 @@
+#include "energy_release/FrontLengths.hpp"
+
+#include "energy_release/Contour.hpp"
+#include "energy_release/FrontLine.hpp"
+#include "state/Subdomain.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// Extent of a crack along a direction [m].
+template <int D>
+double extentAlong(const State<D>& state, const Crack<D>& crack, const Vector<D>& direction)
+{
+  const auto x = onHost(state.cracks.vertex);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
+  {
+    double at = 0.0;
+    for (int d = 0; d < D; ++d)
+      at += x(v, d) * direction[d];
+    low = std::min(low, at);
+    high = std::max(high, at);
+  }
+  return high - low;
+}
+
+int endsOf(const State<2>& state, const CrackFront<2>& front)
+{
+  int ends = 0;
+  for (const CrackFront<2>& other : state.cracks.fronts)
+    ends += other.crack == front.crack && !other.ended ? 1 : 0;
+  return std::max(1, ends);
+}
+int endsOf(const State<3>&, const CrackFront<3>& front)
+{
+  const FrontLine line = lineOf(front);
+  return std::any_of(line.loop.begin(), line.loop.end(), [](double length) { return length > 0.0; }) ? 2 : 1;
+}
+
+double crackLength(const State<2>&, const CrackFront<2>& front) { return front.length; }
+
+/// The shortest extent behind a front.
+double crackLength(const State<3>& state, const CrackFront<3>& front)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const FrontNode<3>& node : front.nodes)
+    shortest = std::min(shortest, extentAlong(state, state.cracks.cracks[front.crack], node.direction));
+  return shortest;
+}
+
+/// Distance ahead of a front node to a node that is not surrounded by material, within a cell of the line
+/// ahead [m].
+template <int D>
+double distanceToSurface(const State<D>& state, const FrontNode<D>& from, const View<double*>& cover)
+{
+  const NodePositions<D> positions = nodePositions(state);
+  const Nodes<D> numbers = state.mesh.nodes;
+  const Vector<D> x = from.position, direction = from.direction;
+  const double aside = 0.75 * state.mesh.grid.spacing;
+  double nearest = std::numeric_limits<double>::infinity();
+  Kokkos::parallel_reduce(
+      "rhegma::distanceToSurface", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
+      KOKKOS_LAMBDA(const int n, double& smallest) {
+        if (!isOpen(numbers, cover, n))
+          return;
+        const Vector<D> v = positions(n) - x;
+        const double along = dot(v, direction);
+        if (along > 0.0 && along < smallest && dot(v, v) - along * along < aside * aside)
+          smallest = along;
+      },
+      Kokkos::Min<double>(nearest));
+  double closeness = -nearest;
+  maxParts(state, &closeness, 1);
+  return -closeness;
+}
+
+/// Distance to the nearest front ahead, within 45 degrees of the direction [m].
+template <int D>
+double distanceToFronts(const State<D>& state, const FrontNode<D>& from)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const CrackFront<D>& other : state.cracks.fronts)
+    for (const FrontNode<D>& node : other.nodes)
+    {
+      const Vector<D> v = node.position - from.position;
+      const double along = dot(v, from.direction), length = norm(v);
+      if (!other.ended && length > 0.0 && along > 0.5 * std::sqrt(2.0) * length)
+        nearest = std::min(nearest, length);
+    }
+  return nearest;
+}
+
+} // namespace
+
+template <int D>
+FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const View<double*>& cover)
+{
+  constexpr std::size_t most = 8; // nodes of a front that are looked at
+  const int ends = endsOf(state, front);
+  FrontLengths lengths{crackLength(state, front) / ends, 0.0, ends, 0.0};
+  const std::size_t count = front.nodes.size(), looked = std::min(count, most);
+  double inverse = 0.0;
+  for (std::size_t k = 0; k < looked; ++k)
+  {
+    const FrontNode<D>& node = front.nodes[k * count / looked];
+    inverse += 1.0 / std::min(distanceToSurface(state, node, cover), distanceToFronts(state, node));
+  }
+  lengths.ligament = static_cast<double>(looked) / inverse;
+  for (const CrackFront<D>& other : state.cracks.fronts)
+    if (other.crack == front.crack && !other.ended)
+      lengths.front += D == 3 ? other.length : state.method.thickness;
+  return lengths;
+}
+
+template FrontLengths lengthsAt(const State<2>&, const CrackFront<2>&, const View<double*>&);
+template FrontLengths lengthsAt(const State<3>&, const CrackFront<3>&, const View<double*>&);
+
+} // namespace Rhegma::energy_release

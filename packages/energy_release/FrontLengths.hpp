@@ -1,0 +1,22 @@
+#pragma once
+/// Lengths at a front by which its energy release rate changes when it advances.
+
+#include "state/State.hpp"
+
+namespace Rhegma::energy_release
+{
+
+/// Lengths of a front [m].
+struct FrontLengths
+{
+  double crack;    ///< of its crack, half of it where the crack has a front at its other end; 3D: a radius
+  double ligament; ///< from the front ahead to a surface or another front; infinite where there is none
+  int ends;        ///< fronts of the crack that have not ended, in 3D 2 for a closed one
+  double front;    ///< 3D: of all fronts of the crack; 2D: their number times the thickness
+};
+
+/// The lengths at a front. \param cover of all nodes, by coverOfNodes. Collective.
+template <int D>
+FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const View<double*>& cover);
+
+} // namespace Rhegma::energy_release
