@@ -47,6 +47,7 @@ struct Samples
   FrontSet unclosed;                 ///< fronts that had no crack closure at some time (2D)
   std::vector<ErrorEstimate> errors; ///< of the answers of a report
   long errorsOfStep = -1;            ///< at whose end these were estimated
+  long step = -1; ///< at whose end the last samples were taken, in this run and not in that of a checkpoint
 };
 
 /// The columns of a front in the history begin with it, such as "Notch.0".
@@ -161,6 +162,7 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples)
 {
   samples.last.clear();
   samples.time = state.clock.time;
+  samples.step = state.clock.step;
   InternalAcceleration<D> acceleration;
   for (const CrackFront<D>& front : state.cracks.fronts)
   {
@@ -191,7 +193,7 @@ const std::vector<ErrorEstimate>& errorsOf(const State<D>& state, const Options&
 {
   if (samples.errorsOfStep == state.clock.step && samples.errors.size() == samples.last.size())
     return samples.errors;
-  if (state.sample.step == state.clock.step)
+  if (samples.step == state.clock.step)
     samples.errors = estimateErrors(state, samples.last, options);
   else
   {
