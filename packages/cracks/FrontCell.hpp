@@ -4,10 +4,10 @@
 namespace Rhegma::cracks::frontCell
 {
 
-constexpr double stiffness = 0.224;    ///< a: fraction of E' times the thickness [-]
-constexpr double range = 1.01;         ///< l0: where springs end, for a crack along the cells [cells]
-constexpr double lag = 0.238;          ///< s0: by how much nodes open ahead of the front [cells]
+constexpr double stiffness = 0.224;   ///< a: fraction of E' times the thickness [-]
+constexpr double range = 1.01;        ///< l0: where springs end, for a crack along the cells [cells]
+constexpr double lag = 0.238;         ///< s0: by how much nodes open ahead of the front [cells]
 constexpr double lagMidCell = 0.0105; ///< m: added to s0 midway between rows of nodes [cells]
-constexpr double lagTurned = 0.178;    ///< q: times 1 - c, added to s0 at an angle to the cells [cells]
+constexpr double lagTurned = 0.178;   ///< q: times 1 - c, added to s0 at an angle to the cells [cells]
 
 } // namespace Rhegma::cracks::frontCell

@@ -47,6 +47,7 @@ struct Samples
   FrontSet unclosed;                 ///< fronts that had no crack closure at some time (2D)
   std::vector<ErrorEstimate> errors; ///< of the answers of a report
   long errorsOfStep = -1;            ///< at whose end these were estimated
+  long step = -1; ///< at whose end the last samples were taken, in this run and not in that of a checkpoint
 };
 
 /// The columns of a front in the history begin with it, such as "Notch.0".
@@ -205,6 +206,7 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples, Sample
 {
   samples.last.clear();
   samples.time = state.clock.time;
+  samples.step = state.clock.step;
   for (const CrackFront<D>& front : state.cracks.fronts)
     samples.last.emplace_back(front, front.ended ? 0.0 : notYet);
   integrateAll(state, options, samples, work);
@@ -227,7 +229,7 @@ const std::vector<ErrorEstimate>& errorsOf(const State<D>& state, const Options&
 {
   if (samples.errorsOfStep == state.clock.step && samples.errors.size() == samples.last.size())
     return samples.errors;
-  if (state.sample.step == state.clock.step)
+  if (samples.step == state.clock.step)
     samples.errors = estimateErrors(state, samples.last, options);
   else
   {
@@ -280,6 +282,29 @@ void serialize(Samples<D>& samples, Archive& archive)
   storeFronts(samples.unclosed, "unclosed", archive);
 }
 
+/// The entries of all fronts that were sampled.
+template <int D>
+void reportSamples(const State<D>& state, const Options& options, Samples<D>& samples,
+                   nlohmann::json& summary)
+{
+  const std::vector<ErrorEstimate>& errors = errorsOf(state, options, samples);
+  for (std::size_t k = 0; k < samples.last.size(); ++k)
+  {
+    const FrontSample<D>& s = samples.last[k];
+    nlohmann::json& crack = summary["cracks"][s.front.crack];
+    crack["name"] = state.cracks.cracks[s.front.crack].name;
+    nlohmann::json& front = crack["fronts"][s.front.number];
+    s.report(options, front);
+    reportError(s, options, errors[k], front);
+    if (options.contour && !state.method.equilibrium())
+    {
+      const LargestRelease::Peak largest = samples.largest.of(s.front.crack, s.front.number);
+      front["largest_G_J"] = largest.release;
+      front["time_of_largest_G_J"] = largest.time;
+    }
+  }
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
@@ -320,22 +345,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
-    const std::vector<ErrorEstimate>& errors = errorsOf(state, options, *samples);
-    for (std::size_t k = 0; k < samples->last.size(); ++k)
-    {
-      const FrontSample<D>& s = samples->last[k];
-      nlohmann::json& crack = summary["cracks"][s.front.crack];
-      crack["name"] = state.cracks.cracks[s.front.crack].name;
-      nlohmann::json& front = crack["fronts"][s.front.number];
-      s.report(options, front);
-      reportError(s, options, errors[k], front);
-      if (options.contour && !state.method.equilibrium())
-      {
-        const LargestRelease::Peak largest = samples->largest.of(s.front.crack, s.front.number);
-        front["largest_G_J"] = largest.release;
-        front["time_of_largest_G_J"] = largest.time;
-      }
-    }
+    reportSamples(state, options, *samples, summary);
     addAnswersOfHeldFronts(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);

@@ -91,6 +91,16 @@ void addLoadControl(Section& s)
                "functions of time, and in each load step cracks grow until G is below the toughness.");
 }
 
+void addSampling(Section& s)
+{
+  s.real("Sampling Interval")
+      .range(0.0, 4.0)
+      .byDefault(0.5)
+      .meaning("Cells at the front that a Rayleigh wave travels between two evaluations of G of a "
+               "front, in a dynamic analysis. A front whose G would reach the toughness by extrapolation is "
+               "evaluated in each step. 0: every step.");
+}
+
 } // namespace
 
 Section propagationSection()
@@ -129,12 +139,7 @@ Section propagationSection()
       .positive()
       .optional("Rayleigh wave speed")
       .meaning("Upper limit of the front speed.");
-  s.real("Sampling Interval")
-      .range(0.0, 4.0)
-      .byDefault(0.5)
-      .meaning("Cells at the front that a Rayleigh wave travels between two evaluations of G of a "
-               "front, in a dynamic analysis. A front whose G would reach the toughness by extrapolation is "
-               "evaluated in each step. 0: every step.");
+  addSampling(s);
   s.choice("On Stop", {"Stop", "Continue"})
       .byDefault("Stop")
       .mayChange()

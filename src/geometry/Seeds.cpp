@@ -170,9 +170,9 @@ struct Filling
 template <int D>
 struct CellInBox
 {
-  Vector<D> middle;   ///< own coordinates [m]
-  Vector<D> edge;     ///< [m]
-  double share = 1.0; ///< of the cell; 0: none
+  Vector<D> middle;      ///< own coordinates [m]
+  Vector<D> edge;        ///< [m]
+  double fraction = 1.0; ///< of the cell; 0: none
 
   CellInBox(const Vector<D>& own, const Vector<D>& whole, const Geometry::Bounds<D>& box)
       : middle(own), edge(whole)
@@ -181,10 +181,10 @@ struct CellInBox
     {
       const double low = std::max(own[d] - 0.5 * whole[d], box.lower[d]),
                    high = std::min(own[d] + 0.5 * whole[d], box.upper[d]);
-      const double fraction = (high - low) / whole[d];
-      if (fraction >= 1.0 - tiny)
+      const double along = (high - low) / whole[d];
+      if (along >= 1.0 - tiny)
         continue;
-      share *= fraction > tiny ? fraction : 0.0;
+      fraction *= along > tiny ? along : 0.0;
       middle[d] = 0.5 * (low + high);
       edge[d] = high - low;
     }
@@ -214,15 +214,15 @@ void addParts(const Lattice<D>& lattice, const Filling<D>& body, const Geometry:
   constexpr std::size_t most = 4; // more surfaces in one cell: more than 16 parts
   Lattice<D> filled = lattice;
   Vector<D> middle = own;
-  double share = 1.0;
+  double inBox = 1.0; // fraction of the cell
   if (body.isBox)
   {
     const CellInBox<D> part(own, lattice.edge, body.bounds);
     filled.edge = part.edge;
     middle = part.middle;
-    share = part.share;
+    inBox = part.fraction;
   }
-  if (share == 0.0)
+  if (inBox == 0.0)
     return;
   const std::size_t before = parts.size();
   if (!cuts.through.empty() && cuts.through.size() <= most)
@@ -243,7 +243,7 @@ void addParts(const Lattice<D>& lattice, const Filling<D>& body, const Geometry:
   else
     addPartOf(filled, body.frame, middle, body.region, cell, parts);
   for (std::size_t k = before; k < parts.size(); ++k)
-    parts[k].fraction *= share;
+    parts[k].fraction *= inBox;
 }
 
 /// Parts of lattices that are finer by a level each.
@@ -269,7 +269,7 @@ private:
     Geometry::BoxCuts<D> cuts;
     if (body_.rules.cuts.ofBox)
       cuts = body_.rules.cuts.ofBox(box);
-    const bool isWhole = !cuts.any && (body_.isBox ? CellInBox<D>(own, edge, body_.bounds).share == 1.0
+    const bool isWhole = !cuts.any && (body_.isBox ? CellInBox<D>(own, edge, body_.bounds).fraction == 1.0
                                                    : body_.rules.isDivided && isFull(own, edge));
     // Whole particles of a box can be divided later, exactly.
     const bool divided =
