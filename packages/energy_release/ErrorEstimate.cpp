@@ -61,7 +61,7 @@ double releaseOfSmaller(const State<2>& state, const FrontSample<2>& sample,
   ContourRadii radii = sample.tube.radii;
   radii.outer = std::max(smaller * radii.outer, std::min(2.0 * cell, radii.outer));
   radii.inner = std::min(std::max(smaller * radii.inner, cell), 0.5 * radii.outer);
-  const auto& rows = acceleration.around(state, {sample.front.position, accelerationReach(state, radii)});
+  const auto& rows = acceleration.around(state, accelerationRange(state, sample.front, radii));
   return integrateRelease(state, sample.front, radii, rows).value_or(FrontSample<2>::notYet);
 }
 
@@ -201,7 +201,7 @@ std::vector<ErrorEstimate> estimateErrors(const State<D>& state, const std::vect
   }
   if (!any)
     return estimates;
-  const View<double*> cover = coverOfNodes(state, Vector<D>{}, 1e300);
+  const NodeCover<D> cover = coverOfNodes(state, Vector<D>{}, 1e300);
   std::vector<FrontLengths> lengths;
   for (const FrontSample<D>& sample : samples)
     lengths.push_back(sample.front.ended ? FrontLengths{} : lengthsAt(state, sample.front, cover));

@@ -57,19 +57,18 @@ double crackLength(const State<3>& state, const CrackFront<3>& front)
 /// Distance ahead of a front node to a node that is not surrounded by material, within a cell of the line
 /// ahead [m].
 template <int D>
-double distanceToSurface(const State<D>& state, const FrontNode<D>& from, const View<double*>& cover)
+double distanceToSurface(const State<D>& state, const FrontNode<D>& from, const NodeCover<D>& cover)
 {
   const NodePositions<D> positions = nodePositions(state);
-  const Nodes<D> numbers = state.mesh.nodes;
   const Vector<D> x = from.position, direction = from.direction;
   const double aside = 0.75 * state.mesh.grid.spacing;
   double nearest = std::numeric_limits<double>::infinity();
   Kokkos::parallel_reduce(
-      "rhegma::distanceToSurface", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
-      KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (!isOpen(numbers, cover, n))
+      "rhegma::distanceToSurface", Kokkos::RangePolicy<ExecSpace>(0, cover.box.count()),
+      KOKKOS_LAMBDA(const int k, double& smallest) {
+        if (!cover.isOpen(k))
           return;
-        const Vector<D> v = positions(n) - x;
+        const Vector<D> v = positions(cover.box.node(k)) - x;
         const double along = dot(v, direction);
         if (along > 0.0 && along < smallest && dot(v, v) - along * along < aside * aside)
           smallest = along;
@@ -99,7 +98,7 @@ double distanceToFronts(const State<D>& state, const FrontNode<D>& from)
 } // namespace
 
 template <int D>
-FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const View<double*>& cover)
+FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const NodeCover<D>& cover)
 {
   constexpr std::size_t most = 8; // nodes of a front that are looked at
   const int ends = endsOf(state, front);
@@ -118,7 +117,7 @@ FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const 
   return lengths;
 }
 
-template FrontLengths lengthsAt(const State<2>&, const CrackFront<2>&, const View<double*>&);
-template FrontLengths lengthsAt(const State<3>&, const CrackFront<3>&, const View<double*>&);
+template FrontLengths lengthsAt(const State<2>&, const CrackFront<2>&, const NodeCover<2>&);
+template FrontLengths lengthsAt(const State<3>&, const CrackFront<3>&, const NodeCover<3>&);
 
 } // namespace Rhegma::energy_release

@@ -1,7 +1,7 @@
 #pragma once
 /// Lengths at a front by which its energy release rate changes when it advances.
 
-#include "state/State.hpp"
+#include "energy_release/Contour.hpp"
 
 namespace Rhegma::energy_release
 {
@@ -17,6 +17,6 @@ struct FrontLengths
 
 /// The lengths at a front. \param cover of all nodes, by coverOfNodes. Collective.
 template <int D>
-FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const View<double*>& cover);
+FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const NodeCover<D>& cover);
 
 } // namespace Rhegma::energy_release

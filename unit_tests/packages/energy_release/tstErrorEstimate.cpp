@@ -165,7 +165,7 @@ TEST(FrontLengths, AreThoseOfCrackAndLigament)
 {
   State<2> state = makeBody(half, cell, Plane::Stress, ShapeKind::Gimp);
   const FrontSample<2> sample = sampleOf(state);
-  const View<double*> cover = coverOfNodes(state, Vector<2>{}, 1e300);
+  const NodeCover<2> cover = coverOfNodes(state, Vector<2>{}, 1e300);
   const FrontLengths one = lengthsAt(state, sample.front, cover);
   EXPECT_NEAR(one.crack, half, 1e-12);
   EXPECT_NEAR(one.ligament, half, 1e-9);
