@@ -97,33 +97,43 @@ TEST(CohesiveLaw, ShortRangesStartWithLessForce)
 /// above and below the crack, and ends within a cell.
 TEST(CohesiveLaw, FrontSpringsEndACellBehindTheFront)
 {
-  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.0, 1.0, false), 2.0); // 0.1 E' b
-  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.25, 1.0, false), 1.5);
-  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.75, 1.0, false), 0.5);
-  EXPECT_NEAR(frontSpringStiffness<3>(10.0, 2.0, 0.0, 0.0, 1.0, false), 38.0,
+  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.0, 1.0, FrontLaw{}), 2.0); // 0.1 E' b
+  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.25, 1.0, FrontLaw{}), 1.5);
+  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.75, 1.0, FrontLaw{}), 0.5);
+  EXPECT_NEAR(frontSpringStiffness<3>(10.0, 2.0, 0.0, 0.0, 1.0, FrontLaw{}), 38.0,
               1e-12); // (1 - 0.05) / 0.05 times that
-  EXPECT_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.96, 0.0, 1.0, false), 0.0);
-  EXPECT_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 1.0, 1.0, false), 0.0);
+  EXPECT_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.96, 0.0, 1.0, FrontLaw{}), 0.0);
+  EXPECT_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 1.0, 1.0, FrontLaw{}), 0.0);
 }
 
 /// In 2D springs end where the next node opens, so that the crack of the cells grows continuously: nodes of a
 /// row are a cell apart. At an angle to the cells 2D has the law of 3D.
 TEST(CohesiveLaw, FrontSpringsHandOverFromNodeToNode)
 {
-  const double ahead = splitAhead<2>(1.0, 0.0, true);
+  const double ahead = splitAhead<2>(1.0, 0.0, FrontLaw{true});
   EXPECT_GT(ahead, 0.1);
   EXPECT_LT(ahead, 0.3);
-  EXPECT_GT(splitAhead<2>(1.0, 0.5, true), ahead);
-  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, true), springs::splitAheadInclined);
-  const double soft = frontSpringStiffness<2>(10.0, 2.0, 0.9 - ahead, 0.0, 1.0, true);
+  EXPECT_GT(splitAhead<2>(1.0, 0.5, FrontLaw{true}), ahead);
+  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, FrontLaw{true}), springs::splitAheadInclined);
+  const double soft = frontSpringStiffness<2>(10.0, 2.0, 0.9 - ahead, 0.0, 1.0, FrontLaw{true});
   EXPECT_GT(soft, 0.0);
   EXPECT_LT(soft, 1.0);
-  EXPECT_GT(frontSpringStiffness<2>(10.0, 2.0, -ahead, 0.0, 1.0, true), 50.0);
-  EXPECT_EQ(frontSpringStiffness<2>(10.0, 2.0, 1.05 - ahead, 0.0, 1.0, true), 0.0);
+  EXPECT_GT(frontSpringStiffness<2>(10.0, 2.0, -ahead, 0.0, 1.0, FrontLaw{true}), 50.0);
+  EXPECT_EQ(frontSpringStiffness<2>(10.0, 2.0, 1.05 - ahead, 0.0, 1.0, FrontLaw{true}), 0.0);
   EXPECT_DOUBLE_EQ(openingFraction(3.0, 3.0), 1.0);
   EXPECT_DOUBLE_EQ(openingFraction(7.0, 1.0), 0.5);
-  EXPECT_DOUBLE_EQ(splitAhead<2>(1.0, 0.0, false), -springs::splitBehindAligned); // where faces are loaded
+  EXPECT_DOUBLE_EQ(splitAhead<2>(1.0, 0.0, FrontLaw{}),
+                   -springs::splitBehindAligned); // where faces are loaded
   EXPECT_EQ(openingFraction(1.0, 0.0), 0.0);
+}
+
+/// At rest the law of the front's cell holds at every angle, and a node that just opens is as good as closed.
+TEST(CohesiveLaw, AtRestOneLawHoldsAtEveryAngle)
+{
+  const FrontLaw rest{true, true, springs::leastAtRest};
+  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, rest), (frontCell::lag + 0.2 * frontCell::lagTurned) / 0.8);
+  EXPECT_GT(frontSpringStiffness<2>(1.0, 1.0, -splitAhead<2>(0.8, 0.0, rest), 0.0, 0.8, rest), 50.0);
+  EXPECT_FALSE(hasFrontCell<3>(1.0, rest));
 }
 
 /// A spring of 8 N/m stretched by 0.5 m stores 1 J and dissipates another one as it softens.
