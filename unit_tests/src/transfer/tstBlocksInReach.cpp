@@ -114,9 +114,9 @@ public:
                     });
       for (int n = 0; n < state.mesh.grid.numNodes; ++n)
       {
-        const Vector<D> x = state.mesh.grid.nodePosition(n);
-        EXPECT_TRUE(!box.holds(x) || visited.count(n) == 1U) << n;
-        EXPECT_TRUE(box.widened(1.0).holds(x) || nodes.find(n) == -1) << n;
+        const Vector<D> where = state.mesh.grid.nodePosition(n);
+        EXPECT_TRUE(!box.holds(where) || visited.count(n) == 1U) << n;
+        EXPECT_TRUE(box.widened(1.0).holds(where) || nodes.find(n) == -1) << n;
       }
     }
   }
