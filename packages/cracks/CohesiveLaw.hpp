@@ -22,16 +22,21 @@ enum class SpringState : int
 /// Where the law of FrontCell.hpp holds in 2D; elsewhere the plain one does.
 struct FrontLaw
 {
-  bool ofCells = false;                  ///< for cracks along the cells
-  bool atAngles = false;                 ///< for others too
-  double least = springs::leastInMotion; ///< xi of a node that opens [cells]
+  bool ofCells = false; ///< for cracks along the cells
+  bool atRest = false;  ///< in runs of equilibrium: for cracks at angles too
+
+  /// xi of a node that just opens [cells].
+  KOKKOS_INLINE_FUNCTION double least() const
+  {
+    return atRest ? springs::leastAtRest : springs::leastInMotion;
+  }
 };
 
 /// Whether the law of FrontCell.hpp holds. \param steepest c: largest component of the crack's normal
 template <int D>
 KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, FrontLaw law)
 {
-  return D == 2 && law.ofCells && (law.atAngles || steepest > springs::onTheCells);
+  return D == 2 && law.ofCells && (law.atRest || steepest > springs::onTheCells);
 }
 
 /// How far ahead of a front a node may lie that has an enriched field, with front springs [cells].
@@ -47,8 +52,10 @@ KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, FrontLaw 
   if (!hasFrontCell<D>(steepest, law))
     return steepest > springs::alongTheCells ? -springs::splitBehindAligned : springs::splitAheadInclined;
   const double middle = std::fmax(0.0, 2.0 * std::fmin(away, 1.0 - away));
-  const double turned = 1.0 - steepest;
-  return (frontCell::lag + frontCell::lagMidCell * middle + frontCell::lagTurned * turned) / steepest;
+  if (!law.atRest)
+    return (frontCell::inMotion::lag + frontCell::inMotion::lagMidCell * middle) / steepest;
+  using namespace frontCell::atRest;
+  return (lag + lagMidCell * middle + lagTurned * (1.0 - steepest)) / steepest;
 }
 
 /// Stiffness of the spring between the two fields of a node near a front [N/m]. By the law of
@@ -75,9 +82,10 @@ KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width,
     const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
     return xi < 1.0 ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away) : 0.0;
   }
-  const double range = frontCell::range / steepest;
-  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, law), law.least);
-  return xi < range ? frontCell::stiffness * modulus * width * (range - xi) / xi : 0.0;
+  const double range = (law.atRest ? frontCell::atRest::range : frontCell::inMotion::range) / steepest;
+  const double factor = law.atRest ? frontCell::atRest::stiffness : frontCell::inMotion::stiffness;
+  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, law), law.least());
+  return xi < range ? factor * modulus * width * (range - xi) / xi : 0.0;
 }
 
 /// Fraction of a crack's opening at a node in 2D [-], by the masses of its two fields: where particles are

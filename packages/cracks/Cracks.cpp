@@ -141,12 +141,13 @@ std::pair<double, double> sizesOf(const Parts<D>& parts, const State<D>& state)
   return {cell / parts.pieces, std::ldexp(cell, -parts.levels)};
 }
 
-/// Where the cracks divide particles; nowhere if one is wrong, which is said where they are read again.
+/// Where the cracks divide particles: at rest. In motion they do not, as the springs of cracks at angles were
+/// derived with whole particles. Nowhere if a crack is wrong, which is said where they are read again.
 template <int D>
 Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
 {
   Geometry::Cuts<D> cuts;
-  if (parts.bodies == nullptr)
+  if (parts.bodies == nullptr || !staysAtRest(state))
     return cuts;
   std::vector<std::string> warnings;
   const auto [edge, front] = sizesOf(parts, state);
@@ -155,7 +156,7 @@ Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
       [&, edge = edge, front = front] {
         cuts = surface::cutsOfMeshes(readMeshes(parts.section, *parts.bodies, state, edge, front, warnings));
       });
-  cuts.joinedBelow = staysAtRest(state) ? springs::joinedAtRest : springs::joinedInMotion;
+  cuts.joinedBelow = springs::joinedAtRest;
   return cuts;
 }
 
@@ -164,11 +165,7 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
-  if (staysAtRest(state))
-  {
-    parts->surroundings.law.atAngles = true;
-    parts->surroundings.law.least = springs::leastAtRest;
-  }
+  parts->surroundings.law.atRest = staysAtRest(state);
   if (parts->hasSprings && state.method.equilibrium())
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->formulation == Formulation::BrokenCell && state.method.equilibrium())

@@ -90,7 +90,7 @@ KOKKOS_INLINE_FUNCTION double toleranceWithSprings(const CrackSight<D>& sight, i
   for (int d = 0; d < D; ++d)
     steepest = std::fmax(steepest, std::fabs(sight.normal(simplex, d)));
   const double ahead = splitAhead<D>(steepest, std::fabs(distance) / steepest, law);
-  return hasFrontCell<D>(steepest, law) ? law.least - ahead : -ahead;
+  return hasFrontCell<D>(steepest, law) ? law.least() - ahead : -ahead;
 }
 
 template <int D>

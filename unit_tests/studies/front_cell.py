@@ -234,7 +234,7 @@ def read_constants():
 def write_constants(constants):
     text = open(HEADER).read()
     for name, value in zip(NAMES, constants):
-        text = re.sub(r"(double %s = )[-0-9.e]+;" % name, lambda m: "%s%.3g;" % (m.group(1), value), text)
+        text = re.sub(r"(double %s = )[-0-9.e]+;" % name, lambda m: "%s%.3g;" % (m.group(1), value), text, count=1)
     open(HEADER, "w").write(text)
 
 

@@ -130,8 +130,9 @@ TEST(CohesiveLaw, FrontSpringsHandOverFromNodeToNode)
 /// At rest the law of the front's cell holds at every angle, and a node that just opens is as good as closed.
 TEST(CohesiveLaw, AtRestOneLawHoldsAtEveryAngle)
 {
-  const FrontLaw rest{true, true, springs::leastAtRest};
-  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, rest), (frontCell::lag + 0.2 * frontCell::lagTurned) / 0.8);
+  const FrontLaw rest{true, true};
+  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, rest),
+                   (frontCell::atRest::lag + 0.2 * frontCell::atRest::lagTurned) / 0.8);
   EXPECT_GT(frontSpringStiffness<2>(1.0, 1.0, -splitAhead<2>(0.8, 0.0, rest), 0.0, 0.8, rest), 50.0);
   EXPECT_FALSE(hasFrontCell<3>(1.0, rest));
 }
