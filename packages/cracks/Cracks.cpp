@@ -156,7 +156,6 @@ Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
       [&, edge = edge, front = front] {
         cuts = surface::cutsOfMeshes(readMeshes(parts.section, *parts.bodies, state, edge, front, warnings));
       });
-  cuts.joinedBelow = springs::joinedAtRest;
   return cuts;
 }
 

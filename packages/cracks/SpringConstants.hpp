@@ -15,10 +15,6 @@ constexpr double distanceOffset = 0.05;
 /// node is closed. At rest no spring is too stiff, and with one of this xi a node is as good as closed.
 constexpr double leastInMotion = 0.05, leastAtRest = 0.003;
 
-/// Parts of a particle that a crack divides are joined with another particle on their side below this
-/// fraction of it [-]. At rest, where no node needs a short step, little is gained by more.
-constexpr double joinedAtRest = 0.05;
-
 /// Where nodes open, except along the cells in 2D [cells]: crack closure wants a node at a front along the
 /// cells (within five degrees) closed; at an angle, nodes open a little before the front passes them, which
 /// measures better.

@@ -218,8 +218,8 @@ void copyGradient(State<D>& state, const SplitParts& parts)
             rise += g(p, d) * (x(p, d) - middle[d]);
           T(p) += rise;
           internal(p) += capacity * rise;
-          for (int k = 0; k < D * D && mechanics; ++k)
-            F(p, k) *= 1.0 + expansion * rise;
+          for (int c = 0; c < D * D && mechanics; ++c)
+            F(p, c) *= 1.0 + expansion * rise;
         }
       });
 }

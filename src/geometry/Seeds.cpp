@@ -283,8 +283,7 @@ private:
     addParts(lattices_[level], body_, cuts, own, cell, these);
     for (std::size_t k = before; k < these.size(); ++k)
     {
-      if (!cuts.through.empty())
-        these[k].least = body_.rules.cuts.joinedBelow;
+      these[k].least = cuts.through.empty() ? body_.rules.joinedBelow : body_.rules.cuts.joinedBelow;
       these[k].lineage = lineage;
       these[k].family = these[k].fraction == 1.0 ? family : -1;
     }

@@ -3,6 +3,7 @@
 
 #include "geometry/Cuts.hpp"
 #include "geometry/Shape.hpp"
+#include "geometry/Slivers.hpp"
 
 #include <functional>
 #include <optional>
@@ -41,6 +42,8 @@ struct SeedRules
   /// A node of the grid, from which the lattices of bodies that are not rotated start; none: each starts at
   /// its body's lower corner.
   std::optional<Vector<D>> node{};
+  /// Parts that fill less of a cell of a lattice are joined with others [-].
+  double joinedBelow = Geometry::joinedBelow;
   Geometry::Cuts<D> cuts{}; ///< empty: no surface divides the body
 };
 
@@ -54,7 +57,7 @@ struct SeedRules
 ///
 /// A particle is the part of a cell of the lattice that is inside the shape: it has the part's volume and
 /// centroid, and a box with its second moments along the axes. A part below a fraction of a cell
-/// (joinedBelow, geometry/Slivers.hpp) belongs to the particle of a cell next to it. So the volume, the first
+/// (SeedRules::joinedBelow) belongs to the particle of a cell next to it. So the volume, the first
 /// moments and the second moments along the axes of a shape are those of its particles, as exactly as
 /// partOfBox (geometry/PartOfBox.hpp) finds them.
 ///

@@ -290,6 +290,10 @@ void makeBoxes(State<D>& state)
       });
 }
 
+/// Below this fraction of a particle parts are joined with others at rest, where light nodes need no short
+/// steps. A part that is joined across the border of its cell lies at the wrong place for linear functions.
+constexpr double joinedAtRest = 1e-3;
+
 /// Particles sit evenly in the cells as long as they stay in them, that is at rest.
 template <int D>
 SeedRules<D> rulesOf(const State<D>& state, const RulesOfSeeds<D>& rules)
@@ -297,6 +301,7 @@ SeedRules<D> rulesOf(const State<D>& state, const RulesOfSeeds<D>& rules)
   SeedRules<D> all = rules ? rules(state) : SeedRules<D>{};
   if (staysAtRest(state))
   {
+    all.joinedBelow = all.cuts.joinedBelow = joinedAtRest;
     all.node.emplace();
     for (int d = 0; d < D; ++d)
       (*all.node)[d] = state.mesh.grid.lower[d];

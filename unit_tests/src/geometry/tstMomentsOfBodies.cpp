@@ -188,7 +188,7 @@ void divideBalls(int trials)
     ParameterList list = ball({0.0, 0.0}, r);
     list.set("Centre", Teuchos::Array<double>(centre.c, centre.c + D));
     const Shape<D> shape = makeShape<D>(list);
-    const Seeds<D> seeds = seedParticles(shape, 1.0, 2, "Ball", SeedRules<D>{isDivided, {}, {}});
+    const Seeds<D> seeds = seedParticles(shape, 1.0, 2, "Ball", SeedRules<D>{isDivided, {}});
     expectMoments(seeds, right, 1e-3, "ball of radius " + std::to_string(r));
     double cell = 1.0;
     for (int d = 0; d < D; ++d)
