@@ -290,18 +290,19 @@ void makeBoxes(State<D>& state)
       });
 }
 
-/// Below this fraction of a particle parts are joined with others at rest, where light nodes need no short
-/// steps. A part that is joined across the border of its cell lies at the wrong place for linear functions.
-constexpr double joinedAtRest = 1e-3;
+/// Below this fraction of a particle the parts that a crack makes of it are joined with others at rest, where
+/// light nodes need no short steps.
+constexpr double joinedAtRest = 0.05;
 
-/// Particles sit evenly in the cells as long as they stay in them, that is at rest.
+/// Particles near cracks sit evenly in the cells as long as they stay in them, that is at rest. Elsewhere the
+/// lattice of a body, which has no parts at its edges, integrates constant strain exactly at any place.
 template <int D>
 SeedRules<D> rulesOf(const State<D>& state, const RulesOfSeeds<D>& rules)
 {
   SeedRules<D> all = rules ? rules(state) : SeedRules<D>{};
-  if (staysAtRest(state))
+  if (staysAtRest(state) && all.cuts.ofBox)
   {
-    all.joinedBelow = all.cuts.joinedBelow = joinedAtRest;
+    all.cuts.joinedBelow = joinedAtRest;
     all.node.emplace();
     for (int d = 0; d < D; ++d)
       (*all.node)[d] = state.mesh.grid.lower[d];

@@ -23,8 +23,7 @@ Teuchos::ParameterList movedCube(double by)
   scene.sublist("Time").set("Rigid Modes", "Remove");
   scene.sublist("Time").set("Final Time", 1.0);
   addMaterial(scene, "Neo-Hookean", 0.3);
-  // Particles of a body that is rotated do not follow the cells.
-  addBox<3>(scene, "Block", all<3>(by), all<3>(4.0 + by)).set("Rotation", 90.0);
+  addBox<3>(scene, "Block", all<3>(by), all<3>(4.0 + by));
   return scene;
 }
 
