@@ -91,7 +91,7 @@ class Refused(RestartTest):
             data[BLOCK - 4 : BLOCK] = struct.pack("<I", zlib.crc32(bytes(data[: BLOCK - 4])))
 
         self.change(older)
-        self.refused("checkpoint.h5", "is of schema 7", "reads schema 5")
+        self.refused("checkpoint.h5", "is of schema 7", "reads schema 6")
 
     def test_another_file(self):
         shutil.copy(self.path("out", "fields.h5"), self.checkpoint)
