@@ -45,7 +45,7 @@ struct Samples
   FrontSet inclined;                 ///< fronts that did not start along the grid: without crack closure (2D)
   FrontSet warned;                   ///< fronts whose tube has left the body during the run
   FrontSet unclosed;                 ///< fronts that had no crack closure at some time (2D)
-  std::vector<ErrorEstimate> errors; ///< of the answers of a report
+  std::vector<ErrorEstimate> errors; ///< of the answers of a report, or of a state that is saved
   long errorsOfStep = -1;            ///< at whose end these were estimated
   long step = -1; ///< at whose end the last samples were taken, in this run and not in that of a checkpoint
 };
@@ -264,18 +264,25 @@ void start(State<D>& state, const Options& options, Samples<D>& samples)
   }
 }
 
-/// Saves or loads the last sample and which fronts were warned of.
+/// Saves or loads the last sample and which fronts were warned of. Errors are those of the state that is
+/// saved, which has no values on nodes when it is loaded.
 template <int D>
-void serialize(Samples<D>& samples, Archive& archive)
+void serialize(const State<D>& state, const Options& options, Samples<D>& samples, Archive& archive)
 {
+  if (!archive.loads())
+    errorsOf(state, options, samples);
   archive("time", samples.time);
+  archive("step_of_errors", samples.errorsOfStep);
   int count = static_cast<int>(samples.last.size());
   archive("fronts", count);
   samples.last.resize(count);
+  samples.errors.resize(count);
   for (int k = 0; k < count; ++k)
   {
     const Archive::Group group(archive, "front " + std::to_string(k));
     samples.last[k].serialize(archive);
+    const Archive::Group error(archive, "error");
+    samples.errors[k].serialize(archive);
   }
   samples.largest.serialize(archive);
   storeFronts(samples.warned, "warned", archive);
@@ -335,9 +342,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
               });
   if (run.growth)
     addDrivingCalls(effect, scene, driving);
-  effect.memory = [=](State<D>&, Archive& archive)
+  effect.memory = [=](State<D>& state, Archive& archive)
   {
-    serialize(*samples, archive);
+    serialize(state, options, *samples, archive);
     if (archive.loads())
       *work = SampleWork<D>(); // of other particles
     const Archive::Group group(archive, "driving forces");

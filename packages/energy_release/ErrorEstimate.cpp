@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace Rhegma::energy_release
 {
@@ -131,6 +132,23 @@ double sumOfSquares(const FrontSample<D>& s)
 }
 
 } // namespace
+
+void ErrorEstimate::serialize(Archive& archive)
+{
+  archive("none", none);
+  for (const auto& [name, value] : {std::pair<const char*, double*>{"G", &release},
+                                    {"G_extremes", &largestRelease},
+                                    {"G_closure", &closure},
+                                    {"K", &intensity},
+                                    {"K_extremes", &largestIntensity},
+                                    {"front_cell", &parts.frontCell},
+                                    {"field", &parts.field},
+                                    {"contour", &parts.contour},
+                                    {"closure", &parts.closure},
+                                    {"modes", &parts.modes},
+                                    {"scatter", &parts.scatter}})
+    archive(name, *value);
+}
 
 template <int D>
 std::string reasonForNoEstimate(const State<D>& state, const FrontSample<D>& sample, const Options& options)

@@ -32,6 +32,9 @@ struct ErrorEstimate
                                              ///< and an error turns and stretches it [Pa m^0.5]
   double largestIntensity = FrontSample<2>::notYet; ///< of their extremes along a front in 3D [Pa m^0.5]
   ErrorParts parts;
+
+  /// Saves or loads it.
+  void serialize(Archive& archive);
 };
 
 /// Whether the numerical errors of the answers for a front can be estimated: why not, or nothing.

@@ -86,12 +86,15 @@ class Refused(RestartTest):
         self.refused("checkpoint.h5", "is damaged")
 
     def test_other_schema(self):
-        def older(data):
-            data[16:20] = struct.pack("<I", 7)
+        with open(self.checkpoint, "rb") as file:
+            (schema,) = struct.unpack("<I", file.read(20)[16:])
+
+        def newer(data):
+            data[16:20] = struct.pack("<I", schema + 1)
             data[BLOCK - 4 : BLOCK] = struct.pack("<I", zlib.crc32(bytes(data[: BLOCK - 4])))
 
-        self.change(older)
-        self.refused("checkpoint.h5", "is of schema 7", "reads schema 6")
+        self.change(newer)
+        self.refused("checkpoint.h5", f"is of schema {schema + 1}", f"reads schema {schema}")
 
     def test_another_file(self):
         shutil.copy(self.path("out", "fields.h5"), self.checkpoint)
