@@ -33,6 +33,8 @@ void addRulesOfEquilibrium(Section& s)
            "it is for quasi-static analyses only; write Time > Analysis = Quasi-Static or leave it out");
   s.refuse({when::given("Propagation", "Speed Limit"), when::equilibrium()},
            "in equilibrium fronts have no speed; leave it out");
+  s.refuse({when::given("Propagation", "Sampling Interval"), when::equilibrium()},
+           "in equilibrium G is evaluated once in each solution; leave it out");
   s.refuse({when::given("Propagation", "Arrest Toughness"), when::equilibrium()},
            "in equilibrium fronts do not run, so they are not arrested; leave it out");
   const Condition factor = when::is("Propagation", "Load Control", {"Load Factor"});

@@ -28,8 +28,6 @@ template <int D>
 struct Cuts
 {
   std::function<BoxCuts<D>(const OrientedBox<D>&)> ofBox;
-  /// The parts of a cell of a lattice that fill less of it are joined with other particles on their side [-].
-  double joinedBelow = 0.5;
   /// Whether the line between two points meets a surface [m].
   std::function<bool(const Vector<D>&, const Vector<D>&)> separate;
 };

@@ -1,12 +1,9 @@
 #pragma once
 /// The initial particles of a body.
 
-#include "geometry/Cuts.hpp"
+#include "geometry/SeedRules.hpp"
 #include "geometry/Shape.hpp"
-#include "geometry/Slivers.hpp"
 
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,24 +24,6 @@ struct Seeds
   std::vector<int> lineage;
   Vector<D> edge;         ///< edge lengths of a cell of the lattice [m]
   Geometry::Axes<D> axes; ///< unit directions of the lattice
-};
-
-/// Whether a cell of a lattice, which has been halved `level` times, is too large for the grid cells that it
-/// touches.
-template <int D>
-using IsDivided = std::function<bool(const Geometry::OrientedBox<D>& cell, int level)>;
-
-/// What divides the cells of a lattice.
-template <int D>
-struct SeedRules
-{
-  IsDivided<D> isDivided{}; ///< empty: no cell is halved
-  /// A node of the grid, from which the lattices of bodies that are not rotated start; none: each starts at
-  /// its body's lower corner.
-  std::optional<Vector<D>> node{};
-  /// Parts that fill less of a cell of a lattice are joined with others [-].
-  double joinedBelow = Geometry::joinedBelow;
-  Geometry::Cuts<D> cuts{}; ///< empty: no surface divides the body
 };
 
 /// Fills a shape with particles.

@@ -139,11 +139,52 @@ void joinSlivers(std::vector<LatticePart<D>>& parts, const Vector<D>& edge, cons
   parts.resize(kept);
 }
 
+template <int D>
+void joinOverLevels(PartsOfLevels<D>& parts, const Vector<D>& edge, const IsSeen<D>& isSeen)
+{
+  constexpr std::size_t most = 1000; // more are those of thin walls, which stay alone
+  std::size_t slivers = 0;
+  const auto isSliver = [](const LatticePart<D>& part) { return !part.stands(); };
+  for (const std::vector<LatticePart<D>>& these : parts)
+    slivers += std::count_if(these.begin(), these.end(), isSliver);
+  if (parts.size() < 2 || slivers > most)
+    return;
+  for (std::size_t level = 0; level < parts.size(); ++level)
+  {
+    const auto hosted = [&](LatticePart<D> part)
+    {
+      LatticePart<D>* host = nullptr;
+      std::size_t hostLevel = 0;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t other = 0; other < parts.size() && isSliver(part); ++other)
+        for (LatticePart<D>& candidate : parts[other])
+        {
+          const double distance = norm(candidate.centroid - part.centroid);
+          const double within = std::ldexp(norm(edge), -static_cast<int>(std::min(level, other)));
+          if (other == level || isSliver(candidate) || distance >= std::min(nearest, within) ||
+              !isSeen(part.centroid, candidate.centroid))
+            continue;
+          host = &candidate;
+          hostLevel = other;
+          nearest = distance;
+        }
+      if (host == nullptr)
+        return false;
+      part.fraction = std::ldexp(part.fraction, D * (static_cast<int>(hostLevel) - static_cast<int>(level)));
+      join(part, *host);
+      return true;
+    };
+    parts[level].erase(std::remove_if(parts[level].begin(), parts[level].end(), hosted), parts[level].end());
+  }
+}
+
 template void join(const LatticePart<2>&, LatticePart<2>&);
 template void join(const LatticePart<3>&, LatticePart<3>&);
 template void sortByCell(std::vector<LatticePart<2>>&);
 template void sortByCell(std::vector<LatticePart<3>>&);
 template void joinSlivers(std::vector<LatticePart<2>>&, const Vector<2>&, const IsSeen<2>&);
 template void joinSlivers(std::vector<LatticePart<3>>&, const Vector<3>&, const IsSeen<3>&);
+template void joinOverLevels(PartsOfLevels<2>&, const Vector<2>&, const IsSeen<2>&);
+template void joinOverLevels(PartsOfLevels<3>&, const Vector<3>&, const IsSeen<3>&);
 
 } // namespace Rhegma::Geometry

@@ -54,4 +54,14 @@ using IsSeen = std::function<bool(const Vector<D>&, const Vector<D>&)>;
 template <int D>
 void joinSlivers(std::vector<LatticePart<D>>& parts, const Vector<D>& edge, const IsSeen<D>& isSeen);
 
+/// Parts of lattices that are finer by a level each.
+template <int D>
+using PartsOfLevels = std::vector<std::vector<LatticePart<D>>>;
+
+/// Joins the parts that are too small and have no neighbour of their size with the nearest part of another
+/// level that is no farther away than a cell of the larger of the two. \param edge of a cell of the first
+/// level [m]
+template <int D>
+void joinOverLevels(PartsOfLevels<D>& parts, const Vector<D>& edge, const IsSeen<D>& isSeen);
+
 } // namespace Rhegma::Geometry

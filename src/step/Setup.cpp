@@ -302,7 +302,7 @@ SeedRules<D> rulesOf(const State<D>& state, const RulesOfSeeds<D>& rules)
   SeedRules<D> all = rules ? rules(state) : SeedRules<D>{};
   if (staysAtRest(state) && all.cuts.ofBox)
   {
-    all.cuts.joinedBelow = joinedAtRest;
+    all.joinedBelowAtCuts = joinedAtRest;
     all.node.emplace();
     for (int d = 0; d < D; ++d)
       (*all.node)[d] = state.mesh.grid.lower[d];

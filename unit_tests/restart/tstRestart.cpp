@@ -251,10 +251,11 @@ std::vector<Case> allCases()
         all.back().overrides = {"Propagation:Toughness=3e-4*(1 + v/200)", "Propagation:Start Time=0"};
         all.back().steps = 50;
       }
-      if (stem.size() > 7 && stem.compare(stem.size() - 7, 7, "_static") == 0)
+      const std::string last = stem.substr(stem.rfind('_') + 1);
+      if (last == "static" || last == "steady")
       {
-        all.back().overrides = {"Time:Load Steps=8"};
-        all.back().steps = 8; // each a solution of its own
+        all.back().overrides = {"Time:Load Steps=4"};
+        all.back().steps = 4; // each a solution of its own
       }
       // In a small gap gas takes steps that are far shorter than the first.
       if (stem == "gas_driven" || stem == "gas_driven_flow")
@@ -284,7 +285,8 @@ class Restart : public testing::TestWithParam<Case>
 TEST_P(Restart, IsTheUnbrokenRun)
 {
   const Teuchos::ParameterList scene = sceneOf(GetParam());
-  const long steps = GetParam().steps, broken = steps / 2 + 3; // not at a sample or a check of the cells
+  const long steps = GetParam().steps;
+  const long broken = std::min(steps / 2 + 3, steps - 1); // not at a sample or a check of the cells
   const Trace whole = unbroken(scene, steps);
   ASSERT_GE(whole.rows.size(), 4U);
   EXPECT_EQ(difference(whole, continued(scene, broken, steps)), "");
