@@ -310,7 +310,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (s.clock.settled)
       reportSettled(s.clock.time, settling->mayStillChange(), summary);
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
-    if (stop && over && !s.clock.settled && s.failure.empty())
+    summary["ended_before_settled"] = stop && over && !s.clock.settled && s.failure.empty();
+    if (summary["ended_before_settled"])
       summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
                                     "its results are not static; raise Time > Final Time, or " +
                                     (rate > 0.0 ? std::string("bring Damping > Mass Rate nearer to critical "

@@ -58,8 +58,8 @@ void prepareNode(const State<D>& state, const Options& options, const FrontNode<
 }
 
 /// What helps a front node without a contour.
-constexpr const char* lostAdvice = "; G is the last that could be computed: use smaller cells (Domain > Cell "
-                                   "Size), with which contours are smaller";
+constexpr const char* lostAdvice =
+    "; use smaller cells (Domain > Cell Size), with which contours are smaller";
 
 /// Stops a front node whose J integral can't be computed: whether it advances is not known.
 template <int D>
@@ -69,10 +69,11 @@ void stopLost(State<D>& state, const Options& options, double now, CrackFront<D>
   node.stopped = true;
   node.speed = 0.0;
   const AdvanceRule rule = ruleAt(node.temperature, options);
-  recordStop(state, front,
-             {"with no material left in the contour of its J integral", now, node.position,
-              node.driving.release, history.running() ? rule.arrest : rule.initiation},
-             lostAdvice);
+  recordStop(
+      state, front,
+      {"with no material left in the contour of its J integral", now, node.position, node.driving.release,
+       history.running() ? rule.toughness(history.speed(now), rule.temperature) : rule.initiation, true},
+      lostAdvice);
 }
 
 /// Angles by which the nodes of a front turn, smoothed along it over those that advance with a node: a hat
