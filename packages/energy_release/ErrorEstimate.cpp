@@ -246,6 +246,12 @@ std::vector<ErrorEstimate> estimateErrors(const State<D>& state, const std::vect
     if (sample.closed && std::isfinite(sample.closure.chosen))
       estimate.parts.closure = std::fabs(sample.closure.chosen / release - 1.0);
     combineParts(sample, modulusAt(state, sample.front), estimate);
+    if (!(estimate.release < release))
+    {
+      estimate = ErrorEstimate();
+      estimate.none =
+          "its parts add to more than G_J: see whether the cells resolve the crack and its surroundings";
+    }
   }
   return estimates;
 }

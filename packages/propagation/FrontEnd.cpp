@@ -75,6 +75,11 @@ std::string stopAsText(const CrackFront<D>& front)
 template <int D>
 std::string pauseAsText(const FrontState<D>& own, const FrontEnd<D>& end)
 {
+  if (end.release < 0.0)
+    return "no advance since t = " + readableTime(own.lastTime) + ", G = " + formatShort(end.release) +
+           " J/m2, which is negative: its J integral can't be relied on here, so this is not arrest; see "
+           "what "
+           "its contour holds";
   const std::string since = "no advance since t = " + readableTime(own.lastTime) +
                             ", G = " + formatShort(end.release) +
                             " J/m2 below Gc = " + formatShort(end.toughness) + " J/m2";

@@ -156,6 +156,12 @@ bool FrontHistory::hasAlmostStopped(double time, double fastest) const
   return !running_ || increment_ < almost * fastest * (time - last_);
 }
 
+double FrontHistory::meanSinceAdvance() const
+{
+  const double lasts = timeBefore_ - last_;
+  return impulses_.empty() || !(lasts > 0.0) ? 0.0 : (impulse_ - impulses_.back()) / lasts;
+}
+
 double FrontHistory::speed(double time) const
 {
   if (!running_)

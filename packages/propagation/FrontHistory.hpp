@@ -76,6 +76,9 @@ public:
   /// Whether it is slower than a fiftieth of the speed `fastest` [m/s], so that it may be arrested.
   bool hasAlmostStopped(double time, double fastest) const;
 
+  /// Mean energy release rate since the last increment [J/m2]; 0 where there is none.
+  double meanSinceAdvance() const;
+
   /// Present speed: that of the last increment, or less when the next one is overdue [m/s].
   double speed(double time) const;
 

@@ -89,6 +89,24 @@ TEST(FrontEnd, FrontsOfManyNodesPauseLikeOthers)
   EXPECT_TRUE(long_.end().waits);
 }
 
+/// G of a front since its last advance, in the mean: 9 J/m2 after a sample of 100 J/m2 at the advance, within
+/// the 1 us between two samples.
+TEST(FrontEnd, TheMeanOfGSinceTheLastAdvanceIsKnown)
+{
+  const Paused<2> one(1, 700e-6);
+  EXPECT_NEAR(one.own.nodes.at(0).history.meanSinceAdvance(), 9.0, 100.0 * 1e-6 / 600e-6);
+  EXPECT_EQ(FrontHistory().meanSinceAdvance(), 0.0);
+}
+
+/// No crack has a negative G: a front that pauses with one is not said to be about to arrest.
+TEST(FrontEnd, ANegativeReleaseIsNotTrusted)
+{
+  Paused<2> one(1, 200e-6);
+  one.front.nodes[0].driving.release = -5.0;
+  EXPECT_NE(textOf(one).find("which is negative: its J integral can't be relied on"), std::string::npos)
+      << textOf(one);
+}
+
 /// Without a contour G is not known, and nothing says that it was.
 TEST(FrontEnd, AStopWithoutContourHasNoG)
 {
