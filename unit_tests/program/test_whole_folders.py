@@ -162,6 +162,19 @@ class OneRun(RestartTest):
         self.assertEqual(check_tool(folder)[0], 0)
         self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
 
+    def test_no_comparison_in_a_folder_that_another_has_taken(self):
+        folder, other = self.path("out"), "host: elsewhere\nprocess: 7\nstarted: 2020-01-01 00:00:00 UTC\n"
+        run = self.start(self.write("scene.xml", scene().text()), "--output", folder, "--quiet", "--twice")
+        self.addCleanup(run.kill)
+        self.wait_for(run, os.path.join(folder, "as_is", "manifest.json"))
+        os.remove(os.path.join(folder, "run.lock"))
+        self.write(os.path.join(folder, "run.lock"), other)
+        message = self.message_of(run)
+        for word in ("there is no comparison: ", "process 7 on elsewhere", f"process {run.pid} on "):
+            self.assertIn(word, message)
+        self.assertFalse(os.path.exists(os.path.join(folder, "twice.json")))
+        self.assertEqual(self.file(folder, "run.lock").decode(), other)
+
     def test_who_asks_refuses_no_run(self):
         """rhegma-check, and a run that looks whether its folder is free, share the lock for a moment."""
         folder = self.path("out")
