@@ -25,7 +25,7 @@ struct SeedRules
   std::optional<Vector<D>> node{};
   /// Parts that fill less of a cell of a lattice are joined with others [-].
   double joinedBelow = Geometry::joinedBelow;
-  /// The same for parts beside a surface that divides their cell.
+  /// The same for parts next to a surface that divides their cell.
   double joinedBelowAtCuts = Geometry::joinedBelow;
   Geometry::Cuts<D> cuts{}; ///< empty: no surface divides the body
 };
