@@ -85,11 +85,12 @@ void stopLost(State<D>& state, double now, const AdvanceRule& rule, const LostRe
 }
 
 /// Whether a front node that was arrested was so by a J integral without meaning: G has been negative in the
-/// mean since its last advance, by more than noise and passing waves.
-bool isArrestedByNegative(const AdvanceRule& rule, const FrontHistory& history)
+/// mean since its last advance, by more than noise, or is now by as much as the toughness, more than waves
+/// that pass make it. \param release at the arrest [J/m2]
+bool isArrestedByNegative(const AdvanceRule& rule, double release, const FrontHistory& history)
 {
   constexpr double noise = 0.1; // of the toughness
-  return !history.running() && history.meanSinceAdvance() < -noise * rule.arrest;
+  return !history.running() && (history.meanSinceAdvance() < -noise * rule.arrest || release < -rule.arrest);
 }
 
 /// Angles by which the nodes of a front turn, smoothed along it over those that advance with a node: a hat
@@ -299,7 +300,7 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       const bool ran = own.history.running();
       node.advances = options.equilibrium || mayAdvance(rule, now, node.driving.release, own);
       node.speed = own.history.speed(now);
-      if (ran && !options.equilibrium && isArrestedByNegative(rule, own.history))
+      if (ran && !options.equilibrium && isArrestedByNegative(rule, node.driving.release, own.history))
         stopLost(state, now, rule, negativeRelease, front, node, own.history);
     }
   }
