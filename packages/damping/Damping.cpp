@@ -3,7 +3,6 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "boundary/HeldMarks.hpp"
-#include "boundary/MirrorPlanes.hpp"
 #include "damping/JudgeDamping.hpp"
 #include "damping/Settling.hpp"
 #include "transfer/LaneHeat.hpp"
@@ -304,11 +303,12 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   const int samples = list.get<int>("Settled Samples");
   const auto known = std::make_shared<Unsettled>(); // of whole bodies, before ranks divide them
   known->rate = rate;
-  effect.judge = [=, mirrored = mirrorPlanes(scene)](State<D>& s)
+  effect.judge = [=, holding = holdingOf(scene)](State<D>& s)
   {
-    if (const auto judged = judgedBody(s, mirrored))
+    if (const auto judged = judgedBody(s, holding))
     {
-      known->estimated = judged->slowest;
+      if (judged->slowest.known)
+        known->estimated = judged->slowest;
       judgeDamping({rate, shear, bulk, std::min(end, until), stop ? drift : 1.0}, *judged, s);
     }
     known->linear = isLinear(s, options);

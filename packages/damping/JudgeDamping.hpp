@@ -32,14 +32,14 @@ struct JudgedBody
 };
 
 /// Of the bodies with cracks (of all where none has one) the one whose slowest motion is fastest: if damping
-/// does not bring that one to rest, it does so with none. \param mirrored planes of symmetry \return nothing
+/// does not bring that one to rest, it does so with none. \param holding by its boundaries \return nothing
 /// without bodies. Call it before particles are divided among ranks.
 template <int D>
-std::optional<JudgedBody<D>> judgedBody(const State<D>& state, const std::vector<MirrorPlane>& mirrored)
+std::optional<JudgedBody<D>> judgedBody(const State<D>& state, const Holding& holding)
 {
   std::optional<JudgedBody<D>> quick;
   for (const BodyMeasure<D>& body : crackedBodies(state))
-    if (const SlowMotion motion = slowestMotion(state, body, mirrored);
+    if (const SlowMotion motion = slowestMotion(state, body, holding);
         body.mass > 0.0 && (!quick || motion.frequency > quick->slowest.frequency))
       quick = JudgedBody<D>{body, motion};
   return quick;
@@ -54,7 +54,7 @@ void judgeSettling(const JudgedDamping& damping, const JudgedBody<D>& judged,
   // Loads that rise slowly make an oscillation of less than the motion, but leave more of it where it creeps;
   // of a hundredth G is 2 % off.
   constexpr double mostOscillation = 0.1, mostCreep = 0.01;
-  const auto& [frequency, slowest] = judged.slowest;
+  const auto& [frequency, slowest, known] = judged.slowest;
   const double retardation = (2.0 * damping.shear + damping.bulk) / judged.body.moduli.constrainedModulus;
   const double rate = damping.rate + frequency * frequency * retardation;
   const double left = std::exp(-slowRate(rate, frequency) * damping.end);
@@ -67,8 +67,8 @@ void judgeSettling(const JudgedDamping& damping, const JudgedBody<D>& judged,
                        formatShort(0.5 * rate / frequency) + " times the critical damping of " + slowest +
                        ", which creeps to equilibrium: when damping ends (after " +
                        readableTime(damping.end) + "), " + formatShort(100.0 * left) +
-                       " % of the motion to equilibrium is left, so results are not static; write about " +
-                       formatShort(2.0 * frequency) + " 1/s");
+                       " % of the motion to equilibrium is left, so results are not static; write " +
+                       (known ? "about " : "less than ") + formatShort(2.0 * frequency) + " 1/s");
     return;
   }
   warnings.push_back(
@@ -76,9 +76,10 @@ void judgeSettling(const JudgedDamping& damping, const JudgedBody<D>& judged,
       formatShort(100.0 * left) + " % of an oscillation is left (after " + readableTime(damping.end) +
       "), but Stop When Settled needs " + formatShort(100.0 * damping.settled) +
       " %, so the run ends before it has settled, and its results are not static; write at least " +
-      formatShort(-2.0 * std::log(damping.settled) / damping.end) + " 1/s (" + slowest +
-      " is critically damped at about " + formatShort(2.0 * frequency) +
-      " 1/s) or a longer Time > Final Time");
+      formatShort(-2.0 * std::log(damping.settled) / damping.end) + " 1/s" +
+      (known ? " (" + slowest + " is critically damped at about " + formatShort(2.0 * frequency) + " 1/s)"
+             : "") +
+      " or a longer Time > Final Time");
 }
 
 /// Warns of a run that is to end at rest and takes too few samples to see that. \param interval between two
@@ -104,11 +105,13 @@ void judgeDamping(const JudgedDamping& damping, const JudgedBody<D>& judged, Sta
   const double creep = rate / (frequency * frequency);
   const bool creeps = creep > end;
   if (creeps)
-    state.warnings.push_back(
-        "Damping > Mass Rate is " + formatReal(rate) + " 1/s: body " + judged.body.name + ", " +
-        readableLength(judged.body.longest) + " long, creeps to equilibrium in about " + readableTime(creep) +
-        ", but is damped for " + readableTime(end) + ", so it hardly moves; " + judged.slowest.name +
-        " is critically damped at about " + formatShort(2.0 * frequency) + " 1/s");
+    state.warnings.push_back("Damping > Mass Rate is " + formatReal(rate) + " 1/s: body " + judged.body.name +
+                             ", " + readableLength(judged.body.longest) +
+                             " long, creeps to equilibrium in about " + readableTime(creep) +
+                             ", but is damped for " + readableTime(end) + ", so it hardly moves; " +
+                             (judged.slowest.known ? judged.slowest.name + " is critically damped at about "
+                                                   : "write less than ") +
+                             formatShort(2.0 * frequency) + " 1/s");
   const double ofStep = rate * state.method.cfl * state.mesh.smallestSpacing() / judged.body.speed;
   if (ofStep > 1.0)
     state.warnings.push_back("Damping > Mass Rate is " + formatReal(rate) + " 1/s, " + formatShort(ofStep) +
@@ -132,7 +135,7 @@ struct Unsettled
 {
   double rate = 0.0;              ///< of mass damping [1/s]
   std::optional<double> measured; ///< frequency by the decay of a motion that creeps [1/s]
-  SlowMotion estimated;           ///< frequency 0: unknown
+  SlowMotion estimated;           ///< frequency 0: not known
   bool linear = false;            ///< equilibrium can be solved for
 };
 

@@ -1,6 +1,7 @@
 #include "damping/SlowMotion.hpp"
 
 #include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 
 #include <algorithm>
@@ -47,6 +48,13 @@ double openingOf(const SectionCompliance& c, double width, double below, double 
   return 0.5 * (first + second) + std::sqrt(0.25 * (first - second) * (first - second) + both);
 }
 
+/// Length of a beam with the stiffness of an arm next to an edge crack [m]: the root of a slender one gives
+/// way as on a foundation, 0.64 h (Kanninen 1973); that of a short one is in the compliance of the section.
+double lengthOfArm(double depth, double thin)
+{
+  return depth + 0.64 * thin * std::max(0.0, 1.0 - thin / depth);
+}
+
 template <int D>
 bool isMirrored(const CrackedSection<D>& section, const std::vector<MirrorPlane>& planes)
 {
@@ -67,7 +75,8 @@ SlowMotion motionAt(const CrackedSection<D>& section, const BodyMeasure<D>& body
   const SectionCompliance compliance =
       middle ? middleCrack(section.fraction, modulus) : edgeCrack(section.fraction, width, modulus);
   const double opening = openingOf(compliance, width, section.below, section.above, body.density);
-  const double arms = square(depth * depth * std::sqrt(12.0) / ((middle ? 22.4 : 3.52) * bar * thin));
+  const double length = middle ? depth : lengthOfArm(depth, thin);
+  const double arms = square(length * length * std::sqrt(12.0) / ((middle ? 22.4 : 3.52) * bar * thin));
   const double beam = middle ? 0.0 : square(height * height * std::sqrt(12.0) / (22.4 * bar * width));
   const double wave = square(body.longest / (pi * body.speed));
   const double frequency = 1.0 / std::sqrt(opening + arms + beam + wave);
@@ -116,15 +125,30 @@ SectionCompliance middleCrack(double fraction, double modulus)
   return sum;
 }
 
+Holding holdingOf(const Teuchos::ParameterList& scene)
+{
+  Holding holding{mirrorPlanes(scene), false};
+  if (!scene.isSublist("Boundaries"))
+    return holding;
+  const Teuchos::ParameterList& boundaries = scene.sublist("Boundaries");
+  for (const std::string& name : sublistNames(boundaries))
+    holding.supported = holding.supported || boundaries.sublist(name).get<std::string>("Type") == "Velocity";
+  return holding;
+}
+
 template <int D>
-SlowMotion slowestMotion(const State<D>& state, const BodyMeasure<D>& body,
-                         const std::vector<MirrorPlane>& mirrored)
+SlowMotion slowestMotion(const State<D>& state, const BodyMeasure<D>& body, const Holding& holding)
 {
   SlowMotion slowest{pi * body.speed / body.longest, "the longest wave of " + body.name};
   bool cracked = false;
+  if (holding.supported)
+  {
+    slowest.known = sectionsOf(state, body).empty();
+    return slowest;
+  }
   for (const CrackedSection<D>& section : sectionsOf(state, body))
   {
-    const SlowMotion motion = motionAt(section, body, isMirrored(section, mirrored));
+    const SlowMotion motion = motionAt(section, body, isMirrored(section, holding.mirrored));
     if (!cracked || motion.frequency < slowest.frequency)
       slowest = motion;
     cracked = true;
@@ -132,7 +156,7 @@ SlowMotion slowestMotion(const State<D>& state, const BodyMeasure<D>& body,
   return slowest;
 }
 
-template SlowMotion slowestMotion(const State<2>&, const BodyMeasure<2>&, const std::vector<MirrorPlane>&);
-template SlowMotion slowestMotion(const State<3>&, const BodyMeasure<3>&, const std::vector<MirrorPlane>&);
+template SlowMotion slowestMotion(const State<2>&, const BodyMeasure<2>&, const Holding&);
+template SlowMotion slowestMotion(const State<3>&, const BodyMeasure<3>&, const Holding&);
 
 } // namespace Rhegma::damping

@@ -37,23 +37,34 @@ struct SlowMotion
 {
   double frequency = 0.0; ///< angular [1/s]
   std::string name;       ///< for a message
+  bool known = true;      ///< false: the frequency is an upper bound, of a body with a crack in supports
 };
+
+/// What holds the bodies of a scene.
+struct Holding
+{
+  std::vector<MirrorPlane> mirrored; ///< planes of symmetry
+  bool supported = false;            ///< prescribed velocities
+};
+
+/// By its boundaries. \param scene its core
+Holding holdingOf(const Teuchos::ParameterList& scene);
 
 /// The slowest motion of a body: without a crack its longest wave, pi c / L. With one the sum of 1 / w^2 of
 /// what makes it slow (Dunkerley 1894, a lower bound of the frequency of the sum of compliances):
 /// - the two parts that the crack divides, as rigid masses on its compliance: an edge crack opens and the
 ///   parts rock about the ligament;
-/// - the bending of the thinner part next to the crack as a cantilever, 3.52 / sqrt(12) c h / a^2, or, with
+/// - the bending of the thinner part next to the crack as a cantilever, 3.52 / sqrt(12) c h / a^2 with a
+/// longer by the give of its root (Kanninen 1973), or, with
 ///   fronts at both ends, as a beam with fixed ends, 22.4 / sqrt(12) c h / a^2 (Timoshenko, Vibration
 ///   Problems in Engineering, 1928);
 /// - the bending of the body as a free beam of length L along the normal and height W, 22.4 / sqrt(12) c W /
 ///   L^2, with an edge crack;
 /// - the longest wave.
-/// With several cracks the slowest of them. Supports, which make a body faster, are not looked at. \param
-/// mirrored planes of symmetry; where one is normal to the direction of a front, the crack is half of one
-/// with two fronts, or one of two
+/// With several cracks the slowest of them. Where a plane of symmetry is normal to the direction of a front,
+/// the crack is half of one with two fronts, or one of two. Supports keep cracks from opening, by as much as
+/// their places say: with them the longest wave is given, as a bound.
 template <int D>
-SlowMotion slowestMotion(const State<D>& state, const BodyMeasure<D>& body,
-                         const std::vector<MirrorPlane>& mirrored);
+SlowMotion slowestMotion(const State<D>& state, const BodyMeasure<D>& body, const Holding& holding);
 
 } // namespace Rhegma::damping

@@ -182,7 +182,7 @@ double areaOf(const State<D>& state, int crack)
     const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.simplex);
     const Crack<D>& one = state.cracks.cracks[crack];
     double area = 0.0;
-    for (int s = one.firstSimplex; s < one.firstSimplex + one.numSimplices; ++s)
+    for (int s = one.firstSimplex; hasVertices<D>(one, x) && s < one.firstSimplex + one.numSimplices; ++s)
     {
       const Vector<3> a = vertexAt<3>(x, simplex(s, 0));
       area += 0.5 * norm(cross(vertexAt<3>(x, simplex(s, 1)) - a, vertexAt<3>(x, simplex(s, 2)) - a));

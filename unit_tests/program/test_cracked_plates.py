@@ -74,15 +74,15 @@ class CrackedPlates(ProgramTest):
                 self.assertEqual(self.said(scene), "")
 
     def critical(self, text):
-        return float(re.search(r"(?:write|to) about ([\d.e+]+) 1/s", text)[1])
+        return float(re.search(r"(?:write|to|at) about ([\d.e+]+) 1/s", text)[1])
 
     def test_damping_under_which_a_crack_opens_slowly(self):
         """Rates of 5 to 20 times what is critical. The advice is twice the frequency that was measured."""
         for rate, thickness in ((288e3, None), (1e6, None), (288e3, 0.004)):
             with self.subTest(rate, thickness=thickness):
                 said = self.said(cracked(rate=rate, time=1e-3, thickness=thickness))
-                self.assertRegex(said, "Damping > Mass Rate is .* the critical damping of the opening of the crack of 20 mm in Plate, "
-                                       "40 mm wide, which creeps to equilibrium")
+                self.assertRegex(said, "Damping > Mass Rate is .*creeps to equilibrium")
+                self.assertRegex(said, "(the critical damping of|hardly moves;) the opening of the crack of 20 mm in Plate, 40 mm wide")
                 self.assertNotIn("arms", said)
                 plane = 1.0 if thickness is None else (1.0 - 0.3**2) ** -0.5  # of the square root of E'
                 self.assertAlmostEqual(self.critical(said) / (2.0 * OPENING * plane), 1.0, delta=0.1)
@@ -92,7 +92,7 @@ class CrackedPlates(ProgramTest):
         self.assertRegex(answer.messages, "the run ended before it had settled .* lower Damping > Mass Rate, 150000 1/s, to about .* by "
                                           "the decay of its kinetic energy")
         self.assertIn("Time > Analysis = Static", answer.messages)
-        self.assertAlmostEqual(self.critical(answer.messages) / (2.0 * OPENING), 1.0, delta=0.05)
+        self.assertAlmostEqual(self.critical(answer.messages.partition("settled")[2]) / (2.0 * OPENING), 1.0, delta=0.05)
 
     def test_a_body_that_creeps_has_no_time_to_rest(self):
         for rate, rests in ((45e3, True), (288e3, False), (1e6, False)):
