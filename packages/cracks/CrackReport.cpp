@@ -22,6 +22,7 @@ nlohmann::json entryOf(const FrontEvent<D>& event)
   if (event.toughness > 0.0)
   {
     entry["G"] = event.release;
+    entry["G_known"] = !event.lost;
     entry["toughness"] = event.toughness;
   }
   return entry;

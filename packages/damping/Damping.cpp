@@ -327,7 +327,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     if (s.clock.settled)
       reportSettled(s.clock.time, settling->mayStillChange(), summary);
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
-    if (!stop || !over || s.clock.settled || !s.failure.empty())
+    summary["ended_before_settled"] = stop && over && !s.clock.settled && s.failure.empty();
+    if (!summary["ended_before_settled"])
       return;
     Unsettled run = *known;
     if (end >= until)

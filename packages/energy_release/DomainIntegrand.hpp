@@ -128,7 +128,8 @@ struct Integrand
     const double density = mass(p) / volume(p);
     const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
-    const double energy = heat.energy(p, material(p), law, F, variables) + 0.5 * density * dot(v, v);
+    const double energy =
+        heat.energy(p, material(p), law, F, variables) - disk.misfit + 0.5 * density * dot(v, v);
     if (!bent)
       sums[0] += volume(p) * (dot(flux, du) - energy * dot(dq, image) +
                               (density * (dot(a, du) - dot(v, dv1)) -

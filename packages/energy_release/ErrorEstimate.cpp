@@ -1,5 +1,7 @@
 #include "energy_release/ErrorEstimate.hpp"
 
+#include "archive/Archive.hpp"
+#include "energy_release/Disagreement.hpp"
 #include "energy_release/DomainIntegral.hpp"
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/FrontIntegral.hpp"
@@ -182,6 +184,10 @@ std::string reasonForNoEstimate(const State<D>& state, const FrontSample<D>& sam
     return "the bodies are not of one linear elastic material";
   if (!(release > 0.0))
     return "G_J is not positive";
+  if (sample.isClosed())
+    return "the crack is closed there (K_I < 0), and its faces pass through one another without Contact";
+  if (disagrees(state, sample))
+    return "K_I and K_II give another G than G_J";
   return {};
 }
 
@@ -234,12 +240,18 @@ std::vector<ErrorEstimate> estimateErrors(const State<D>& state, const std::vect
     const double release = meanAlong(sample.front, sample.J);
     const FrontLengths& of = lengths[k];
     const double ofLigament = (of.ends == 1 ? 3.0 : 1.0) / of.ligament;
-    estimate.parts.frontCell = offsetOfEnd(state, samples, sample) * (1.0 / of.crack + ofLigament);
+    estimate.parts.frontCell = offsetOfEnd(state, samples, sample) * of.slope();
     estimate.parts.field = energy * (D / of.crack + ofLigament) / of.front / release;
     estimate.parts.contour = std::fabs(releaseOfSmaller(state, sample, acceleration) / release - 1.0);
     if (sample.closed && std::isfinite(sample.closure.chosen))
       estimate.parts.closure = std::fabs(sample.closure.chosen / release - 1.0);
     combineParts(sample, modulusAt(state, sample.front), estimate);
+    if (!(estimate.release < release))
+    {
+      estimate = ErrorEstimate();
+      estimate.none =
+          "its parts add to more than G_J: see whether the cells resolve the crack and its surroundings";
+    }
   }
   return estimates;
 }

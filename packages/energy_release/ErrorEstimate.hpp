@@ -59,7 +59,7 @@ void combineParts(const FrontSample<D>& sample, double modulus, ErrorEstimate& e
 /// (DomainIntegral::tipOffset), and in addition what that does not see, 0.03 cells, the rms of fronts at
 /// random positions in their cells; in 3D 0.1 cells:
 ///
-///     dG / G = c (dln G / da),    dln G / da = 1 / a + m / b,
+///     dG / G = c (dln G / da),    dln G / da = 1 / a + m / b   (or that of a beam, FrontLengths::slope),
 ///
 /// a the length of the crack per front, b the ligament, m = 3 for a crack that ends at a surface, whose short
 /// ligament is bent, and 1 for one with fronts at both ends, whose ligament is pulled: G is proportional to a

@@ -68,6 +68,30 @@ Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
   return law;
 }
 
+namespace
+{
+
+/// FrontDisk::misfit: E e^2 / 2 for a thermal strain e, from the stress E e across the plane.
+double misfitEnergy(const State<D>& state, const CrackFront<D>& front, const Elasticity& e)
+{
+  const double temperature = front.nodes[0].temperature;
+  if (state.method.plane == Plane::Stress || state.materials.thermo.empty() || !(temperature > 0.0))
+    return 0.0;
+  const int number = materialAt(state, front.position);
+  const ThermoTables tables = state.materials.thermo;
+  double strain = 0.0; // from the device
+  Kokkos::parallel_reduce(
+      "rhegma::misfitAtFront", Kokkos::RangePolicy<ExecSpace>(0, 1),
+      KOKKOS_LAMBDA(const int, double& sum) {
+        if (tables.material(number).coupled)
+          sum += ThermoPoint(tables, number, temperature).stretch() - 1.0;
+      },
+      strain);
+  return 0.5 * e.young * strain * strain;
+}
+
+} // namespace
+
 FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
                        const BlocksInReach<2>& blocks)
 {
@@ -105,6 +129,7 @@ FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const 
   means.moduli.kolosov =
       state.method.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
   means.effectiveModulus = e.effectiveModulus;
+  means.misfit = misfitEnergy(state, front, e);
   means.traceFactor = state.method.plane == Plane::Stress ? 1.0 : 1.0 + e.poisson;
   return means;
 }

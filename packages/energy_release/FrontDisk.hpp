@@ -21,6 +21,10 @@ struct FrontDisk
   TipModuli moduli;
   double effectiveModulus; ///< [Pa]
   double traceFactor;      ///< trace of Williams' stress over that of its part in the plane
+  /// W of a body at the front's temperature that is free in the plane, in plane strain [J/m3]: the energy of
+  /// the stress across the plane. A constant adds nothing to the integral of W q,1 over a disk inside a body,
+  /// and without this one a surface that cuts the edge of the disk hardly does.
+  double misfit = 0.0;
 };
 
 /// Means over the particles within the outer radius, and the material at the front, at its temperature.

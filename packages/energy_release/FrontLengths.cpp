@@ -31,13 +31,13 @@ double crackLength(const State<2>&, const CrackFront<2>& front) { return front.l
 
 double crackLength(const State<3>& state, const CrackFront<3>& front) { return extentOf(state, front.crack); }
 
-/// Distance ahead of a front node to a node that is not surrounded by material, within a cell of the line
-/// ahead [m].
+/// Distance from a position to a node that is not surrounded by material, within a cell of the line in a
+/// direction [m].
 template <int D>
-double distanceToSurface(const State<D>& state, const FrontNode<D>& from, const NodeCover<D>& cover)
+double distanceToSurface(const State<D>& state, const Vector<D>& x, const Vector<D>& direction,
+                         const NodeCover<D>& cover)
 {
   const NodePositions<D> positions = nodePositions(state);
-  const Vector<D> x = from.position, direction = from.direction;
   const double aside = 0.75 * state.mesh.grid.spacing;
   double nearest = std::numeric_limits<double>::infinity();
   Kokkos::parallel_reduce(
@@ -74,20 +74,30 @@ double distanceToFronts(const State<D>& state, const FrontNode<D>& from)
 
 } // namespace
 
+double FrontLengths::slope() const
+{
+  const double plain = 1.0 / crack + (ends == 1 ? 3.0 : 1.0) / ligament;
+  return ends == 1 && crack > 3.0 * arm ? std::max(plain, 4.0 / (crack + 0.64 * arm)) : plain;
+}
+
 template <int D>
 FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const NodeCover<D>& cover)
 {
   constexpr std::size_t most = 8; // nodes of a front that are looked at
   const int ends = endsOf(state, front);
-  FrontLengths lengths{crackLength(state, front) / ends, 0.0, ends, 0.0};
+  FrontLengths lengths{crackLength(state, front) / ends, 0.0, ends, 0.0, 0.0};
   const std::size_t count = front.nodes.size(), looked = std::min(count, most);
-  double inverse = 0.0;
+  double inverse = 0.0, armInverse = 0.0;
   for (std::size_t k = 0; k < looked; ++k)
   {
     const FrontNode<D>& node = front.nodes[k * count / looked];
-    inverse += 1.0 / std::min(distanceToSurface(state, node, cover), distanceToFronts(state, node));
+    const auto surface = [&](const Vector<D>& along)
+    { return distanceToSurface(state, node.position, along, cover); };
+    inverse += 1.0 / std::min(surface(node.direction), distanceToFronts(state, node));
+    armInverse += 1.0 / std::max(surface(node.normal), surface(-1.0 * node.normal));
   }
   lengths.ligament = static_cast<double>(looked) / inverse;
+  lengths.arm = static_cast<double>(looked) / armInverse;
   for (const CrackFront<D>& other : state.cracks.fronts)
     if (other.crack == front.crack && !other.ended)
       lengths.front += D == 3 ? other.length : state.method.thickness;

@@ -54,17 +54,6 @@ void addIntensities(const FrontSample<D>& s, const Add& add)
     addQuantity("K_III", s.front, s.modeIII, add);
 }
 
-/// Whether the faces are pressed together: K_I is negative, by more than a hundredth of G, as the compliance
-/// of closed faces that slide makes it.
-template <int D>
-bool isClosed(const FrontSample<D>& s)
-{
-  constexpr double little = 0.01;
-  const double K[3] = {meanAlong(s.front, s.modeI), meanAlong(s.front, s.modeII),
-                       D == 3 ? meanAlong(s.front, s.modeIII) : 0.0};
-  return K[0] < 0.0 && K[0] * K[0] > little * (K[0] * K[0] + K[1] * K[1] + K[2] * K[2]);
-}
-
 /// Angle [degrees], counter-clockwise, by which a front would turn.
 double kinkAngle(const FrontSample<2>& s)
 {
@@ -192,9 +181,18 @@ void FrontSample<D>::report(const Options& options, nlohmann::json& entry) const
     return;
   addQuantity("G_J", front, J, add);
   addIntensities(*this, add);
-  entry["closed"] = isClosed(*this);
+  entry["closed"] = isClosed();
   entry["inner_radius"] = tube.radii.inner;
   entry["outer_radius"] = tube.radii.outer;
+}
+
+template <int D>
+bool FrontSample<D>::isClosed() const
+{
+  constexpr double little = 0.01;
+  const double K[3] = {meanAlong(front, modeI), meanAlong(front, modeII),
+                       D == 3 ? meanAlong(front, modeIII) : 0.0};
+  return K[0] < 0.0 && K[0] * K[0] > little * (K[0] * K[0] + K[1] * K[1] + K[2] * K[2]);
 }
 
 template <int D>

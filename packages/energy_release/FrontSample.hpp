@@ -41,6 +41,10 @@ struct FrontSample
   /// Adds what it has to the entry of its front.
   void report(const Options& options, nlohmann::json& entry) const;
 
+  /// Whether the faces are pressed together: K_I is negative, by more than a hundredth of G, as the
+  /// compliance of closed faces that slide makes it.
+  bool isClosed() const;
+
   /// Saves or loads it.
   void serialize(Archive& archive);
 };

@@ -57,22 +57,39 @@ void prepareNode(const State<D>& state, const Options& options, const FrontNode<
     own.increment = incrementFraction<D>(options) * options.cells * spacingAt(state, node.position);
 }
 
-/// What helps a front node without a contour.
-constexpr const char* lostAdvice = "; G is the last that could be computed: use smaller cells (Domain > Cell "
-                                   "Size), with which contours are smaller";
+/// Why the J integral of a front node can't be used, and what helps.
+struct LostReason
+{
+  const char* what;
+  const char* advice;
+};
+constexpr LostReason noContour{"with no material left in the contour of its J integral",
+                               "; use smaller cells (Domain > Cell Size), with which contours are smaller"};
+constexpr LostReason negativeRelease{"where its J integral is negative, which G of a crack is not",
+                                     "; see what its contour holds (a support, a load, an edge), or use "
+                                     "smaller cells (Domain > Cell Size), with "
+                                     "which contours are smaller"};
 
-/// Stops a front node whose J integral can't be computed: whether it advances is not known.
+/// Stops a front node whose J integral is of no use: whether it advances is not known.
 template <int D>
-void stopLost(State<D>& state, const Options& options, double now, CrackFront<D>& front, FrontNode<D>& node,
-              const FrontHistory& history)
+void stopLost(State<D>& state, double now, const AdvanceRule& rule, const LostReason& reason,
+              CrackFront<D>& front, FrontNode<D>& node, const FrontHistory& history)
 {
   node.stopped = true;
   node.speed = 0.0;
-  const AdvanceRule rule = ruleAt(node.temperature, options);
   recordStop(state, front,
-             {"with no material left in the contour of its J integral", now, node.position,
-              node.driving.release, history.running() ? rule.arrest : rule.initiation},
-             lostAdvice);
+             {reason.what, now, node.position, node.driving.release,
+              history.running() ? rule.toughness(history.speed(now), rule.temperature) : rule.initiation,
+              true},
+             reason.advice);
+}
+
+/// Whether a front node that was arrested was so by a J integral without meaning: G has been negative in the
+/// mean since its last advance, by more than noise and passing waves.
+bool isArrestedByNegative(const AdvanceRule& rule, const FrontHistory& history)
+{
+  constexpr double noise = 0.1; // of the toughness
+  return !history.running() && history.meanSinceAdvance() < -noise * rule.arrest;
 }
 
 /// Angles by which the nodes of a front turn, smoothed along it over those that advance with a node: a hat
@@ -259,7 +276,7 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       FrontNodeState& own = fronts[f].nodes.at(node.name);
       if (node.driving.lost)
       {
-        stopLost(state, options, now, front, node, own.history);
+        stopLost(state, now, ruleAt(node.temperature, options), noContour, front, node, own.history);
         continue;
       }
       prepareNode(state, options, node, own);
@@ -279,8 +296,11 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       }
       if (options.equilibrium)
         own.history.recordAtRest(rule, now, node.driving.release);
+      const bool ran = own.history.running();
       node.advances = options.equilibrium || mayAdvance(rule, now, node.driving.release, own);
       node.speed = own.history.speed(now);
+      if (ran && !options.equilibrium && isArrestedByNegative(rule, own.history))
+        stopLost(state, now, rule, negativeRelease, front, node, own.history);
     }
   }
 }

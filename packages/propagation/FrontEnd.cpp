@@ -20,11 +20,16 @@ FrontEnd<D>::FrontEnd(const State<D>& state, const Options& options, const Crack
     if (!node.stopped && !front.ended)
     {
       const double opens = opening ? openingRelease(node.driving, e) : node.driving.release;
-      const double needed = ruleAt(node.temperature, options).initiation;
+      const AdvanceRule rule = ruleAt(node.temperature, options);
+      // A node that runs goes on at the toughness of a front without speed, whatever it took to initiate.
+      const auto past = own.nodes.find(node.name);
+      const bool runs = past != own.nodes.end() && past->second.history.running();
+      const double needed = runs ? rule.toughness(0.0, rule.temperature) : rule.initiation;
       if (!any || opens * toughness > release * needed)
       {
         release = opens;
         toughness = needed;
+        arrest = rule.arrest;
       }
       any = true;
     }
@@ -42,9 +47,12 @@ FrontEnd<D>::FrontEnd(const State<D>& state, const Options& options, const Crack
     fate = Fate::Growing; // in the last load step
   else
     fate = release < toughness ? Fate::Arrested : Fate::AtRest;
-  const double between = own.increments > 1 ? (own.lastTime - own.firstTime) / (own.increments - 1) : 0.0;
-  pauses = D == 2 && fate == Fate::Running && release < toughness && own.increments > 1 &&
+  const double nodes = double(front.nodes.size());
+  const double between =
+      own.increments > 1 ? nodes * (own.lastTime - own.firstTime) / double(own.increments - 1) : 0.0;
+  pauses = fate == Fate::Running && release < toughness && own.increments > 1 &&
            state.clock.time - own.lastTime > 3.0 * between;
+  waits = pauses && own.hasAlmostStopped(front, state.clock.time);
 }
 
 namespace
@@ -59,8 +67,25 @@ std::string stopAsText(const CrackFront<D>& front)
     text = std::to_string(front.numStopped()) + " of " + std::to_string(front.nodes.size()) + " front nodes ";
   return text + "stopped " + front.stop.what + (D == 3 ? ", the first at t = " : " at t = ") +
          readableTime(front.stop.time) +
-         " (a numerical stop, not arrest): G = " + formatShort(front.stop.release) +
-         " J/m2 for Gc = " + formatShort(front.stop.toughness) + " J/m2";
+         " (a numerical stop, not arrest): " + (front.stop.lost ? "G is not known, it was last " : "G = ") +
+         formatShort(front.stop.release) + " J/m2 for Gc = " + formatShort(front.stop.toughness) + " J/m2";
+}
+
+/// What a front does that has not advanced for some time, without being arrested.
+template <int D>
+std::string pauseAsText(const FrontState<D>& own, const FrontEnd<D>& end)
+{
+  if (end.release < 0.0)
+    return "no advance since t = " + readableTime(own.lastTime) + ", G = " + formatShort(end.release) +
+           " J/m2, which is negative: its J integral can't be relied on here, so this is not arrest; see "
+           "what "
+           "its contour holds";
+  const std::string since = "no advance since t = " + readableTime(own.lastTime) +
+                            ", G = " + formatShort(end.release) +
+                            " J/m2 below Gc = " + formatShort(end.toughness) + " J/m2";
+  return since + (end.waits ? ", but not below Arrest Toughness = " + formatShort(end.arrest) +
+                                  " J/m2: it does not advance unless G rises"
+                            : ", but too short ago to count as arrested: run longer (Time > Final Time)");
 }
 
 } // namespace
@@ -79,11 +104,7 @@ std::string fateAsText(const CrackFront<D>& front, const FrontState<D>& own, con
     return front.arrival.happened() ? front.arrival.what + " at t = " + readableTime(front.arrival.time)
                                     : "whole front at a surface since t = " + readableTime(own.lastTime);
   case Fate::Running:
-    return end.pauses
-               ? "no advance since t = " + readableTime(own.lastTime) + ", G = " + formatShort(end.release) +
-                     " J/m2 below Gc = " + formatShort(end.toughness) +
-                     " J/m2, but too short ago to count as arrested: run longer (Time > Final Time)"
-               : runs;
+    return end.pauses ? pauseAsText(own, end) : runs;
   case Fate::Arrested:
   {
     const auto [release, toughness] = own.arrest();

@@ -30,9 +30,12 @@ struct FrontEnd
   bool inPart = false; ///< other nodes have neither stopped nor landed
   /// Of the node that can advance and is closest to its toughness [J/m2]; 0: there is none
   double release = 0.0, toughness = 0.0;
-  /// Running, but with G below the toughness and without an advance for three times the mean time between
-  /// two: its speed is then only a bound (2D)
+  /// Running, but with G below the toughness everywhere and without an advance for three times the mean time
+  /// between two of a front node: its speed is then only a bound.
   bool pauses = false;
+  /// Pausing for so long that it would have been arrested, were G below the arrest toughness.
+  bool waits = false;
+  double arrest = 0.0; ///< arrest toughness of that node [J/m2]
 
   FrontEnd(const State<D>& state, const Options& options, const CrackFront<D>& front,
            const FrontState<D>& own);

@@ -10,9 +10,6 @@ namespace Rhegma::propagation
 namespace
 {
 
-/// A front that is slower than this fraction of the speed limit may arrest.
-constexpr double almostStopped = 0.02;
-
 /// Fraction of a prediction of G by which it may be too low. Fronts that are sampled late advance late.
 constexpr double safety = 0.05;
 
@@ -76,7 +73,7 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
     recordIncrement(at, increment);
   }
   increment_ = increment;
-  if (made.increments == 0 && release < rule.arrest && increment / (time - last_) < almostStopped * fastest)
+  if (made.increments == 0 && release < rule.arrest && hasAlmostStopped(time, fastest))
   {
     running_ = false;
     lastSpeed_ = 0.0;
@@ -151,6 +148,18 @@ void FrontHistory::recordIncrement(double time, double increment)
   times_.push_back(time);
   lengths_.push_back(increment);
   impulses_.push_back(impulse_ - (timeBefore_ - time) * releaseBefore_);
+}
+
+bool FrontHistory::hasAlmostStopped(double time, double fastest) const
+{
+  constexpr double almost = 0.02;
+  return !running_ || increment_ < almost * fastest * (time - last_);
+}
+
+double FrontHistory::meanSinceAdvance() const
+{
+  const double lasts = timeBefore_ - last_;
+  return impulses_.empty() || !(lasts > 0.0) ? 0.0 : (impulse_ - impulses_.back()) / lasts;
 }
 
 double FrontHistory::speed(double time) const

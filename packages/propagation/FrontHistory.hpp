@@ -73,6 +73,12 @@ public:
   /// Records a sample in which a front at rest does not initiate.
   void recordAtRest(const AdvanceRule& rule, double time, double release);
 
+  /// Whether it is slower than a fiftieth of the speed `fastest` [m/s], so that it may be arrested.
+  bool hasAlmostStopped(double time, double fastest) const;
+
+  /// Mean energy release rate since the last increment [J/m2]; 0 where there is none.
+  double meanSinceAdvance() const;
+
   /// Present speed: that of the last increment, or less when the next one is overdue [m/s].
   double speed(double time) const;
 

@@ -48,6 +48,18 @@ bool FrontState<D>::running(const CrackFront<D>& front) const
 }
 
 template <int D>
+bool FrontState<D>::hasAlmostStopped(const CrackFront<D>& front, double time) const
+{
+  return std::all_of(front.nodes.begin(), front.nodes.end(),
+                     [&](const FrontNode<D>& node)
+                     {
+                       const auto own = nodes.find(node.name);
+                       return node.stopped || own == nodes.end() ||
+                              own->second.history.hasAlmostStopped(time, own->second.speedLimit);
+                     });
+}
+
+template <int D>
 std::pair<double, double> FrontState<D>::arrest() const
 {
   std::pair<double, double> closest{0.0, 0.0};
@@ -63,9 +75,14 @@ template <int D>
 double FrontState<D>::settledSpeed() const
 {
   double sum = 0.0;
+  int count = 0;
   for (const auto& [name, node] : nodes)
-    sum += node.history.settledSpeed();
-  return nodes.empty() ? lastSettledSpeed : sum / double(nodes.size());
+    if (const double speed = node.history.settledSpeed(); speed > 0.0)
+    {
+      sum += speed;
+      ++count;
+    }
+  return nodes.empty() ? lastSettledSpeed : sum / std::max(count, 1);
 }
 
 template <int D>

@@ -52,9 +52,11 @@ struct FrontState
 
   /// Whether any of its nodes runs that can.
   bool running(const CrackFront<D>& front) const;
+  /// Whether its nodes that run, and can, are slower than a front that may be arrested.
+  bool hasAlmostStopped(const CrackFront<D>& front, double time) const;
   /// FrontHistory::arrest of the front node that was arrested closest to its toughness; zeros if none was.
   std::pair<double, double> arrest() const;
-  /// Mean of the settled speeds of its nodes [m/s].
+  /// Mean of the settled speeds of its nodes that have one [m/s]; 0 if none has.
   double settledSpeed() const;
   /// FrontHistory::closest of the node that came closest.
   double closest() const;

@@ -12,6 +12,30 @@ namespace Rhegma::thermal
 namespace
 {
 
+/// Nodes with a smaller fraction of the mean heat capacity of a node are touched by round-off alone: the
+/// weight of a box of particles that ends on their cell's edge. Their equations would be round-off over
+/// round-off.
+constexpr double roundOff = 1e-10;
+
+/// Mean heat capacity of the nodes that have any [J/K].
+template <int D>
+double meanCapacity(const State<D>& state, const HeatNodes<D>& heat)
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  double sum = 0.0, count = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::meanCapacity", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i, double& capacities, double& number) {
+        const int n = activeNode(nodes, i);
+        const double capacity = isOwnedByThisRank(nodes, n) ? heat.sums(n, HeatNodes<D>::capacityAt) : 0.0;
+        capacities += capacity;
+        number += capacity > 0.0 ? 1.0 : 0.0;
+      },
+      sum, count);
+  count = state.ranks.sum(count);
+  return count > 0.0 ? state.ranks.sum(sum) / count : 0.0;
+}
+
 /// Columns of a pair of fields.
 constexpr int onOne = 0, onTwo = 1, jumpAt = 2, passesAt = 3, unknownAt = 4;
 
@@ -37,12 +61,13 @@ void ConductionIntegrator<D>::numberUnknowns(const State<D>& state, const HeatNo
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
+  const double least = roundOff * meanCapacity(state, heat);
   Kokkos::parallel_for(
       "rhegma::thermal::findUnknowns", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         unknown(n) =
-            heat.held(n) == 0 && heat.sums(n, HeatNodes<D>::capacityAt) > 0.0 && isOwnedByThisRank(nodes, n)
+            heat.held(n) == 0 && heat.sums(n, HeatNodes<D>::capacityAt) > least && isOwnedByThisRank(nodes, n)
                 ? 1
                 : 0;
       });

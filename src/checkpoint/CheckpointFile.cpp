@@ -1,6 +1,7 @@
 #include "checkpoint/CheckpointFile.hpp"
 
 #include "files/Hdf5Handle.hpp"
+#include "files/Sync.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +9,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -113,17 +113,6 @@ void writeThrough(const std::string& path, const std::vector<unsigned char>& ima
   const int reason = errno;
   if (!good || std::fclose(file.release()) != 0)
     cantWrite(path, good ? errno : reason);
-}
-
-/// Makes the renaming survive a power failure.
-void syncFolderOf(const std::string& path)
-{
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
-  if (handle < 0)
-    return;
-  fsync(handle); // some file systems do not support it
-  close(handle);
 }
 
 hid_t typeInFile(RecordTable::Type type)
@@ -381,17 +370,6 @@ Record readCheckpoint(const std::string& path)
     refuse(path, "can't be read by HDF5, though its checksum is right");
   }
   return record;
-}
-
-void syncFile(const std::string& path)
-{
-  const int handle = open(path.c_str(), O_RDONLY);
-  if (handle < 0)
-    cantWrite(path, errno);
-  const int status = fsync(handle), reason = errno;
-  close(handle);
-  if (status != 0 && reason != EINVAL)
-    cantWrite(path, reason);
 }
 
 } // namespace Rhegma

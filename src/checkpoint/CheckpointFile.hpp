@@ -29,7 +29,4 @@ void writeCheckpoint(const std::string& path, const Record& record);
 /// another schema, is cut short or has changed since it was written.
 Record readCheckpoint(const std::string& path);
 
-/// Synchronises a file to the disk. Throws OutputError on failure.
-void syncFile(const std::string& path);
-
 } // namespace Rhegma

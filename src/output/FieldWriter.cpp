@@ -2,7 +2,7 @@
 
 #include "archive/Archive.hpp"
 #include "base/OutputError.hpp"
-#include "checkpoint/CheckpointFile.hpp"
+#include "files/Sync.hpp"
 #include "files/TextFile.hpp"
 #include "output/Hdf5.hpp"
 #include "output/Xdmf.hpp"

@@ -1,6 +1,7 @@
 #include "output/History.hpp"
 
 #include "base/OutputError.hpp"
+#include "files/Sync.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -68,7 +69,7 @@ History::History(const std::string& path, const HistorySoFar& soFar)
     : path_(path),
       file_(std::fopen(path.c_str(), "r+b")),
       crc_(soFar.crc),
-      written_(soFar.bytes),
+      written_(soFar),
       begun_(soFar.bytes > 0),
       lastTime_(soFar.lastTime),
       lastFlush_(std::chrono::steady_clock::now())
@@ -148,6 +149,8 @@ void History::write(double time, const Row& row)
 {
   if (!file_)
     throw std::logic_error("a row was written to a closed history");
+  if (!lost_.empty())
+    throw OutputError(lost_);
   if (begun_ && time == lastTime_)
     return;
   if (columns_.empty())
@@ -166,47 +169,61 @@ void History::write(double time, const Row& row)
 
 void History::flush()
 {
-  const bool good = std::fwrite(held_.data(), 1, held_.size(), file_.get()) == held_.size();
+  const bool good = lost_.empty() && std::fwrite(held_.data(), 1, held_.size(), file_.get()) == held_.size();
   const int reason = errno;
   if (good)
-    written_ += static_cast<long long>(held_.size());
+    written_ = soFar();
   held_.clear();
   heldRows_ = 0;
   lastFlush_ = std::chrono::steady_clock::now();
   if (good)
     return;
-  lost_ = true;
-  // A full disk takes a part of a row; the partial row is removed.
-  if (ftruncate(fileno(file_.get()), written_) != 0)
-    throw OutputError(path_ + " can't be written; its last row is incomplete: " + std::strerror(reason));
-  throw OutputError(path_ + " can't be written: " + std::strerror(reason));
+  crc_ = written_.crc;
+  lastTime_ = written_.lastTime;
+  if (lost_.empty())
+  {
+    // A full disk takes a part of a row; the partial row is removed.
+    const bool whole = ftruncate(fileno(file_.get()), written_.bytes) == 0;
+    lost_ = path_ + " can't be written" + (whole ? ": " : "; its last row is incomplete: ") +
+            std::strerror(reason);
+  }
+  throw OutputError(lost_);
 }
 
 HistorySoFar History::soFar() const
 {
-  return {written_ + static_cast<long long>(held_.size()), crc_, lastTime_};
+  return {written_.bytes + static_cast<long long>(held_.size()), crc_, lastTime_};
 }
 
 void History::sync()
 {
   if (!file_)
     return;
-  if (!held_.empty())
+  if (!held_.empty() || !lost_.empty())
     flush();
-  if (lost_)
-    throw OutputError(path_ + " can't be written: rows are missing");
-  if (fsync(fileno(file_.get())) != 0 && errno != EINVAL)
-    throw OutputError(path_ + " can't be written: " + std::strerror(errno));
+  syncBeginning(written_.bytes);
+}
+
+void History::syncBeginning(long long bytes)
+{
+  if (!file_)
+    return;
+  if (bytes > written_.bytes)
+    throw OutputError(lost_.empty() ? path_ + " can't be written: rows are missing" : lost_);
+  if (const int reason = syncOpenFile(fileno(file_.get())); reason != 0)
+    throw OutputError(path_ + " can't be written: " + std::strerror(reason));
 }
 
 void History::close()
 {
   if (!file_)
     return;
-  if (!held_.empty())
+  if (!held_.empty() && lost_.empty())
     flush();
   if (std::fclose(file_.release()) != 0)
     throw OutputError(path_ + " can't be written: " + std::strerror(errno));
+  if (!lost_.empty())
+    throw OutputError(lost_);
 }
 
 } // namespace Rhegma

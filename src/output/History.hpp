@@ -26,7 +26,8 @@ bool beginsWith(const std::string& path, const HistorySoFar& soFar);
 ///
 /// The first row fixes the columns. Only complete rows are written: every second of wall time, every few rows
 /// and at the end, so that a run that stops leaves no partial row. Throws OutputError when the file can't be
-/// made or written; earlier rows stay complete.
+/// made or written; earlier rows stay complete. After rows were lost no later ones are written, so that the
+/// file has no gap, and every call that should write throws the same error again.
 class History
 {
 public:
@@ -44,8 +45,11 @@ public:
   /// Throws std::logic_error when the names are not those of the first row, or one comes twice.
   void write(double time, const Row& row);
 
-  /// Includes rows that are not yet written.
+  /// Includes rows that are not yet written, but none that were lost.
   HistorySoFar soFar() const;
+
+  /// Why rows could not be written; empty if none were lost.
+  const std::string& whyLost() const { return lost_; }
 
   /// Writes the rows that are held back to the file.
   void flush();
@@ -53,7 +57,12 @@ public:
   /// Writes all rows and synchronises the file.
   void sync();
 
-  /// Writes the remaining rows and closes the file; later rows are an error.
+  /// Synchronises the file where its beginning of so many bytes has been written; also after later rows were
+  /// lost. Throws OutputError if the beginning is incomplete or can't be synchronised.
+  void syncBeginning(long long bytes);
+
+  /// Writes the remaining rows and closes the file; later rows are an error. Throws OutputError also where
+  /// rows were lost before.
   void close();
 
 private:
@@ -69,12 +78,12 @@ private:
   std::unique_ptr<std::FILE, Closer> file_;
   std::vector<std::string> columns_;
   std::string header_;    ///< of a file that is continued
-  unsigned long crc_ = 0; ///< of all rows
+  unsigned long crc_ = 0; ///< of all rows that are not lost
   std::string held_;      ///< complete rows that are not yet written
   int heldRows_ = 0;
-  long long written_ = 0; ///< bytes of complete rows in the file
+  HistorySoFar written_; ///< complete rows in the file
   bool begun_ = false;
-  bool lost_ = false; ///< rows could not be written
+  std::string lost_; ///< why rows could not be written; empty: all were
   double lastTime_ = 0.0;
   std::chrono::steady_clock::time_point lastFlush_;
 };

@@ -1,5 +1,6 @@
 #include "output/Manifest.hpp"
 
+#include "files/Sync.hpp"
 #include "files/TextFile.hpp"
 #include "output/OutputFolder.hpp"
 
@@ -65,6 +66,9 @@ void Manifest::write(const HistorySoFar& history, bool ended)
       if (const std::string path = folder_ + "/" + name;
           name != "manifest.json" && std::filesystem::exists(path))
       {
+        syncFile(path); // before it is said to be complete
+        if (name == "history.csv")
+          continue; // what the run has written counts, not what the disk holds
         // Files of HDF5 have checksums of their own.
         const bool text = name.find(".h5") == std::string::npos;
         content["files"][name] =
@@ -72,8 +76,9 @@ void Manifest::write(const HistorySoFar& history, bool ended)
       }
   std::string text = content.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
   text.replace(text.rfind('\n'), std::string::npos, ",\n");
-  replaceFile(folder_ + "/manifest.json",
-              text + "  \"manifest_crc32\": " + std::to_string(crcOf(text)) + "\n}\n");
+  // Each second without waiting for the disk.
+  (ended ? replaceFile : replaceFileUnsynced)(
+      folder_ + "/manifest.json", text + "  \"manifest_crc32\": " + std::to_string(crcOf(text)) + "\n}\n");
   last_ = wallClock();
 }
 

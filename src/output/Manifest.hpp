@@ -13,8 +13,9 @@ namespace Rhegma
 nlohmann::json checksumOf(const std::string& path);
 
 /// Writes manifest.json: what history.csv is up to a row, what the scene was, and at the end of a run all its
-/// other text files. It is replaced at once, so that a run that is cut off leaves the last one. Its last line
-/// holds the CRC-32 of all before it. `rhegma-check` reads it.
+/// other text files. It is replaced at once, so that a run that is cut off leaves the last one; only that at
+/// the end, and the files that it lists, are synchronised to the disk. Its last line holds the CRC-32 of all
+/// before it. `rhegma-check` reads it.
 class Manifest
 {
 public:
@@ -25,7 +26,7 @@ public:
   /// Whether the last one is older than a second.
   bool isDue() const;
   /// \param history what its file holds, no row held back
-  /// \param ended   whether all files have been written; then they are listed
+  /// \param ended   whether all files have been written; then they are synchronised and listed
   /// Throws OutputError when it can't be written.
   void write(const HistorySoFar& history, bool ended = false);
 

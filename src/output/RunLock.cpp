@@ -1,11 +1,10 @@
 #include "output/RunLock.hpp"
 
-#include "base/OutputError.hpp"
+#include "base/UtcTime.hpp"
 
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <ctime>
 #include <fcntl.h>
 #include <stdexcept>
 #include <sys/file.h>
@@ -19,22 +18,13 @@ namespace
 {
 
 constexpr const char* name = "/run.lock";
+constexpr std::chrono::seconds betweenLooks{1};
 
 std::string thisHost()
 {
   char host[256] = "";
   gethostname(host, sizeof host - 1);
   return host;
-}
-
-std::string now()
-{
-  const std::time_t time = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&time, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts);
-  return text;
 }
 
 /// What a run wrote into its lock.
@@ -60,11 +50,16 @@ struct Owner
   }
 };
 
+std::string asText(const Owner& owner)
+{
+  return "process " + (owner.process.empty() ? "?" : owner.process) + " on " +
+         (owner.host.empty() ? "this machine" : owner.host) +
+         (owner.start.empty() ? "" : " since " + owner.start);
+}
+
 [[noreturn]] void refuse(const std::string& folder, const Owner& owner, bool surely)
 {
-  const std::string who = "process " + (owner.process.empty() ? "?" : owner.process) + " on " +
-                          (owner.host.empty() ? "this machine" : owner.host) +
-                          (owner.start.empty() ? "" : " since " + owner.start);
+  const std::string who = asText(owner);
   throw std::invalid_argument(
       surely ? "the output folder " + folder + " is in use by another run (" + who +
                    "); wait for its end, or choose another folder with --output"
@@ -122,7 +117,8 @@ bool isStill(const std::string& path, int file)
 
 } // namespace
 
-RunLock::RunLock(const std::string& folder) : path_(folder + name)
+RunLock::RunLock(const std::string& folder)
+    : folder_(folder), path_(folder + name), start_(utcTime(std::time(nullptr)))
 {
   for (;;)
   {
@@ -135,8 +131,14 @@ RunLock::RunLock(const std::string& folder) : path_(folder + name)
       break;
     close(file_);
   }
+  writeOwner();
+  next_ = Clock::now() + betweenLooks;
+}
+
+void RunLock::writeOwner() const
+{
   const std::string text =
-      "host: " + thisHost() + "\nprocess: " + std::to_string(getpid()) + "\nstarted: " + now() + "\n";
+      "host: " + thisHost() + "\nprocess: " + std::to_string(getpid()) + "\nstarted: " + start_ + "\n";
   // On a full disk the file stays empty; it is locked all the same.
   if (ftruncate(file_, 0) != 0 || pwrite(file_, text.data(), text.size(), 0) < 0)
     return;
@@ -144,8 +146,64 @@ RunLock::RunLock(const std::string& folder) : path_(folder + name)
 
 RunLock::~RunLock()
 {
-  unlink(path_.c_str());
+  if (isOwn())
+    unlink(path_.c_str());
   close(file_);
+}
+
+bool RunLock::isDue() const { return Clock::now() >= next_; }
+
+bool RunLock::isOwn() const
+{
+  struct stat any = {};
+  if (stat(path_.c_str(), &any) != 0)
+    return errno != ENOENT && errno != ENOTDIR; // a network that fails for a moment removes nothing
+  if (isStill(path_, file_))
+    return true;
+  // Some file systems give a file another number when it is looked up again.
+  const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (file < 0)
+    return false;
+  const Owner owner(file);
+  close(file);
+  return owner.host == thisHost() && owner.process == std::to_string(getpid()) && owner.start == start_;
+}
+
+bool RunLock::takeAgain()
+{
+  const int file = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (file < 0)
+    return false;
+  if (lockAlone(file) != 0 && errno == EWOULDBLOCK)
+  {
+    close(file);
+    return false;
+  }
+  close(file_);
+  file_ = file;
+  writeOwner();
+  return isStill(path_, file_);
+}
+
+std::string RunLock::loss()
+{
+  next_ = Clock::now() + betweenLooks;
+  if (isOwn())
+    return {};
+  const std::string me = "process " + std::to_string(getpid()) + " on " + thisHost() + " since " + start_;
+  holds_ = takeAgain();
+  if (holds_)
+    return path_ + " of this run (" + me +
+           ") was removed during the run, so that another run could have replaced its files";
+  const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0)
+    return path_ + " of this run (" + me +
+           ") was removed during the run and can't be made again: " + std::strerror(errno) +
+           "; nothing more is written";
+  const std::string other = asText(Owner(file));
+  close(file);
+  return "another run (" + other + ") has taken the output folder " + folder_ + " of this run (" + me +
+         "), after " + path_ + " had been removed; the files there are left to the other run";
 }
 
 void refuseFolderInUse(const std::string& folder)

@@ -1,6 +1,7 @@
 #pragma once
 /// One run in a folder at a time.
 
+#include <chrono>
 #include <string>
 
 namespace Rhegma
@@ -10,7 +11,8 @@ namespace Rhegma
 ///
 /// The file is locked (flock), so that a lock of a run that has died is known as stale on the machine on
 /// which it ran, also where another process has its number now. What a run on another machine left can't be
-/// judged from here and is left alone.
+/// judged from here and is left alone. A file that somebody removes during the run no longer keeps other runs
+/// out: loss() finds that, and the file of another run is never removed.
 class RunLock
 {
 public:
@@ -20,9 +22,27 @@ public:
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
 
+  /// Whether the last call of loss(), or the start, is more than a second ago.
+  bool isDue() const;
+  /// Whether run.lock has been removed or replaced. A removed one is made again unless another run has the
+  /// folder. \return why this run must stop; empty if nothing has changed
+  std::string loss();
+  /// Whether the folder was this run's when loss() was called last.
+  bool holds() const { return holds_; }
+
 private:
-  std::string path_;
+  using Clock = std::chrono::steady_clock;
+
+  /// Whether the path is still this run's file.
+  bool isOwn() const;
+  void writeOwner() const;
+  /// Makes and locks the file again. \return false: another run has made one, or it can't be made
+  bool takeAgain();
+
+  std::string folder_, path_, start_;
   int file_ = -1;
+  bool holds_ = true;
+  Clock::time_point next_; ///< time of the next look
 };
 
 /// Throws as RunLock does where another run has the folder; makes nothing, and refuses no run that starts

@@ -53,6 +53,14 @@ std::string stoppedFronts(const nlohmann::json& summary)
          " (not arrest): later results of this run are not valid";
 }
 
+/// Whether an entry of the energies is one: effects add ratios of them.
+bool isEnergy(const std::string& name, const nlohmann::json& value)
+{
+  static const std::string ratio = "_fraction";
+  return value.is_number() &&
+         (name.size() < ratio.size() || name.compare(name.size() - ratio.size(), ratio.size(), ratio) != 0);
+}
+
 /// Energies below this part of the largest are not named.
 constexpr double rounding = 1e-9;
 
@@ -63,7 +71,7 @@ std::string otherEnergies(const nlohmann::json& energy, double given)
   static const std::set<std::string> ofAll{"external_work", "strain", "kinetic", "fracture", "residual"};
   std::string text;
   for (const auto& [name, value] : energy.items())
-    if (value.is_number() && name != "start" && ofAll.count(name) == 0 &&
+    if (isEnergy(name, value) && name != "start" && ofAll.count(name) == 0 &&
         std::fabs(value.get<double>()) > rounding * given)
     {
       std::string words = name;
@@ -81,7 +89,7 @@ std::string energyBalance(const nlohmann::json& summary)
     return {};
   double given = 0.0;
   for (const auto& [name, value] : energy.items())
-    if (value.is_number() && name != "residual")
+    if (isEnergy(name, value) && name != "residual")
       given = std::max(given, std::fabs(value.get<double>()));
   const double residual = numberOrZero(energy, "residual"), start = numberOrZero(energy, "start");
   if (!std::isfinite(given) || !std::isfinite(residual))

@@ -5,6 +5,7 @@
 #include "parallel/FirstRank.hpp"
 
 #include <cmath>
+#include <new>
 #include <stdexcept>
 
 namespace Rhegma::program
@@ -41,13 +42,25 @@ Checkpoints::Checkpoints(const Teuchos::ParameterList& output, const std::string
 void Checkpoints::afterSample()
 {
   const Clock::time_point begin = Clock::now();
-  if (!wanted_ || !asFirstRank(ranks_, begin >= nextHold_ && simulation_.sound()))
+  if (!wanted_ || !asFirstRank(ranks_, begin >= nextHold_ && simulation_.sound() && historyIsWritten()))
     return;
-  simulation_.hold(notesOf(history_.soFar()));
+  copied_ = history_.soFar();
+  simulation_.hold(notesOf(copied_));
   const Clock::time_point end = Clock::now();
   nextHold_ = end + fractionOfCopies * (end - begin);
   ++cost_.copies;
   cost_.seconds += std::chrono::duration<double>(end - begin).count();
+}
+
+bool Checkpoints::historyIsWritten()
+try
+{
+  history_.flush();
+  return true;
+}
+catch (const OutputError&) // the run stops for it at the end of the step
+{
+  return false;
 }
 
 bool Checkpoints::isTime() const
@@ -99,7 +112,8 @@ void Checkpoints::afterGoingBack()
 
 std::string Checkpoints::atStop()
 {
-  if (!wanted_ || !sound())
+  // Without rows of the history only an earlier state can be continued.
+  if (!wanted_ || asFirstRank(ranks_, !history_.whyLost().empty()) || !sound())
     return atFailure();
   try
   {
@@ -112,23 +126,36 @@ std::string Checkpoints::atStop()
   return whereToGoOn();
 }
 
+void Checkpoints::writeCopy()
+{
+  onFirstRank<OutputError>(ranks_, [&] { history_.syncBeginning(copied_.bytes); });
+  simulation_.checkpointHeld(path_);
+  written_ = simulation_.heldTime();
+}
+
 std::string Checkpoints::atFailure()
 {
   if (!wanted_)
     return {};
+  std::string why;
   try
   {
     if (simulation_.holds() && simulation_.heldTime() > written_)
-    {
-      onFirstRank<OutputError>(ranks_, [&] { history_.sync(); });
-      simulation_.checkpointHeld(path_);
-      written_ = simulation_.heldTime();
-    }
+      writeCopy();
+    else if (written_ < 0.0)
+      why = history_.whyLost().empty() ? "the energy balance was never sound" : history_.whyLost();
   }
-  catch (const std::exception&) // no space on the disk or in memory: the older one, if any, stays
+  catch (const std::bad_alloc&)
   {
+    why = "there is no memory left";
   }
-  return whereToGoOn();
+  catch (const std::exception& error) // the older one, if any, stays
+  {
+    why = error.what();
+  }
+  if (why.empty())
+    return whereToGoOn();
+  return whereToGoOn() + "; no " + (written_ < 0.0 ? "" : "later ") + "checkpoint could be written: " + why;
 }
 
 std::string Checkpoints::whereToGoOn() const

@@ -19,7 +19,8 @@ namespace Rhegma::program
 ///
 /// A failure is detected within a step, when the state is inconsistent, and its cause may be much earlier.
 /// Therefore a copy of the state is stored in memory at samples with a sound energy balance, as often as that
-/// takes less than a fiftieth of the run; it is written when the run fails.
+/// takes less than a fiftieth of the run; it is written when the run fails. The history up to a copy is in
+/// its file before the copy is made, so that the copy can be used when later rows can't be written.
 class Checkpoints
 {
 public:
@@ -27,7 +28,8 @@ public:
   Checkpoints(const Teuchos::ParameterList& output, const std::string& folder, Simulation& simulation,
               History& history, const Ranks& ranks);
 
-  /// To be called when the run begins and at each sample.
+  /// To be called when the run begins and at each sample. Where the history can't be written, no copy is made
+  /// (History::whyLost).
   void afterSample();
   /// Whether a checkpoint is due by the clock.
   bool isTime() const;
@@ -44,7 +46,7 @@ public:
   /// Writes the current state, or, if it is not sound, the last sound one.
   /// \return text to append to the message that the run stopped; begins with "; ", or is empty
   std::string atStop();
-  /// Writes the last sound state. \return the same
+  /// Writes the last sound state. \return the same; where it can't be written, or there is none, the reason
   std::string atFailure();
 
   /// Checkpoints written, copies taken, and the seconds that both took.
@@ -60,7 +62,10 @@ private:
 
   /// Simulation::sound, the same on all ranks.
   bool sound() const;
+  /// Whether all rows of the history are in its file; of the first rank.
+  bool historyIsWritten();
   void write();
+  void writeCopy();
   std::string whereToGoOn() const;
 
   bool wanted_;
@@ -71,6 +76,7 @@ private:
   History& history_;
   Ranks ranks_;
   double next_;                 ///< time of the next one [s]
+  HistorySoFar copied_;         ///< history of the copy in memory
   double written_ = -1.0;       ///< time of the last one on the disk [s]; negative: none
   Clock::time_point lastWrite_; ///< or the start
   Clock::time_point nextHold_;  ///< no copy before

@@ -57,17 +57,9 @@ std::vector<Point> pathOf(const HistoryColumns& history, const std::string& fron
 
 std::string endOf(const json& front)
 {
-  if (front.value("ended", false))
-    return "ended";
-  if (front.value("stopped", false))
-    return "stopped";
-  if (!std::isfinite(numberOrNone(front, "initiated")))
-    return "at rest";
-  if (front.value("status", "") == "growing") // in equilibrium, where no front runs
-    return "growing";
-  if (front.value("status", "") == "pausing")
-    return "pausing";
-  return front.value("running", false) ? "running" : "arrested";
+  // Without Propagation it has no status. The reason of a stop names places, which move with the cells.
+  const std::string status = front.value("status", "at rest");
+  return status.substr(0, status.find_first_of(":,"));
 }
 
 void compareAtRest(Comparison& comparison, const std::string& name, const json& asIs, const json& half)
@@ -154,7 +146,7 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
 {
   const std::string endAsIs = endOf(asIs), endHalf = endOf(half);
   comparison.word("end of " + name, endAsIs, endHalf);
-  if (endAsIs == "at rest" && endHalf == "at rest")
+  if (std::isnan(numberOrNone(asIs, "initiated")) && std::isnan(numberOrNone(half, "initiated")))
     return compareAtRest(comparison, name, asIs, half);
   if (initiationInEquilibrium(first.summary).is_null() || initiationInEquilibrium(second.summary).is_null())
     comparison.value("initiation of " + name, "s", numberOrNone(asIs, "initiated"),
@@ -189,12 +181,19 @@ void compareReferences(Comparison& comparison, const json& asIs, const json& hal
                        numberOrNone(other[k], "value"), 0);
 }
 
-/// Whether a run ended before its end.
-bool hasEndedEarly(const json& run)
+/// How a run ended: "finished" where it came to the end of its scene.
+std::string endOfScene(const json& run)
 {
-  const auto status = run.find("status");
-  return status != run.end() && status->is_string() && status->get<std::string>().rfind("finished", 0) != 0;
+  const std::string status =
+      run.contains("status") && run["status"].is_string() ? run["status"].get<std::string>() : "finished";
+  if (status.rfind("finished", 0) != 0)
+    return "stopped";
+  if (status != "finished")
+    return cutOff;
+  return run.value("ended_before_settled", false) ? notAtRest : "finished";
 }
+
+bool isFinished(const json& run) { return endOfScene(run) == "finished"; }
 
 /// Whether the cells stopped a front of a run, which may have gone on without it.
 bool hasStoppedFront(const json& run)
@@ -209,21 +208,21 @@ bool hasStoppedFront(const json& run)
 
 void compareEnds(Comparison& comparison, const json& asIs, const json& half)
 {
-  const bool early = hasEndedEarly(asIs) || hasEndedEarly(half);
-  if (early)
+  const auto ofFronts = [](const json& run) { return hasStoppedFront(run) ? "stopped" : "finished"; };
+  if (!isFinished(asIs) || !isFinished(half))
   {
-    comparison.stops("end of the run", hasEndedEarly(asIs), hasEndedEarly(half));
+    comparison.ends("end of the run", endOfScene(asIs), endOfScene(half));
     comparison.value("time reached", "s", numberOrNone(asIs, "time"), numberOrNone(half, "time"), 0);
   }
   else if (hasStoppedFront(asIs) || hasStoppedFront(half))
-    comparison.stops("fronts stopped by the cells", hasStoppedFront(asIs), hasStoppedFront(half));
+    comparison.ends("fronts stopped by the cells", ofFronts(asIs), ofFronts(half));
 }
 
 /// How and when a run ended.
 json endOfRun(const json& summary)
 {
   json end = json::object();
-  for (const char* key : {"status", "time", "steps"})
+  for (const char* key : {"status", "time", "steps", "ended_before_settled"})
     if (summary.contains(key))
       end[key] = summary[key];
   return end;
@@ -337,8 +336,9 @@ std::string comparisonAsText(const nlohmann::json& comparison)
   }
   const json& runs = comparison.at("runs");
   for (const auto& [name, title] : {std::pair("as_is", "As it is: "), std::pair("half", "With half: ")})
-    if (hasEndedEarly(runs.at(name)))
-      text << title << runs.at(name).at("status").get<std::string>() << "\n";
+    if (const json& run = runs.at(name); !isFinished(run))
+      text << title << run.at("status").get<std::string>()
+           << (endOfScene(run) == notAtRest ? " before the bodies were at rest" : "") << "\n";
   text << "Verdict: " << comparison.at("verdict").get<std::string>() << "\n";
   return text.str();
 }

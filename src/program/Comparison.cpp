@@ -44,7 +44,7 @@ void Comparison::value(const std::string& name, const std::string& unit, double 
   const double scale = std::max(std::fabs(half), std::numeric_limits<double>::min());
   const double change = asIs == half ? 0.0 : (half - asIs) / scale;
   answer["change"] = change;
-  if (order > 0 && !stopped_ && std::fabs(change) <= largestExtrapolated)
+  if (order > 0 && unfinished_.empty() && std::fabs(change) <= largestExtrapolated)
   {
     answer["order"] = order;
     answer["extrapolated"] = half + (half - asIs) / (std::pow(2.0, order) - 1.0);
@@ -71,16 +71,22 @@ void Comparison::word(const std::string& name, const std::string& asIs, const st
       asIs == half ? "the same" : "differs");
 }
 
-void Comparison::stops(const std::string& name, bool asIs, bool half)
+void Comparison::ends(const std::string& name, const std::string& asIs, const std::string& half)
 {
-  stopped_ = true;
-  const auto text = [](bool stopped) { return stopped ? "stopped" : "finished"; };
-  add({{"name", name}, {"unit", ""}, {"as_is", text(asIs)}, {"half", text(half)}}, false,
-      asIs == half ? "both stopped" : "differs");
-  advice_ = asIs == half ? "see why the runs stopped"
-            : asIs
-                ? "the run finishes with half the cell size: use that size, and compare again with half of it"
-                : "see why the run stops with half the cell size";
+  const std::string& worse = asIs == "finished" ? half : asIs;
+  unfinished_ = worse;
+  add({{"name", name}, {"unit", ""}, {"as_is", asIs}, {"half", half}}, false,
+      asIs == half ? "both " + asIs : "differs");
+  if (worse == cutOff)
+    advice_ = "raise Time > Maximum Steps";
+  else if (worse == notAtRest)
+    advice_ = "raise Time > Final Time or change Damping, until both runs settle";
+  else
+    advice_ =
+        asIs == half ? "see why the runs stopped"
+        : half == "finished"
+            ? "the run finishes with half the cell size: use that size, and compare again with half of it"
+            : "see why the run stops with half the cell size";
 }
 
 json Comparison::result() const
@@ -102,10 +108,12 @@ void Comparison::add(json answer, bool resolved, const std::string& what)
 {
   if (!resolved)
     open_ += (open_.empty() ? "" : "; ") + answer["name"].get<std::string>() + " (" + what + ")";
-  answer["resolved"] = resolved && !stopped_;
-  answer["verdict"] = what + (!resolved  ? ": not resolved"
-                              : stopped_ ? ": not judged, as a run stopped"
-                                         : ": resolved");
+  answer["resolved"] = resolved && unfinished_.empty();
+  answer["verdict"] =
+      what + (!resolved             ? ": not resolved"
+              : unfinished_.empty() ? ": resolved"
+                                    : ": not judged, as a run " +
+                                          (unfinished_ == "stopped" ? unfinished_ : "was " + unfinished_));
   answers_.push_back(std::move(answer));
 }
 

@@ -8,6 +8,10 @@
 namespace Rhegma::program
 {
 
+/// How runs end without coming to the end of their scene.
+constexpr const char* cutOff = "cut off";        ///< by Time > Maximum Steps
+constexpr const char* notAtRest = "not at rest"; ///< at the end, though the scene asks to stop when settled
+
 /// Answers of a scene as it is and with cells of half the size. All are added before result() is called.
 class Comparison
 {
@@ -16,8 +20,8 @@ public:
   explicit Comparison(double cell) : cell_(cell) {}
 
   /// A number of both runs; not a number where a run has none. \param order lowest that its error may have in
-  /// the size of the cells; 0: not smooth, so not extrapolated. Nor are answers of runs that stopped.
-  /// \param unseen difference that is smaller than what the runs resolve, in `unit`
+  /// the size of the cells; 0: not smooth, so not extrapolated. Nor are answers of runs that did not come to
+  /// their end. \param unseen difference that is smaller than what the runs resolve, in `unit`
   void value(const std::string& name, const std::string& unit, double asIs, double half, int order,
              double unseen = 0.0);
 
@@ -26,9 +30,10 @@ public:
 
   void word(const std::string& name, const std::string& asIs, const std::string& half);
 
-  /// Of runs one of which stopped, or both, or in which a front did: what comes after that is not known, and
-  /// nothing is resolved. \param name of what is compared
-  void stops(const std::string& name, bool asIs, bool half);
+  /// Of runs one of which, or both, or a front of which, did not come to its end: what comes after that is
+  /// not known, and nothing is resolved. \param name of what is compared \param asIs, half words such as
+  /// "stopped"; "finished" for a run that did
+  void ends(const std::string& name, const std::string& asIs, const std::string& half);
 
   /// {"answers", "resolved", "open", "verdict", "cell"}, as compareRuns() describes them
   nlohmann::json result() const;
@@ -40,8 +45,8 @@ private:
   nlohmann::json answers_ = nlohmann::json::array();
   std::string open_; ///< answers that are not resolved, and what of them
   std::string advice_ = "use smaller cells";
-  bool known_ = false;   ///< there is an answer that is not zero
-  bool stopped_ = false; ///< then the runs end at different times
+  bool known_ = false;     ///< there is an answer that is not zero
+  std::string unfinished_; ///< why the answers are not those of the end of the scene; empty: they are
 };
 
 } // namespace Rhegma::program

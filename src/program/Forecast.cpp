@@ -1,6 +1,7 @@
 #include "program/Forecast.hpp"
 
 #include "base/RunError.hpp"
+#include "base/UtcTime.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
 #include "program/Budget.hpp"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -114,6 +116,12 @@ std::string sourceAsText(const Forecast& forecast)
          (isNoticeable(rates.growth) ? " and a run with cells of twice the size" : "");
 }
 
+std::string costLine(int particles, const Forecast& forecast)
+{
+  return std::to_string(particles) + " particles, " + cost(forecast) +
+         (forecast.kept ? "; rates of " + utcTime(forecast.rates.measured) : "") + "\n";
+}
+
 } // namespace
 
 Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time, double slowest)
@@ -152,7 +160,7 @@ Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scen
                       double setup)
 {
   const double time = simulation.time(), slowest = slowestMotion(simulation);
-  const RateCache cache(cacheFolder(), machineIdentity(ranks.size()));
+  const RateCache cache(cacheFolder(), machineIdentity(ranks.size()), buildIdentity());
   std::optional<StepRates> kept = cache.find(scene);
   if (ranks.max(kept && kept->particles == simulation.particles() ? 0.0 : 1.0) > 0.0)
     kept.reset(); // on all ranks, or on none
@@ -160,6 +168,7 @@ Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scen
   if (!kept)
   {
     rates.setup = ranks.max(setup);
+    rates.measured = std::time(nullptr);
     if (ranks.rank() == 0)
       cache.keep(scene, rates);
   }
@@ -178,7 +187,7 @@ std::string asText(const Forecast& forecast)
   if (forecast.bytes > 0.0)
     text += ", " + size(forecast.bytes) + " of fields";
   if (forecast.kept)
-    return text + "; rates kept from an earlier measurement";
+    return text + "; rates kept from an earlier measurement, " + utcTime(rates.measured);
   text += sourceAsText(forecast);
   char busy[96] = "";
   if (rates.busy > busyMachine)
@@ -233,8 +242,7 @@ std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList&
         forecast = makeForecast(simulation, *result.list, ranks, start + processorSeconds() - before);
       }
       if (forecast.rates.failure.empty())
-        text += (name == chosen ? "Accuracy " + name + ": " : "  with " + name + ": ") +
-                std::to_string(particles) + " particles, " + cost(forecast) + "\n";
+        text += (name == chosen ? "Accuracy " : "  with ") + name + ": " + costLine(particles, forecast);
     }
     catch (const std::invalid_argument& refusal)
     {

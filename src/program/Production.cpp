@@ -124,6 +124,8 @@ void Production::observe()
                             }
                             progress_.sample(time, row);
                             checkpoints_.afterSample();
+                            if (unwritten_.empty())
+                              unwritten_ = history_.whyLost();
                           });
   simulation_.onStep(
       [this](double time, long step)
@@ -136,57 +138,82 @@ void Production::observe()
 
 std::string Production::runToEnd()
 {
-  std::string failure;
-  try
-  {
-    checkpoints_.afterSample();
-    for (bool done = false; !done;)
-      try
-      {
-        advanceFromFieldToField();
-        done = true;
-      }
-      catch (const RunError& error)
-      {
-        if (!retry(error))
-          throw;
-      }
-    checkpoints_.atEnd();
-    // The state is whole, and the run may go on from it with another scene.
-    const std::string reason = ranks_.firstText(simulation_.report(0).value("ended_by", std::string()));
-    if (!reason.empty())
-      failure = stoppedBy(reason) + checkpoints_.atStop();
-  }
-  catch (const RunError& error)
-  {
-    failure = error.what();
-    if (!stopRequested_)
-      failure += retries_.inVain() + checkpoints_.atFailure();
-    else if (failure.rfind(stoppedBySignal, 0) != 0) // the step for the last sample has failed
-      failure += toGoOn_;
-  }
-  catch (const OutputError& error)
-  {
-    failure = stoppedBy(error.what()) + checkpoints_.atFailure();
-  }
-  catch (const std::bad_alloc&)
-  {
-    if (ranks_.many())
-      throw;
-    failure = stoppedBy("there is no memory left; use larger cells (Domain > Cell Size)") +
-              checkpoints_.atFailure();
-  }
-  try
-  {
-    history_.close();
-  }
-  catch (const OutputError& error)
-  {
-    if (failure.empty())
-      failure = stoppedBy(error.what());
-  }
+  std::string failure = advanceToEnd();
+  findLostFolder(failure);
+  if (folderLost_)
+    history_ = History("/dev/null"); // its last rows would be written into the file of another run
+  else
+    closeHistory(failure);
   progress_.finish();
   return ranks_.firstText(failure);
+}
+
+std::string Production::advanceToEnd()
+try
+{
+  checkpoints_.afterSample();
+  for (bool done = false; !done;)
+    try
+    {
+      advanceFromFieldToField();
+      done = true;
+    }
+    catch (const RunError& error)
+    {
+      if (!retry(error))
+        throw;
+    }
+  onFirstRank<OutputError>(ranks_, [&] { history_.flush(); });
+  checkpoints_.atEnd();
+  // The state is whole, and the run may go on from it with another scene.
+  const std::string reason = ranks_.firstText(simulation_.report(0).value("ended_by", std::string()));
+  return reason.empty() ? reason : stoppedBy(reason) + checkpoints_.atStop();
+}
+catch (const RunError& error)
+{
+  const std::string failure = error.what();
+  if (!stopRequested_)
+    return failure + retries_.inVain() + checkpoints_.atFailure();
+  // Otherwise the step for the last sample has failed.
+  return failure.rfind(stoppedBySignal, 0) == 0 ? failure : failure + toGoOn_;
+}
+catch (const OutputError& error)
+{
+  return stoppedWithCheckpoint(error.what());
+}
+catch (const std::bad_alloc&)
+{
+  if (ranks_.many())
+    throw;
+  return stoppedWithCheckpoint("there is no memory left; use larger cells (Domain > Cell Size)");
+}
+
+std::string Production::stoppedWithCheckpoint(const std::string& reason)
+{
+  return stoppedBy(reason) + (folderLost_ ? "" : checkpoints_.atFailure());
+}
+
+void Production::closeHistory(std::string& failure)
+try
+{
+  history_.close();
+}
+catch (const OutputError& error)
+{
+  if (failure.empty())
+    failure = stoppedBy(error.what());
+  else if (failure.find(error.what()) == std::string::npos)
+    failure += std::string("; ") + error.what();
+}
+
+void Production::findLostFolder(std::string& failure)
+{
+  if (folderLost_)
+    return;
+  const std::string loss = lock_ ? lock_->loss() : std::string();
+  folderLost_ = asFirstRank(ranks_, lock_ && !lock_->holds());
+  if (folderLost_)
+    failure = stoppedBy(loss);
 }
 
 bool Production::retry(const RunError& failure)
@@ -263,17 +290,25 @@ void Production::advanceFromFieldToField()
   }
 }
 
+std::string Production::reasonToStop()
+{
+  if (lock_ && lock_->isDue())
+    if (const std::string loss = lock_->loss(); !loss.empty())
+      return (lock_->holds() ? "W" : "L") + loss;
+  if (!unwritten_.empty())
+    return "W" + unwritten_;
+  if (const std::string signal = signal_.name(); !signal.empty())
+    return "S" + signal;
+  return ranks_.rank() == 0 && checkpoints_.isTime() ? "C" : "";
+}
+
 bool Production::stopIfRequested(double time, long step)
 {
   if (stopRequested_)
     stopBySignal(time, step);
-  // One reduction for all reasons; the first letter distinguishes them.
-  const std::string signal = signal_.name();
-  const std::string why = ranks_.firstText(!unwritten_.empty()                           ? "W" + unwritten_
-                                           : !signal.empty()                             ? "S" + signal
-                                           : ranks_.rank() == 0 && checkpoints_.isTime() ? "C"
-                                                                                         : "");
-  if (!why.empty() && why[0] == 'W')
+  const std::string why = ranks_.firstText(reasonToStop()); // one reduction for all reasons
+  folderLost_ = !why.empty() && why[0] == 'L';
+  if (folderLost_ || (!why.empty() && why[0] == 'W'))
     throw OutputError(why.substr(1));
   stopRequested_ = !why.empty() && why[0] == 'S';
   if (stopRequested_)

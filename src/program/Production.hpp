@@ -52,6 +52,9 @@ public:
   /// written; empty: it was
   std::string listFiles();
 
+  /// Whether another run has taken the folder: nothing may be written there any more.
+  bool folderIsLost() const { return folderLost_; }
+
   /// Whether the run ended because of Time > Maximum Steps.
   bool outOfSteps() const;
 
@@ -59,6 +62,10 @@ private:
   void observe();
   void takeUpFields();
   void advanceFromFieldToField();
+  /// \return why the run failed, with how it continues; empty if it did not
+  std::string advanceToEnd();
+  /// Writes the last rows. \param failure gets why they could not be written
+  void closeHistory(std::string& failure);
   /// Continues after a failure with shorter steps. \return whether that may help
   bool retry(const RunError& failure);
   /// Throws where a signal or a file that can't be written, on any rank, ends the run. Where the step of a
@@ -68,6 +75,12 @@ private:
   /// Throws what ends a run that a signal has stopped, with the last row of its history.
   [[noreturn]] void stopBySignal(double time, long step);
   std::string stoppedBy(const std::string& reason) const;
+  /// The same, with how the run continues.
+  std::string stoppedWithCheckpoint(const std::string& reason);
+  /// Why the run must stop after this step, after a letter for the kind of reason; of this rank.
+  std::string reasonToStop();
+  /// The last look whether the folder is this run's; the same on all ranks. \param failure gets the loss
+  void findLostFolder(std::string& failure);
 
   Ranks ranks_;
   std::string folder_;
@@ -80,6 +93,7 @@ private:
   History history_;
   Progress progress_;
   std::string unwritten_;      ///< why the history could not be written
+  bool folderLost_ = false;    ///< another run has taken the folder; the same on all ranks
   bool stopRequested_ = false; ///< a signal to some rank has ended the run
   std::string signalName_;     ///< of the signal that has stopped the run
   std::string toGoOn_;         ///< how a run that a signal has stopped continues

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
 #include <utility>
@@ -63,15 +64,6 @@ std::string hashOf(const std::string& text)
   return digits;
 }
 
-/// All parameters with their values; what is only about the output of a run counts too.
-std::string keyOf(const Teuchos::ParameterList& scene)
-{
-  std::ostringstream text;
-  text.precision(17);
-  scene.print(text, Teuchos::ParameterList::PrintOptions().showTypes(true).showFlags(false));
-  return hashOf(text.str());
-}
-
 nlohmann::json readJson(const std::string& path)
 {
   std::ifstream file(path);
@@ -87,7 +79,17 @@ std::string machineIdentity(int ranks)
   std::ostringstream text;
   text << host << ";" << processorName() << "; " << std::thread::hardware_concurrency() << " cores; "
        << Kokkos::DefaultExecutionSpace::name() << "; " << Kokkos::DefaultExecutionSpace().concurrency()
-       << " threads; " << ranks << " ranks; rhegma " << RHEGMA_VERSION;
+       << " threads; " << ranks << " ranks";
+  return text.str();
+}
+
+std::string buildIdentity()
+{
+  std::ostringstream text;
+  text << "rhegma " << RHEGMA_VERSION;
+  struct stat file = {};
+  if (stat("/proc/self/exe", &file) == 0) // of the file that runs, also where it has been replaced since
+    text << "; " << file.st_size << " bytes of " << file.st_mtim.tv_sec << "." << file.st_mtim.tv_nsec;
   return text.str();
 }
 
@@ -100,10 +102,20 @@ std::string cacheFolder()
   return home != nullptr && home[0] == '/' ? std::string(home) + "/.cache/rhegma" : std::string();
 }
 
-RateCache::RateCache(std::string folder, std::string identity)
-    : path_(folder.empty() ? folder : std::move(folder) + "/rates-" + hashOf(identity) + ".json"),
-      identity_(std::move(identity))
+RateCache::RateCache(std::string folder, std::string machine, std::string build)
+    : path_(folder.empty() ? folder : std::move(folder) + "/rates-" + hashOf(machine) + ".json"),
+      machine_(std::move(machine)),
+      build_(std::move(build))
 {
+}
+
+/// All parameters with their values; what is only about the output of a run counts too.
+std::string RateCache::keyOf(const Teuchos::ParameterList& scene) const
+{
+  std::ostringstream text;
+  text.precision(17);
+  scene.print(text, Teuchos::ParameterList::PrintOptions().showTypes(true).showFlags(false));
+  return hashOf(build_ + "\n" + text.str());
 }
 
 std::optional<StepRates> RateCache::find(const Teuchos::ParameterList& scene) const
@@ -112,7 +124,7 @@ try
   if (path_.empty())
     return {};
   const nlohmann::json file = readJson(path_);
-  if (!file.is_object() || file.value("machine", "") != identity_)
+  if (!file.is_object() || file.value("machine", "") != machine_)
     return {};
   const nlohmann::json& scenes = file.at("scenes");
   const std::string key = keyOf(scene);
@@ -125,6 +137,7 @@ try
       rates.particles = kept.at("particles").get<int>();
       rates.steps = kept.at("steps").get<int>();
       rates.unknowns = kept.at("unknowns").get<int>();
+      rates.measured = kept.at("measured").get<long long>();
       rates.growth = {kept.at("growth_of_steps").get<double>(), kept.at("growth_of_work").get<double>()};
       return rates;
     }
@@ -145,21 +158,22 @@ try
                           {"particles", rates.particles},
                           {"steps", rates.steps},
                           {"unknowns", rates.unknowns},
+                          {"measured", rates.measured},
                           {"growth_of_steps", rates.growth.steps},
                           {"growth_of_work", rates.growth.work}};
   for (const Entry& entry : entries)
     fresh[entry.name] = rates.*entry.value;
   nlohmann::json scenes = nlohmann::json::array({fresh});
   const nlohmann::json before = readJson(path_);
-  if (before.is_object() && before.value("machine", "") == identity_)
+  if (before.is_object() && before.value("machine", "") == machine_)
     for (const auto& kept : before.value("scenes", nlohmann::json::array()))
       if (kept.is_object() && kept.value("scene", "") != key && scenes.size() < mostScenes)
         scenes.push_back(kept);
   std::error_code none;
   std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), none);
-  replaceFile(path_, nlohmann::json({{"machine", identity_}, {"scenes", scenes}})
-                             .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
-                         "\n");
+  replaceSharedFile(path_, nlohmann::json({{"machine", machine_}, {"scenes", scenes}})
+                                   .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+                               "\n");
 }
 catch (const OutputError&)
 {

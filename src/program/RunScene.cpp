@@ -15,6 +15,7 @@
 #include "program/Budget.hpp"
 #include "program/CheckText.hpp"
 #include "program/Forecast.hpp"
+#include "program/Intervals.hpp"
 #include "program/Production.hpp"
 #include "program/Twice.hpp"
 #include "scene/Scene.hpp"
@@ -97,6 +98,20 @@ SummaryFacts facts(const Options& options, const Simulation& simulation, const s
   return f;
 }
 
+/// What summary.json holds of a run that has ended, but for its references and answers.
+nlohmann::json summaryOf(const Options& options, const Teuchos::ParameterList& scene,
+                         const Simulation& simulation, const Production& production,
+                         const std::string& status)
+{
+  nlohmann::json summary = makeSummary(facts(options, simulation, status), simulation.report());
+  const Checkpoints::Cost& cost = production.costOfCheckpoints();
+  summary["history_interval"] = historyInterval(scene);
+  summary["checkpoints"] = {{"written", cost.written}, {"copies", cost.copies}, {"seconds", cost.seconds}};
+  for (const std::string& warning : production.warnings())
+    summary["warnings"].push_back(warning);
+  return summary;
+}
+
 /// \return why the summary could not be written; empty if it was
 std::string writeWhereItCan(const nlohmann::json& summary, const std::string& path)
 {
@@ -109,6 +124,16 @@ std::string writeWhereItCan(const nlohmann::json& summary, const std::string& pa
   {
     return error.what();
   }
+}
+
+/// Writes the summary and the list of all files. \return why they could not be written; empty if they were
+std::string writeResults(const nlohmann::json& summary, Production& production, const Ranks& ranks)
+{
+  std::string unwritten =
+      ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string();
+  if (const std::string unlisted = production.listFiles(); unwritten.empty())
+    unwritten = unlisted;
+  return ranks.firstText(unwritten);
 }
 
 Teuchos::ParameterList references(const Teuchos::ParameterList& scene)
@@ -240,21 +265,18 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   beforeFiles();
   Production production(options, *scene, simulation, earlier, out, ranks);
   std::string failure = production.runToEnd();
+  if (production.folderIsLost()) // its files are those of another run
+  {
+    err << "rhegma: " << failure << "\n";
+    return exitStopped;
+  }
   const std::string status = !failure.empty()          ? failure
                              : production.outOfSteps() ? "finished at Time > Maximum Steps"
                                                        : "finished";
-  nlohmann::json summary = makeSummary(facts(options, simulation, status), simulation.report());
-  const Checkpoints::Cost& cost = production.costOfCheckpoints();
-  summary["checkpoints"] = {{"written", cost.written}, {"copies", cost.copies}, {"seconds", cost.seconds}};
-  for (const std::string& warning : production.warnings())
-    summary["warnings"].push_back(warning);
+  nlohmann::json summary = summaryOf(options, *scene, simulation, production, status);
   const bool within = addReferences(references(*scene), summary);
   addAnswers(summary);
-  std::string unwritten =
-      ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string();
-  if (const std::string unlisted = production.listFiles(); unwritten.empty())
-    unwritten = unlisted;
-  unwritten = ranks.firstText(unwritten);
+  const std::string unwritten = writeResults(summary, production, ranks);
   if (failure.empty())
     failure = unwritten;
   if (!options.quiet)

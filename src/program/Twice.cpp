@@ -144,7 +144,13 @@ int runTwice(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   }
   try
   {
-    onFirstRank<OutputError>(ranks, [&] { compare(folders, out); });
+    onFirstRank<OutputError>(ranks,
+                             [&]
+                             {
+                               if (const std::string loss = lock->loss(); !lock->holds())
+                                 throw OutputError("there is no comparison: " + loss);
+                               compare(folders, out);
+                             });
   }
   catch (const OutputError& error)
   {

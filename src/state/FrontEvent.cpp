@@ -12,7 +12,8 @@ std::string FrontEvent<D>::asText() const
 {
   std::string text = what;
   if (toughness > 0.0)
-    text += ", G = " + formatShort(release) + " J/m2 for Gc = " + formatShort(toughness) + " J/m2,";
+    text += std::string(lost ? ", G is not known, it was last " : ", G = ") + formatShort(release) +
+            " J/m2 for Gc = " + formatShort(toughness) + " J/m2,";
   text += " at t = " + readableTime(time) + ", at ";
   for (int d = 0; d < D; ++d)
     text += formatReal(position[d]) + (d + 1 < D ? ", " : " m");
@@ -27,6 +28,7 @@ void FrontEvent<D>::serialize(Archive& archive)
   archive("position", position);
   archive("release", release);
   archive("toughness", toughness);
+  archive("lost", lost);
 }
 
 template struct FrontEvent<2>;

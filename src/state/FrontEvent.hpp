@@ -19,6 +19,7 @@ struct FrontEvent
   Vector<D> position{}; ///< [m]
   double release = 0.0; ///< of a stop: energy release rate that was to advance the front [J/m2]
   double toughness = 0.0; ///< that it had reached [J/m2]
+  bool lost = false;      ///< whether the energy release rate is not known: it is then the last one that was
 
   bool happened() const { return !what.empty(); } ///< whether there was one
 

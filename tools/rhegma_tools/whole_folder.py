@@ -17,6 +17,7 @@ import numpy as np
 MAGIC = b"\x89RHEGMA chk\r\n\x1a\n\x00"
 BLOCK = 512
 STOPPED = "the run was stopped by "  # status of a run that a signal has stopped
+UNWRITTEN = "can't be written"  # in the status of a run that could not write a file
 
 
 class Found:
@@ -250,15 +251,38 @@ def check_summary(folder, manifest, found):
         return None
 
 
+def longest_without_row(rows, summary):
+    """How long a run may go on without a row [s]: a row ends the first step that passes an interval, so that a run that fails
+    may have passed one interval and one step since its last row. Summaries of older versions have no interval, which a few rows
+    do not show."""
+    if "history_interval" not in summary and len(rows) < 3:
+        return math.inf
+    steps = summary.get("steps") or 1
+    interval = summary.get("history_interval") or 0.0
+    return (max(interval, np.max(np.diff(rows), initial=0.0)) + summary["time"] / steps) * (1 + 1e-9)
+
+
 def compare_times(folder, rows, frames, summary, found):
     """Rows against frames and the summary."""
     end = None if summary is None else summary.get("time")
     last = rows[-1] if rows is not None and len(rows) else None
-    if frames and last is not None and frames[-1] > last * (1 + 1e-9) and end is not None and last < end * (1 - 1e-9):
+    if end is not None and last is not None and end - last > longest_without_row(rows, summary):
+        found.faults.append(f"{folder}: the history ends at {last:.6g} s, but the run at {end:.6g} s: its last rows are missing.")
+    elif frames and last is not None and frames[-1] > last * (1 + 1e-9) and end is not None and last < end * (1 - 1e-9):
         found.faults.append(f"{folder}: the last frame is of {frames[-1]:.6g} s, but the history ends at {last:.6g} s.")
     for what, time in (("the history", last), ("the last frame", frames[-1] if frames else None)):
         if end is not None and time is not None and time > end * (1 + 1e-9):
             found.faults.append(f"{folder}: {what} goes to {time:.6g} s, but the summary to {end:.6g} s.")
+
+
+def check_status(folder, summary, found):
+    """Its status, or None where there is none. A run that could not write a file has left less than it should."""
+    status = summary.get("status") if summary else None
+    if not isinstance(status, str):
+        return None
+    if UNWRITTEN in status:
+        found.faults.append(f"{folder}: not all could be written: {status}.")
+    return status
 
 
 def check_listed(folder, manifest, found):
@@ -317,8 +341,8 @@ def check_folder(folder):
     rows = read(check_history, folder, manifest)
     summary = read(check_summary, folder, manifest)
     read(compare_times, folder, rows, frames, summary)
-    status = summary.get("status") if summary else None
-    if found.ended and isinstance(status, str) and status.startswith(STOPPED):
+    status = read(check_status, folder, summary)
+    if found.ended and status and status.startswith(STOPPED):
         found.ended = False
         if not found.faults:
             found.notes.append(f"{status[0].upper()}{status[1:]}.")

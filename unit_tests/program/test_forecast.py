@@ -5,9 +5,11 @@ import glob
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
@@ -51,7 +53,7 @@ class Forecast(ProgramTest):
     def test_rates_are_kept_and_used(self):
         first = self.check()
         self.assertIn("from its first", first)
-        self.assertIn("kept from an earlier measurement", self.check())
+        self.assertRegex(self.check(), r"kept from an earlier measurement, \d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC\n")
 
         def slower(content):
             content["scenes"][0]["step"] = 1000.0  # of steps that are left
@@ -71,6 +73,16 @@ class Forecast(ProgramTest):
         self.assertIn("from its first", self.check())
         with open(self.kept(), encoding="utf-8") as file:
             self.assertNotIn("another machine", file.read())
+        self.assertIn("kept from an earlier measurement", self.check())
+
+    def test_rates_of_another_build_are_not_used(self):
+        """A program of another date, as after it was compiled with other flags; it keeps its rates next to those."""
+        self.check()
+        other = shutil.copy2(PROGRAM, self.path("rhegma"))
+        os.utime(other, (1.7e9, 1.7e9))
+        with unittest.mock.patch("program.PROGRAM", other):
+            self.assertIn("from its first", self.check())
+            self.assertIn("kept from an earlier measurement", self.check())
         self.assertIn("kept from an earlier measurement", self.check())
 
     def test_a_damaged_file_of_rates_is_replaced(self):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checkpoints that can't be written."""
+"""Checkpoints and histories that can't be written."""
 
 import os
 import resource
@@ -12,16 +12,21 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
+import h5py  # noqa: E402
 from program import SOURCE, rhegma  # noqa: E402
 from restart_case import RestartTest  # noqa: E402
+from scenes import plate  # noqa: E402
 
 sys.path.insert(0, os.path.join(SOURCE, "tools"))
 from rhegma_tools.whole_folder import check_folder  # noqa: E402
 
 
-def small_files():
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (120_000, 120_000))
+def files_up_to(size):
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+    return limit
 
 
 class FullDisk(RestartTest):
@@ -35,12 +40,14 @@ class FullDisk(RestartTest):
         self.assert_messages(answer.messages, [("", ["can't be written", "at t =", "step"])])
         self.assertEqual(self.file(folder, "checkpoint.h5"), before)
         self.assertEqual([name for name in os.listdir(folder) if name.endswith(".part")], [])
-        self.assertEqual(check_folder(folder).faults, [])
+        faults = check_folder(folder).faults
+        self.assertEqual(len(faults), 1, faults)  # what there is, is undamaged
+        self.assertIn(f"{folder}: not all could be written: the run stopped at t = ", faults[0])
 
     def test_file_that_may_not_grow(self):
         checkpoint = self.checkpoint_of(self.path("out"))
         self.assertGreater(os.path.getsize(checkpoint), 120_000)
-        self.goes_on_with_a_full_disk(self.path("out"), checkpoint, preexec=small_files)
+        self.goes_on_with_a_full_disk(self.path("out"), checkpoint, preexec=files_up_to(120_000))
         self.run_to_its_end(self.path("scene.xml"), self.path("out"), "--restart", checkpoint)
 
     def test_full_disk(self):
@@ -60,6 +67,46 @@ class FullDisk(RestartTest):
         shutil.rmtree(self.path("whole"), ignore_errors=True)
         answer = rhegma(self.path("scene.xml"), "--output", self.path("whole"), "--quiet", "--restart", checkpoint)
         self.assertEqual(answer.status, 0, answer)
+
+
+class LostRows(RestartTest):
+    """A history that can't be written: the run continues from its last state whose history is in the file."""
+
+    def scene(self):
+        """Sixteen cells, so that the history is soon larger than a checkpoint, with a row a step."""
+        coarse = plate().remove("Cracks").remove("Energy Release").set("Domain > Cell Size", 0.25)
+        coarse.set("Domain > Lower Corner", [-0.5, -0.5]).set("Domain > Upper Corner", [1.5, 1.5])
+        coarse.set("Boundaries > Wall", {"Type": "Symmetry", "Axis": "x", "Position": 0.0})
+        coarse.set("Time > Final Time", 0.2).set("Output", {"History Interval": 1e-6, "Fields": False})
+        return self.write("scene.xml", coarse.text())
+
+    def stopped(self, scene, limit):
+        answer = rhegma(scene, "--output", self.path("out"), "--quiet", preexec=files_up_to(limit))
+        self.assertEqual(answer.status, 2, answer)
+        self.assert_messages(answer.messages, [("", ["at t =", "step", "history.csv can't be written: File too large"])])
+        faults = check_folder(self.path("out")).faults
+        self.assertIn(f"{self.path('out')}: not all could be written: {answer.messages[8:].strip()}.", faults)
+        self.assertEqual([fault for fault in faults if "checksum" in fault or "bytes" in fault], [])
+        return answer.messages
+
+    def test_the_run_continues_from_the_rows_that_are_there(self):
+        scene, checkpoint = self.scene(), self.path("out", "checkpoint.h5")
+        message = self.stopped(scene, 300_000)
+        self.assertIn(f"--restart {checkpoint} continues from t = ", message)
+        self.assertNotIn("could be written", message)
+        with h5py.File(checkpoint, "r") as file:
+            self.assertGreater(float(file["run"].attrs["time"]), 0.0)
+        self.run_to_its_end(scene, self.path("out"), "--restart", checkpoint)
+        self.run_to_its_end(scene, self.path("whole"))
+        self.assertGreater(len(self.file(self.path("whole"), "history.csv")), 300_000)
+        self.assertEqual(self.file(self.path("out"), "history.csv"), self.file(self.path("whole"), "history.csv"))
+        self.assertEqual(check_folder(self.path("out")).faults, [])
+
+    def test_the_message_says_that_there_is_no_checkpoint(self):
+        message = self.stopped(self.scene(), 10_000)
+        self.assertIn(f"; no checkpoint could be written: {self.path('out', 'checkpoint.h5')}.part can't be written: "
+                      "File too large", message)
+        self.assertFalse(os.path.exists(self.path("out", "checkpoint.h5")))
 
 
 if __name__ == "__main__":

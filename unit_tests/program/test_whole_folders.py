@@ -128,6 +128,53 @@ class OneRun(RestartTest):
         os.remove(lock)
         self.run_to_its_end(path, folder)
 
+    def message_of(self, run):
+        self.assertEqual(run.wait(PATIENCE), 2)
+        lines = [line for line in run.stderr.read().decode().splitlines() if not line.startswith("rhegma: warning: ")]
+        self.assertEqual(len(lines), 1, lines)
+        return lines[0]
+
+    def test_a_run_leaves_a_folder_that_another_has_taken(self):
+        folder = self.path("out")
+        path, first = self.start_long(folder)
+        os.remove(os.path.join(folder, "run.lock"))
+        second = self.start(path, "--output", folder, "--quiet")
+        self.addCleanup(second.kill)
+        message = self.message_of(first)
+        for word in (f"process {first.pid} on ", f"process {second.pid} on ", "another run", folder):
+            self.assertIn(word, message)
+        self.assertNotIn("--restart", message)
+        self.assertIsNone(second.poll())
+        self.assertIs(is_running(folder), True)
+        self.assertFalse(os.path.exists(os.path.join(folder, "summary.json")))
+        second.send_signal(signal.SIGTERM)
+        self.assertIn("continues from", self.message_of(second))
+        self.assertEqual(check_tool(folder)[0], 2)
+        self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
+
+    def test_a_run_whose_lock_is_removed_stops_with_its_files(self):
+        folder = self.path("out")
+        _, run = self.start_long(folder)
+        os.remove(os.path.join(folder, "run.lock"))
+        message = self.message_of(run)
+        for word in (f"process {run.pid} on ", "run.lock", "was removed during the run", f"--restart {folder}/checkpoint.h5"):
+            self.assertIn(word, message)
+        self.assertEqual(check_tool(folder)[0], 0)
+        self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
+
+    def test_no_comparison_in_a_folder_that_another_has_taken(self):
+        folder, other = self.path("out"), "host: elsewhere\nprocess: 7\nstarted: 2020-01-01 00:00:00 UTC\n"
+        run = self.start(self.write("scene.xml", scene().text()), "--output", folder, "--quiet", "--twice")
+        self.addCleanup(run.kill)
+        self.wait_for(run, os.path.join(folder, "as_is", "manifest.json"))
+        os.remove(os.path.join(folder, "run.lock"))
+        self.write(os.path.join(folder, "run.lock"), other)
+        message = self.message_of(run)
+        for word in ("there is no comparison: ", "process 7 on elsewhere", f"process {run.pid} on "):
+            self.assertIn(word, message)
+        self.assertFalse(os.path.exists(os.path.join(folder, "twice.json")))
+        self.assertEqual(self.file(folder, "run.lock").decode(), other)
+
     def test_who_asks_refuses_no_run(self):
         """rhegma-check, and a run that looks whether its folder is free, share the lock for a moment."""
         folder = self.path("out")

@@ -80,6 +80,28 @@ class Check(ToolTest):
         self.write_manifest(True)
         self.assert_fault("goes to 2 s, but the summary to 1.5 s")
 
+    def end_of_run(self, time, **more):
+        """Nine steps after the rows at 0, 1 and 2 s, and no frame; the answer."""
+        write_fields(self.out, [(0.0, {"particles": {"mass": [1.0]}})])
+        write_summary(self.out, time=time, steps=9, **more)
+        self.write_manifest(True)
+        return run("rhegma-check", self.out)
+
+    def test_history_that_ends_early(self):
+        """A failure may come one interval and one step, 0.3 s, after the last row."""
+        self.assertEqual(self.end_of_run(3.1, history_interval=1.0)[0], 0)
+        status, _, messages = self.end_of_run(3.5, history_interval=1.0)
+        self.assertEqual(status, 1)
+        self.assertIn("the history ends at 2 s, but the run at 3.5 s: its last rows are missing", messages)
+        self.assertEqual(self.end_of_run(3.5, history_interval=2.0)[0], 0)
+        self.assertEqual(self.end_of_run(3.5)[0], 1, "the interval is that of the rows")
+
+    def test_status_of_a_file_that_was_not_written(self):
+        status, _, messages = self.end_of_run(2.0, status="the run stopped at t = 2 s, step 9: out/history.csv can't be written: why")
+        self.assertEqual(status, 1)
+        self.assertIn("not all could be written: the run stopped at t = 2 s", messages)
+        self.assertEqual(self.end_of_run(2.0, status="the run stopped at t = 2 s, step 9: it is unstable")[0], 0)
+
     def test_what_is_no_checkpoint(self):
         with open(os.path.join(self.out, "checkpoint.h5"), "wb") as file:
             file.write(b"x" * 600)
@@ -94,7 +116,7 @@ class Check(ToolTest):
     def test_exit_status_is_that_of_the_help(self):
         """0: whole; 1: damaged, missing, or no folder of a run; 2: going on or cut off."""
         help_text = " ".join(run("rhegma-check", "--help")[1].split())
-        for words in ("0: whole", "1: something is missing, damaged or can't be read, or DIR is not the folder of a run",
+        for words in ("0: whole", "1: something is missing, damaged or can't be read, or could not be written by the run, or DIR is not",
                       "2: the run is still going on or was cut off"):
             self.assertIn(words, help_text)
         self.assertEqual(run("rhegma-check", self.out)[0], 0)

@@ -52,6 +52,7 @@ FrontSample<2> sampleOf(State<2>& state)
   front.length = half;
   front.nodes[0].position = front.position;
   front.nodes[0].direction = front.direction;
+  front.nodes[0].normal = front.normal;
   state.cracks.fronts = {front};
   state.clock.settled = true;
   FrontSample<2> sample(front, 0.0);
@@ -171,6 +172,7 @@ TEST(FrontLengths, AreThoseOfCrackAndLigament)
   EXPECT_NEAR(one.ligament, half, 1e-9);
   EXPECT_NEAR(one.front, thickness, 1e-12);
   EXPECT_EQ(one.ends, 1);
+  EXPECT_NEAR(one.arm, half, 1e-9);
   CrackFront<2> ahead = sample.front;
   ahead.number = 1;
   ahead.position = ahead.nodes[0].position = {{0.4 * half, 0.1 * half}};
@@ -180,6 +182,16 @@ TEST(FrontLengths, AreThoseOfCrackAndLigament)
   EXPECT_NEAR(two.ligament, half * std::sqrt(0.17), 1e-9);
   EXPECT_NEAR(two.front, 2.0 * thickness, 1e-12);
   EXPECT_EQ(two.ends, 2);
+}
+
+/// G of a short crack is proportional to a and b^-3; that of a beam whose ends are held to (a + 0.64 h)^-4.
+TEST(FrontLengths, GiveTheSlopeOfG)
+{
+  const FrontLengths edge{0.01, 0.03, 1, 1.0, 0.02}, arms{0.05, 0.25, 1, 1.0, 0.01},
+      central{0.05, 0.25, 2, 1.0, 0.01};
+  EXPECT_NEAR(edge.slope(), 1.0 / 0.01 + 3.0 / 0.03, 1e-9);
+  EXPECT_NEAR(arms.slope(), 4.0 / 0.0564, 1e-9);
+  EXPECT_NEAR(central.slope(), 1.0 / 0.05 + 1.0 / 0.25, 1e-9);
 }
 
 /// Squares of the parts of G add; K has half of the relative error of G, and of its own part.
@@ -210,7 +222,8 @@ TEST(ErrorEstimate, AddsSquares)
 TEST(ErrorEstimate, IsRefusedWithAReason)
 {
   State<2> state = makeBody(half, cell, Plane::Stress, ShapeKind::Gimp);
-  const FrontSample<2> good = sampleOf(state);
+  FrontSample<2> good = sampleOf(state);
+  good.modeI = {std::sqrt(10.0 * young)};
   const auto reason = [&](const State<2>& of, const FrontSample<2>& sample)
   { return reasonForNoEstimate(of, sample, Options()); };
   EXPECT_EQ(reason(state, good), "");
@@ -222,6 +235,13 @@ TEST(ErrorEstimate, IsRefusedWithAReason)
   EXPECT_NE(reason(state, sample), "");
   sample.J = {-1.0};
   EXPECT_NE(reason(state, sample), "");
+  sample = good;
+  sample.modeI = {-good.modeI[0]};
+  EXPECT_NE(reason(state, sample).find("closed"), std::string::npos);
+  sample.modeI = {0.94 * good.modeI[0]}; // 11.6 % of G
+  EXPECT_NE(reason(state, sample).find("another G"), std::string::npos);
+  sample.modeI = {0.96 * good.modeI[0]}; // 7.8 %
+  EXPECT_EQ(reason(state, sample), "");
   const auto changed = [&](const std::function<void(State<2>&)>& change)
   {
     State<2> other = state;

@@ -116,6 +116,31 @@ void testStrip(const std::string& conductivity, double tolerance)
 TEST(SteadyConduction, TwoTemperatures) { testStrip<2>("2", 1e-6); }
 TEST(SteadyConduction, TwoTemperatures3D) { testStrip<3>("2", 1e-6); }
 
+/// Bodies whose edges lie on lines of the grid but for round-off, which then decides which nodes their particles
+/// touch: cells and domains at random, in metres as people write them.
+TEST(SteadyConduction, EdgesOnGridLines)
+{
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> hundredths(80, 400), cells(3, 20);
+  for (int k = 0; k < 20; ++k)
+  {
+    const double h = 1e-5 * hundredths(random);
+    const int before = cells(random), across = cells(random), after = cells(random);
+    Teuchos::ParameterList scene = steadyScene<2>(1.0, 0.1);
+    const Vector<2> lower = all<2>(-before * h), upper = all<2>((across + after) * h);
+    scene.sublist("Domain").set("Lower Corner", array(lower));
+    scene.sublist("Domain").set("Upper Corner", array(upper));
+    scene.sublist("Domain").set("Cell Size", h);
+    const double width = across * h;
+    addBox<2>(scene, "Plate", all<2>(0.0), all<2>(width));
+    holdBox<2>(scene, "Left", {{-0.1 * h, -h}}, {{0.1 * h, width + h}}, 400.0);
+    holdBox<2>(scene, "Right", {{width - 0.1 * h, -h}}, {{width + 0.1 * h, width + h}}, 300.0);
+    const Errors error =
+        errorsOf<2>(scene, [width](const Vector<2>& x) { return 400.0 - 100.0 * x[0] / width; });
+    EXPECT_LT(error.most, 1e-4) << "cells of " << h << " m, " << before << " before, " << across << " across";
+  }
+}
+
 /// Conductivity linear in temperature: (k0 + k1)/2 of the ends conducts, and the profile is a parabola of x
 /// in T. The tolerance is that of linear functions over cells of a sixth, curvature 200 K times (1/6)^2 / 8.
 TEST(SteadyConduction, ConductivityOfTemperature) { testStrip<2>("300:1, 400:3", 800.0 / 36.0 / 8.0); }

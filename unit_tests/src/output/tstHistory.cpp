@@ -1,8 +1,11 @@
 #include "SmallState.hpp"
+#include "base/OutputError.hpp"
 #include "output/History.hpp"
 
 #include <cmath>
+#include <csignal>
 #include <stdexcept>
+#include <sys/resource.h>
 
 using Rhegma::contents;
 using Rhegma::Folder;
@@ -105,4 +108,59 @@ TEST(History, SaysThatTheDiskIsFull)
   History history("/dev/full");
   history.write(0.0, {{"a", 1.0}});
   EXPECT_THROW(history.close(), std::runtime_error);
+}
+
+namespace
+{
+
+/// Files may not grow beyond a size, as on a full disk.
+class SmallFiles
+{
+public:
+  explicit SmallFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN))
+  {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles()
+  {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+} // namespace
+
+/// After rows were lost the file is the beginning of the history, as long as it says, without a later row.
+TEST(History, IsABeginningAfterRowsWereLost)
+{
+  const Folder folder;
+  const std::string path = folder.path("history.csv");
+  History history(path);
+  history.write(0.0, {{"a", 1.0}});
+  history.flush();
+  const Rhegma::HistorySoFar before = history.soFar();
+  {
+    const SmallFiles limit(before.bytes + 5);
+    history.write(1.0, {{"a", 1.0 / 3.0}});
+    EXPECT_THROW(history.flush(), Rhegma::OutputError);
+  }
+  EXPECT_EQ(history.whyLost(), path + " can't be written: File too large");
+  EXPECT_THROW(history.write(2.0, {{"a", 2.0}}), Rhegma::OutputError);
+  EXPECT_THROW(history.flush(), Rhegma::OutputError);
+  EXPECT_EQ(contents(path), "time,a\n0,1\n");
+  const Rhegma::HistorySoFar after = history.soFar();
+  EXPECT_EQ(after.bytes, before.bytes);
+  EXPECT_EQ(after.crc, before.crc);
+  EXPECT_EQ(after.lastTime, before.lastTime);
+  EXPECT_TRUE(Rhegma::beginsWith(path, after));
+  EXPECT_THROW(history.sync(), Rhegma::OutputError);
+  EXPECT_NO_THROW(history.syncBeginning(before.bytes));
+  EXPECT_THROW(history.syncBeginning(before.bytes + 1), Rhegma::OutputError);
+  EXPECT_THROW(history.close(), Rhegma::OutputError);
 }

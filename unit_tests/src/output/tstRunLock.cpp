@@ -101,3 +101,72 @@ TEST(RunLock, ALookMakesNoFile)
   refuseFolderInUse(folder.path());
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
+
+namespace
+{
+
+const std::string ofAnother = "host: elsewhere\nprocess: 7\nstarted: 2020-01-01 00:00:00 UTC\n";
+
+/// What a user does who starts another run in the folder of one that is going on.
+void giveToAnother(const std::string& path)
+{
+  std::filesystem::remove(path);
+  std::ofstream(path) << ofAnother;
+}
+
+} // namespace
+
+TEST(RunLock, LeavesTheLockOfAnotherRun)
+{
+  const Folder folder;
+  {
+    const RunLock lock(folder.path());
+    giveToAnother(folder.path("run.lock"));
+  }
+  EXPECT_EQ(contents(folder.path("run.lock")), ofAnother);
+}
+
+TEST(RunLock, NamesTheRunThatHasTakenTheFolder)
+{
+  const Folder folder;
+  RunLock lock(folder.path());
+  EXPECT_FALSE(lock.isDue());
+  EXPECT_EQ(lock.loss(), "");
+  EXPECT_TRUE(lock.holds());
+  giveToAnother(folder.path("run.lock"));
+  const std::string loss = lock.loss();
+  EXPECT_FALSE(lock.holds());
+  for (const std::string& word : {std::string("process 7 on elsewhere since 2020-01-01 00:00:00 UTC"),
+                                  "process " + std::to_string(getpid()) + " on ", folder.path()})
+    EXPECT_NE(loss.find(word), std::string::npos) << loss;
+  EXPECT_EQ(contents(folder.path("run.lock")), ofAnother);
+}
+
+/// A run stops where its lock was removed; until then it has the folder, and its files can be written.
+TEST(RunLock, TakesAFolderAgainThatNoOtherRunHas)
+{
+  const Folder folder;
+  {
+    RunLock lock(folder.path());
+    std::filesystem::remove(folder.path("run.lock"));
+    EXPECT_NE(lock.loss().find("was removed during the run"), std::string::npos);
+    EXPECT_TRUE(lock.holds());
+    EXPECT_NE(refusal(folder.path()).find("in use by another run"), std::string::npos);
+    EXPECT_EQ(lock.loss(), "");
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+/// Some file systems give a file another number when it is looked up again.
+TEST(RunLock, KnowsItsFileByWhatIsInIt)
+{
+  const Folder folder;
+  {
+    RunLock lock(folder.path());
+    std::filesystem::copy_file(folder.path("run.lock"), folder.path("copy"));
+    std::filesystem::rename(folder.path("copy"), folder.path("run.lock"));
+    EXPECT_EQ(lock.loss(), "");
+    EXPECT_TRUE(lock.holds());
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}

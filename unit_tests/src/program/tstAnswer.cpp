@@ -47,13 +47,14 @@ TEST(Answer, CountsAndNamesWarnings)
             (Lines{end, "5 warnings (number 0; number 1; number 2; and 2 more), " + where}));
 }
 
-/// All that the work went into is named, so that the terms add up; what is rounding is not.
+/// All that the work went into is named, so that the terms add up; what is rounding is not, nor are ratios.
 TEST(Answer, NamesAllTermsOfTheEnergyBalance)
 {
   json summary = finished(0);
-  summary["energy"] = {{"external_work", 5.0}, {"strain", 2.0},     {"kinetic", 0.5}, {"fracture", 0.25},
-                       {"damped", 2.25},       {"heat", 1e-12},     {"merged", 0.0},  {"residual", 0.0},
-                       {"contact", nullptr},   {"stabilised", 1e-3}};
+  summary["energy"] = {{"external_work", 5.0}, {"strain", 2.0},           {"kinetic", 0.5},
+                       {"fracture", 0.25},     {"damped", 2.25},          {"heat", 1e-12},
+                       {"merged", 0.0},        {"residual", 0.0},         {"contact", nullptr},
+                       {"stabilised", 1e-3},   {"largest_fraction", 80.0}};
   EXPECT_EQ(answersOf(summary)[1],
             "energy balance: external work 5 J, strain 2 J, kinetic 500 mJ, fracture 250 mJ, "
             "damped 2.25 J, stabilised 1 mJ; not accounted for 0 J (0 % of the largest of "

@@ -34,6 +34,7 @@ RunResults running(double rise, double end)
   RunResults run = atRest(3.0);
   json& front = run.summary["cracks"][0]["fronts"][0];
   front["initiated"] = 1e-5;
+  front["status"] = "arrested";
   front["settled_speed"] = 500.0;
   front["position"] = std::vector<double>{end, rise * end};
   for (int k = 0; k <= 10; ++k)
@@ -164,11 +165,44 @@ TEST(CompareRuns, ComparesTheTimeWithinTheLoadStepUnderGivenLoads)
 TEST(CompareRuns, SaysThatEndsDiffer)
 {
   RunResults other = running(0.0, 0.1);
-  other.summary["cracks"][0]["fronts"][0]["ended"] = true;
+  other.summary["cracks"][0]["fronts"][0]["status"] = "ended";
   const json comparison = compareRuns(running(0.0, 0.1), other);
   EXPECT_EQ(answer(comparison, "end of Notch.0")["as_is"], "arrested");
   EXPECT_EQ(answer(comparison, "end of Notch.0")["half"], "ended");
   EXPECT_FALSE(comparison["resolved"].get<bool>());
+}
+
+/// A status may have a reason after it, and is that of the front and not of its flags: a front that moved and
+/// is now at rest with G not below its toughness is not arrested.
+TEST(CompareRuns, TakesTheStatusOfAFront)
+{
+  RunResults one = running(0.0, 0.1), other = running(0.0, 0.1);
+  one.summary["cracks"][0]["fronts"][0]["status"] = "stopped: less than three cells from crack A";
+  other.summary["cracks"][0]["fronts"][0]["status"] = "at rest";
+  const json end = answer(compareRuns(one, other), "end of Notch.0");
+  EXPECT_EQ(end["as_is"], "stopped");
+  EXPECT_EQ(end["half"], "at rest");
+}
+
+/// Runs that were cut off, or that were still moving when the scene asked for rest, say nothing of its end.
+TEST(CompareRuns, NothingIsResolvedBeforeTheEnd)
+{
+  RunResults one = atRest(10.4), other = atRest(10.2);
+  for (RunResults* run : {&one, &other})
+    run->summary["status"] = "finished";
+  EXPECT_TRUE(compareRuns(one, other)["resolved"].get<bool>());
+  one.summary["ended_before_settled"] = true;
+  const json moving = compareRuns(one, other);
+  EXPECT_FALSE(moving["resolved"].get<bool>());
+  EXPECT_FALSE(answer(moving, "G_J of Notch.0").contains("extrapolated"));
+  EXPECT_EQ(answer(moving, "end of the run")["as_is"], "not at rest");
+  EXPECT_NE(comparisonAsText(moving).find("As it is: finished before the bodies were at rest"),
+            std::string::npos);
+  one.summary["ended_before_settled"] = false;
+  other.summary["status"] = "finished at Time > Maximum Steps";
+  const json cut = compareRuns(one, other);
+  EXPECT_FALSE(cut["resolved"].get<bool>());
+  EXPECT_NE(cut["verdict"].get<std::string>().find("raise Time > Maximum Steps"), std::string::npos);
 }
 
 /// A front that the cells stop in both runs, which both go on to their end: what it has then is no answer.
@@ -193,7 +227,7 @@ TEST(CompareRuns, ComparesRunsThatStop)
   RunResults stopped = atRest(10.4), finished = atRest(10.2);
   stopped.summary["status"] = "the run stopped at t = 1 ms, step 7: crack Notch, front 0 stopped";
   stopped.summary["time"] = 1e-3;
-  finished.summary["status"] = "finished at Time > Maximum Steps";
+  finished.summary["status"] = "finished";
   finished.summary["time"] = 2e-3;
   const json better = compareRuns(stopped, finished);
   EXPECT_EQ(answer(better, "end of the run")["as_is"], "stopped");

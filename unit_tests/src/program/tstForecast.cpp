@@ -240,7 +240,7 @@ TEST(Forecast, SaysWhatItIsOf)
 TEST(RateCache, KeepsRatesOfAScene)
 {
   const Folder folder;
-  const RateCache cache(folder.path(), "this machine");
+  const RateCache cache(folder.path(), "this machine", "a build");
   EXPECT_FALSE(cache.find(scene()));
   StepRates kept = rates();
   kept.growth = {2.0, 6.0};
@@ -268,7 +268,8 @@ TEST(RateCache, KeepsRatesOfAScene)
 TEST(RateCache, RefusesOthersFiles)
 {
   const Folder folder;
-  const RateCache mine(folder.path(), "this machine"), other(folder.path(), "another machine");
+  const RateCache mine(folder.path(), "this machine", "a build"),
+      other(folder.path(), "another machine", "a build");
   mine.keep(scene(), rates());
   EXPECT_FALSE(other.find(scene()));
   std::filesystem::copy_file(mine.path(), other.path());
@@ -281,16 +282,65 @@ TEST(RateCache, RefusesOthersFiles)
   EXPECT_FALSE(mine.find(scene()));
 }
 
+/// Another compiler or other flags give other rates. Those of one build do not replace those of another.
+TEST(RateCache, KeepsRatesOfEachBuild)
+{
+  const Folder folder;
+  const RateCache one(folder.path(), "this machine", "a build"),
+      other(folder.path(), "this machine", "debug");
+  one.keep(scene(), rates());
+  EXPECT_FALSE(other.find(scene()));
+  StepRates slower = rates();
+  slower.step = 1.0;
+  other.keep(scene(), slower);
+  EXPECT_EQ(one.find(scene())->step, 1e-3);
+  EXPECT_EQ(other.find(scene())->step, 1.0);
+}
+
+/// The unfinished file of another process is neither renamed nor overwritten.
+TEST(RateCache, LeavesTheTemporaryFileOfAnotherProcess)
+{
+  const Folder folder;
+  const RateCache cache(folder.path(), "this machine", "a build");
+  std::filesystem::create_directories(folder.path());
+  std::ofstream(cache.path() + ".part") << "half of it";
+  cache.keep(scene(), rates());
+  EXPECT_TRUE(cache.find(scene()));
+  EXPECT_EQ(textOf(cache.path() + ".part"), "half of it");
+}
+
+/// 1.7e9 s after 1970 began.
+TEST(RateCache, KeepsTheDateThatAForecastPrints)
+{
+  const Folder folder;
+  const RateCache cache(folder.path(), "this machine", "a build");
+  StepRates dated = rates();
+  dated.measured = 1700000000;
+  cache.keep(scene(), dated);
+  Forecast f = forecastOf(*cache.find(scene()), scene(), 0.0);
+  f.kept = true;
+  EXPECT_NE(asText(f).find("kept from an earlier measurement, 2023-11-14 22:13:20 UTC"), std::string::npos)
+      << asText(f);
+}
+
+/// The file that runs: its size is known, and a build has another date.
+TEST(RateCache, KnowsTheBuild)
+{
+  const std::string size = std::to_string(std::filesystem::file_size("/proc/self/exe"));
+  EXPECT_NE(buildIdentity().find("; " + size + " bytes of "), std::string::npos) << buildIdentity();
+  EXPECT_EQ(machineIdentity(1).find(size + " bytes"), std::string::npos);
+}
+
 /// Nothing is kept of a scene that fails, nor where there is no folder.
 TEST(RateCache, KeepsNothingOfAFailure)
 {
   const Folder folder;
-  const RateCache cache(folder.path(), "this machine");
+  const RateCache cache(folder.path(), "this machine", "a build");
   StepRates failed = rates();
   failed.failure = "the body left the domain";
   cache.keep(scene(), failed);
   EXPECT_FALSE(std::filesystem::exists(cache.path()));
-  const RateCache nowhere("", "this machine");
+  const RateCache nowhere("", "this machine", "a build");
   nowhere.keep(scene(), rates());
   EXPECT_FALSE(nowhere.find(scene()));
 }
