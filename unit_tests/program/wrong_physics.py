@@ -57,7 +57,7 @@ REASONS = {
     crack_in_millimetres: "outside of all bodies|no crack has a front inside a body|write its points in metres",
     cells_in_millimetres: "more than the domain's",
     modulus_in_megapascal: "wave speed is .*, lower than in almost any solid",
-    density_in_grams: "less than of foams",
+    density_in_grams: "less than of foams|higher than in diamond",
     no_step: "so nothing happens; times are in seconds",
     endless: "the run would take about .* steps",
     short_crack: "below three cells|outside of all bodies",
