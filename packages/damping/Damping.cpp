@@ -265,8 +265,17 @@ void reportSettled(double time, double change, nlohmann::json& summary)
         formatShort(100.0 * change) + " %");
 }
 
+/// Whether the equilibrium of a scene can be solved for as well: small strain of elastic bodies at rest.
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+bool isLinear(const State<D>& state, const RunOptions& options)
+{
+  const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
+  return !options.growth && !options.heat() && !options.burning && !options.contact && !options.adaptive &&
+         std::all_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.linear; });
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const Teuchos::ParameterList& list = scene.sublist("Damping");
   const double rate = list.get<double>("Mass Rate");
@@ -292,12 +301,17 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const double interval =
       output.isParameter("History Interval") ? output.get<double>("History Interval") : until / 200.0;
   const int samples = list.get<int>("Settled Samples");
-  const auto critical =
-      std::make_shared<std::string>(); // of whole bodies, before they are divided among ranks
-  effect.judge = [=](State<D>& s)
+  const auto known = std::make_shared<Unsettled>(); // of whole bodies, before ranks divide them
+  known->rate = rate;
+  effect.judge = [=, holding = holdingOf(scene)](State<D>& s)
   {
-    *critical = criticalAsText(s);
-    judgeDamping({rate, shear, bulk, std::min(end, until), stop ? drift : 1.0}, s);
+    if (const auto judged = judgedBody(s, holding))
+    {
+      if (judged->slowest.known)
+        known->estimated = judged->slowest;
+      judgeDamping({rate, shear, bulk, std::min(end, until), stop ? drift : 1.0}, *judged, s);
+    }
+    known->linear = isLinear(s, options);
     if (stop && !s.method.equilibrium())
       judgeSamples(interval, until, samples, s.warnings);
   };
@@ -305,20 +319,21 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {}, {},
       [settling](State<D>& s)
       { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row, s.clock.time); });
-  effect.report = [stop, until, rate, settling, critical](const State<D>& s, nlohmann::json& summary)
+  effect.report = [stop, until, end, settling, known](const State<D>& s, nlohmann::json& summary)
   {
+    if (std::isfinite(known->estimated.frequency) && known->estimated.frequency > 0.0)
+      summary["slowest_motion"] = {{"name", known->estimated.name},
+                                   {"angular_frequency", known->estimated.frequency}};
     if (s.clock.settled)
       reportSettled(s.clock.time, settling->mayStillChange(), summary);
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
     summary["ended_before_settled"] = stop && over && !s.clock.settled && s.failure.empty();
-    if (summary["ended_before_settled"])
-      summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
-                                    "its results are not static; raise Time > Final Time, or " +
-                                    (rate > 0.0 ? std::string("bring Damping > Mass Rate nearer to critical "
-                                                              "damping")
-                                                : std::string("damp by a Mass Rate near critical damping "
-                                                              "instead of a viscosity")) +
-                                    *critical);
+    if (!summary["ended_before_settled"])
+      return;
+    Unsettled run = *known;
+    if (end >= until)
+      run.measured = settling->frequencyOfCreep();
+    summary["warnings"].push_back(unsettledWarning(run));
   };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->serialize(archive); };
   return effect;

@@ -13,6 +13,10 @@ namespace Rhegma::damping
 namespace
 {
 
+/// Times the time so far: what hardly decays in all of the run is a rigid motion that a small resultant
+/// drives; it strains nothing.
+constexpr double slowestDecay = 10.0;
+
 /// As many as hold several periods of a body that settles.
 constexpr std::size_t mostWatched = 400;
 
@@ -74,31 +78,48 @@ double Settling::mayStillChange() const
   return most;
 }
 
-double Settling::creep(double strain) const
+std::optional<double> Settling::decayTime() const
 {
-  constexpr double steady = 2.0;   // ratio of the rates of decay in the two halves
-  constexpr double slowest = 10.0; // s over the time so far
-  constexpr double strong = 50.0;  // r s; it is 2 at critical damping and 50 at 3.5 times that
-  if (motion_.size() < std::max<std::size_t>(samples_, 2) || !(massDamping_ > 0.0) || !(strain > 0.0))
-    return 0.0;
+  constexpr double steady = 2.0; // ratio of the rates of decay in the two halves
+  if (motion_.size() < std::max<std::size_t>(samples_, 2))
+    return std::nullopt;
   const std::size_t last = motion_.size() - 1,
                     back = std::max(motion_.size() / 4, std::max<std::size_t>(samples_, 2) - 1);
   // Oscillations go up and down, and mixtures of motions decay at several rates.
   for (std::size_t k = last - back; k < last; ++k)
     if (!(motion_[k].second > motion_[k + 1].second))
-      return 0.0;
+      return std::nullopt;
   const auto& [before, earlier] = motion_[last - back];
   const auto& [halfway, between] = motion_[last - back / 2];
   const auto& [now, kinetic] = motion_.back();
   if (!(kinetic > 0.0))
-    return 0.0;
+    return std::nullopt;
   const double first = std::log(earlier / between) / (halfway - before),
                second = std::log(between / kinetic) / (now - halfway);
   if (std::max(first, second) > steady * std::min(first, second))
+    return std::nullopt;
+  return 2.0 * (now - before) / std::log(earlier / kinetic);
+}
+
+std::optional<double> Settling::frequencyOfCreep() const
+{
+  constexpr double creeps = 4.0;
+  const std::optional<double> s = decayTime();
+  if (!s || !(massDamping_ * *s > creeps) || !(*s < slowestDecay * motion_.back().first))
+    return std::nullopt;
+  return std::sqrt((massDamping_ - 1.0 / *s) / *s);
+}
+
+double Settling::creep(double strain) const
+{
+  constexpr double strong = 50.0; // r s; it is 2 at critical damping and 50 at 3.5 times that
+  const std::optional<double> s = decayTime();
+  if (!s || !(massDamping_ > 0.0) || !(strain > 0.0))
     return 0.0;
-  const double s = 2.0 * (now - before) / std::log(earlier / kinetic), rs = massDamping_ * s;
-  // What hardly decays in all of the run is a rigid motion that a small resultant drives; it strains nothing.
-  return rs > strong && s < slowest * now ? 2.0 * std::sqrt(kinetic * rs / strain) : 0.0;
+  const double rs = massDamping_ * *s;
+  return rs > strong && *s < slowestDecay * motion_.back().first
+             ? 2.0 * std::sqrt(motion_.back().second * rs / strain)
+             : 0.0;
 }
 
 bool Settling::sample(double kinetic, double strain, const HistoryRow& row, double time)

@@ -4,6 +4,7 @@
 #include "state/State.hpp"
 
 #include <deque>
+#include <optional>
 #include <utility>
 
 namespace Rhegma
@@ -42,10 +43,20 @@ public:
   /// they hardly change.
   double creep(double strain) const;
 
+  /// Angular frequency of the motion that creeps to rest under mass damping r above critical: its kinetic
+  /// energy falls as exp(-2 t / s), and w^2 = (r - 1 / s) / s, as both rates of decay of a mode have the
+  /// product w^2 and the sum r [1/s]. Nothing where the energy does not fall steadily, or r s < 4 (at
+  /// critical damping it is 2).
+  std::optional<double> frequencyOfCreep() const;
+
   /// Saves or loads the last samples.
   void serialize(Archive& archive);
 
 private:
+  /// Time in which motion falls to 1 / e, by the last quarter of the samples [s]; nothing where its energy
+  /// rises in between, or falls at several rates.
+  std::optional<double> decayTime() const;
+
   struct Sample
   {
     double ratio;

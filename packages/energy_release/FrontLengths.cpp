@@ -2,6 +2,7 @@
 
 #include "energy_release/Contour.hpp"
 #include "energy_release/FrontLine.hpp"
+#include "plausibility/CrackExtent.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
@@ -12,23 +13,6 @@ namespace Rhegma::energy_release
 
 namespace
 {
-
-/// Extent of a crack along a direction [m].
-template <int D>
-double extentAlong(const State<D>& state, const Crack<D>& crack, const Vector<D>& direction)
-{
-  const auto x = onHost(state.cracks.vertex);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
-  {
-    double at = 0.0;
-    for (int d = 0; d < D; ++d)
-      at += x(v, d) * direction[d];
-    low = std::min(low, at);
-    high = std::max(high, at);
-  }
-  return high - low;
-}
 
 int endsOf(const State<2>& state, const CrackFront<2>& front)
 {
@@ -45,14 +29,7 @@ int endsOf(const State<3>&, const CrackFront<3>& front)
 
 double crackLength(const State<2>&, const CrackFront<2>& front) { return front.length; }
 
-/// The shortest extent behind a front.
-double crackLength(const State<3>& state, const CrackFront<3>& front)
-{
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const FrontNode<3>& node : front.nodes)
-    shortest = std::min(shortest, extentAlong(state, state.cracks.cracks[front.crack], node.direction));
-  return shortest;
-}
+double crackLength(const State<3>& state, const CrackFront<3>& front) { return extentOf(state, front.crack); }
 
 /// Distance from a position to a node that is not surrounded by material, within a cell of the line in a
 /// direction [m].

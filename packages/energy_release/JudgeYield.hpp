@@ -35,17 +35,18 @@ void judgeYield(const Teuchos::ParameterList& scene, State<D>& state)
       "Materials > " + soft->material + " > Yield Stress is " + formatReal(soft->yield) + " Pa, and ";
   const std::string advice = "; K and G (Energy Release) assume small-scale yielding: check units (1 MPa is "
                              "1e6 Pa), or use a larger body and crack";
-  const double crack = longestCrack(state), part = std::min(crack, soft->shortest);
+  const double crack = longestCrack(state), across = shortestAcrossFronts(state, *soft),
+               part = std::min(crack, across);
   const double zone = plasticZone(load->stress * std::sqrt(pi * crack), *soft, state.method.plane);
   if (load->stress > soft->yield)
     state.warnings.push_back(where + load->where + " stresses the body with about " +
                              formatShort(load->stress) + " Pa, so that it yields as a whole" + advice);
   else if (zone > smallZone * part)
-    state.warnings.push_back(
-        where + "under the " + formatShort(load->stress) + " Pa of " + load->where + " some " +
-        readableLength(2.0 * zone) + " ahead of a crack of " + readableLength(crack) +
-        " yield (twice Irwin's radius), more than a fifth of the " +
-        (crack < soft->shortest ? "crack" : "body's " + readableLength(soft->shortest)) + advice);
+    state.warnings.push_back(where + "under the " + formatShort(load->stress) + " Pa of " + load->where +
+                             " some " + readableLength(2.0 * zone) + " ahead of a crack of " +
+                             readableLength(crack) +
+                             " yield (twice Irwin's radius), more than a fifth of the " +
+                             (crack < across ? "crack" : "body's " + readableLength(across)) + advice);
 }
 
 } // namespace Rhegma::energy_release

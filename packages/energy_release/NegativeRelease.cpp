@@ -33,9 +33,9 @@ template <int D>
 double usualRelease(const State<D>& state, int crack)
 {
   constexpr double pi = 3.14159265358979;
-  const double extent = extentOf(state, state.cracks.cracks[crack]), strain = state.energy.strain;
+  const double extent = extentOf(state, crack), strain = state.energy.strain;
   const double inPlate = 2.0 * pi * strain / volumeOf(state) * extent;
-  const double inArms = strain / (extent * (D == 2 ? state.method.thickness : extent));
+  const double inArms = strain / areaOf(state, crack);
   return extent > 0.0 ? std::min(inPlate, inArms) : 0.0;
 }
 

@@ -50,9 +50,10 @@ struct JudgedToughness
   std::vector<BodyMeasure<D>> bodies;
   double atRest, most; ///< of the toughness, and of all speeds [J/m2]
   double slow, half;   ///< at a twentieth of the speed of Rayleigh waves, and up to half of it [J/m2]
-  double crack;        ///< longest extent of the cracks [m]
+  double crack;        ///< longest extent of the cracks behind their fronts [m]
   const BodyMeasure<D>*soft, *stiff;
-  std::string where;
+  std::string where;  ///< parameter of the toughness at rest, and its value
+  std::string rising; ///< the same of that which depends on speed
   static constexpr double pi = 3.14159265358979;
 
   JudgedToughness(const Options& options, const State<D>& judged)
@@ -63,8 +64,12 @@ struct JudgedToughness
         slow(atRest),
         half(atRest),
         crack(longestCrack(judged)),
-        where("Propagation > Toughness is " + formatReal(atRest) + " J/m2: ")
+        rising("Propagation > Toughness is " + formatReal(options.rule.toughness(0.0, options.temperature)) +
+               " J/m2: ")
   {
+    where = options.rule.initiation > options.rule.toughness(0.0, options.temperature)
+                ? "Propagation > Initiation Toughness is " + formatReal(atRest) + " J/m2: "
+                : rising;
     const auto by = [](const auto& a, const auto& b)
     { return a.moduli.effectiveModulus < b.moduli.effectiveModulus; };
     soft = &*std::min_element(bodies.begin(), bodies.end(), by);
@@ -111,7 +116,7 @@ void judgeBonds(const JudgedToughness<D>& judged, std::vector<std::string>& mess
                                            : "more than that of any solid of this stiffness") +
                        judged.advice());
   else if (isTough(judged.half) || (stiffSolid && judged.slow > 10.0 * judged.atRest))
-    messages.push_back(judged.where + "it rises to " + formatShort(judged.slow) +
+    messages.push_back(judged.rising + "it rises to " + formatShort(judged.slow) +
                        " J/m2 at a twentieth of the speed of Rayleigh waves and to " +
                        formatShort(judged.half) + " J/m2 at half of it, " +
                        (isTough(judged.half) ? "more than any solid of that stiffness takes"
@@ -156,14 +161,15 @@ void judgeZones(const JudgedToughness<D>& judged, std::vector<std::string>& mess
       continue;
     const double K = std::sqrt(body.moduli.effectiveModulus * judged.atRest);
     const double zone = plasticZone(K, body, judged.state.method.plane);
-    if (zone <= smallZone * std::min(judged.crack, body.shortest))
+    const double across = shortestAcrossFronts(judged.state, body);
+    if (zone <= smallZone * std::min(judged.crack, across))
       continue;
-    messages.push_back(
-        judged.where + crack + " in " + body.material + " runs when some " + readableLength(2.0 * zone) +
-        " ahead of it yield (twice Irwin's radius) at Materials > " + body.material +
-        " > Yield Stress = " + formatReal(body.yield) + " Pa, more than a fifth of " +
-        (judged.crack < body.shortest ? "its length" : "the body's " + readableLength(body.shortest)) +
-        "; K and the growth criterion assume small-scale yielding" + judged.advice());
+    messages.push_back(judged.where + crack + " in " + body.material + " runs when some " +
+                       readableLength(2.0 * zone) +
+                       " ahead of it yield (twice Irwin's radius) at Materials > " + body.material +
+                       " > Yield Stress = " + formatReal(body.yield) + " Pa, more than a fifth of " +
+                       (judged.crack < across ? "its length" : "the body's " + readableLength(across)) +
+                       "; K and the growth criterion assume small-scale yielding" + judged.advice());
     return;
   }
 }

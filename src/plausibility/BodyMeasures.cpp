@@ -87,6 +87,10 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
     body.velocity = (1.0 / std::max(body.mass, std::numeric_limits<double>::min())) * body.velocity;
     body.lower = inSpace[b].lower;
     body.upper = inSpace[b].upper;
+    body.ownLower = own[b].lower;
+    body.ownUpper = own[b].upper;
+    for (int d = 0; d < D; ++d)
+      std::copy_n(state.bodies.info[b].axes[d], D, body.axes[d]);
     const Vector<D> extents = own[b].upper - own[b].lower;
     body.shortest = *std::min_element(extents.c, extents.c + D);
     body.longest = *std::max_element(extents.c, extents.c + D);

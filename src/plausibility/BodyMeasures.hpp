@@ -19,6 +19,9 @@ struct BodyMeasure
   double volume = 0.0;   ///< [m3]
   Vector<D> lower;       ///< corners of its bounds [m]
   Vector<D> upper;       ///< [m]
+  double axes[D][D];     ///< its own axes, unit vectors, one a row
+  Vector<D> ownLower;    ///< bounds along its own axes [m]
+  Vector<D> ownUpper;    ///< [m]
   double shortest = 0.0; ///< extents along its own axes [m]
   double longest = 0.0;  ///< [m]
   double fill = 1.0;     ///< volume over that of the box of these extents, 1 at most [-]

@@ -1,5 +1,6 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "plausibility/CrackExtent.hpp"
 #include "plausibility/Judges.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -152,7 +153,7 @@ void judgeLocking(const JudgedScene<D>& judged, Messages& messages)
   {
     const Elasticity& e = body.moduli;
     const double ratio = (e.lambda + 2.0 / 3.0 * e.shear) / e.shear;
-    const double cells = 0.5 * body.shortest / usualSpacing(judged.state, body);
+    const double cells = 0.5 * shortestAcrossFronts(judged.state, body) / usualSpacing(judged.state, body);
     const double error = measured * ratio / (cells * cells);
     if (!(ratio > ofModuli) || !(error > most) || !said.insert(body.material).second)
       continue;

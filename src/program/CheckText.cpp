@@ -4,6 +4,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "plan/EffectSchema.hpp"
+#include "plan/KnownEffects.hpp"
 #include "scene/Compatibility.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/SceneError.hpp"
@@ -99,10 +100,9 @@ std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterLi
   return text;
 }
 
-std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecast& forecast,
-                              const Ranks& ranks)
+std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Ranks& ranks)
 {
-  if (forecast.secondsToRest == 0.0 || ranks.many())
+  if (!declaredOptions(scene).endAtRest || ranks.many())
     return {};
   Teuchos::ParameterList other = scene;
   other.sublist("Time").set("Analysis", std::string("Static"));

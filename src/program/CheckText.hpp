@@ -32,8 +32,7 @@ std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterLi
 
 /// A hint where a run would wait for a rest that Time > Analysis = Static solves for: the rules then refuse
 /// nothing but the section that makes it rest. \param scene validated
-std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecast& forecast,
-                              const Ranks& ranks);
+std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Ranks& ranks);
 
 /// Of a scene that takes long to set up, a line with its end that says so: its estimated number of particles
 /// and their memory. Empty for others. \param scene validated

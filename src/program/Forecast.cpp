@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <limits>
 #include <new>
 #include <stdexcept>
 
@@ -36,9 +37,21 @@ constexpr double copies = 1.02;
 /// Where a machine is this busy, who reads a forecast should know.
 constexpr double busyMachine = 1.3;
 
-/// By when damping has an amplitude fall to Settled Drift; of a mode that oscillates, as those that are
-/// damped best do [s]. Infinite without damping of mass.
-double timeToRest(const EndAtRest& end) { return -2.0 * std::log(std::min(1.0, end.drift)) / end.massRate; }
+/// By when damping of mass has an amplitude fall to Settled Drift, exp(-r t / 2), up to critical damping r =
+/// 2 w of the slowest motion [s]. Infinite without damping, and where the motion creeps or is not known.
+double timeToRest(const EndAtRest& end, double slowest)
+{
+  return end.massRate <= 2.0 * slowest ? -2.0 * std::log(std::min(1.0, end.drift)) / end.massRate
+                                       : std::numeric_limits<double>::infinity();
+}
+
+/// Angular frequency of the slowest motion that Damping must bring to rest [1/s]; 0: unknown.
+double slowestMotion(const Simulation& simulation)
+{
+  const nlohmann::json report = simulation.report(0);
+  const auto found = report.find("slowest_motion");
+  return found == report.end() ? 0.0 : found->at("angular_frequency").get<double>();
+}
 
 std::string seconds(double value)
 {
@@ -111,7 +124,7 @@ std::string costLine(int particles, const Forecast& forecast)
 
 } // namespace
 
-Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time)
+Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time, double slowest)
 {
   const Teuchos::ParameterList& times = scene.sublist("Time");
   const double length = times.get<double>("Final Time") - time;
@@ -135,7 +148,8 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
   f.solves = f.steps * rates.solves;
   if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
   {
-    const double settled = std::max(timeToRest(*end), historyInterval(scene)); // it is seen in a sample
+    const double settled =
+        std::max(timeToRest(*end, slowest), historyInterval(scene)); // it is seen in a sample
     if (settled < fraction * length)
       f.secondsToRest = rates.setup + running * settled / (fraction * length) + rates.frame;
   }
@@ -145,7 +159,7 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
 Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks,
                       double setup)
 {
-  const double time = simulation.time();
+  const double time = simulation.time(), slowest = slowestMotion(simulation);
   const RateCache cache(cacheFolder(), machineIdentity(ranks.size()), buildIdentity());
   std::optional<StepRates> kept = cache.find(scene);
   if (ranks.max(kept && kept->particles == simulation.particles() ? 0.0 : 1.0) > 0.0)
@@ -158,7 +172,7 @@ Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scen
     if (ranks.rank() == 0)
       cache.keep(scene, rates);
   }
-  Forecast forecast = forecastOf(rates, scene, time);
+  Forecast forecast = forecastOf(rates, scene, time, slowest);
   forecast.kept = kept.has_value();
   return forecast;
 }

@@ -25,8 +25,10 @@ struct Forecast
   double bytes = 0.0;         ///< of files
 };
 
-/// Cost of a run from the rates of its steps. \param time reached so far [s]
-Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time);
+/// Cost of a run from the rates of its steps. \param time reached so far [s] \param slowest angular frequency
+/// of the slowest motion that damping must bring to rest [1/s]; 0: unknown
+Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time,
+                    double slowest = 0.0);
 
 /// Measures the rates on the simulation's own steps, or takes those that are kept for this scene and this
 /// machine. Collective. \param simulation made for this alone: it is advanced \param scene validated

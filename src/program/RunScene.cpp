@@ -237,8 +237,7 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
     return options.strict ? exitWrongScene : exitFinished;
   }
   out << asText(forecast) << "\n"
-      << equilibriumAsText(*scene, forecast, ranks)
-      << costOfAccuracy(options, *scene, ranks, &forecast, start);
+      << equilibriumAsText(*scene, ranks) << costOfAccuracy(options, *scene, ranks, &forecast, start);
   return exitFinished;
 }
 

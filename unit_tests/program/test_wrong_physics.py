@@ -19,7 +19,7 @@ sys.dont_write_bytecode = True
 from file_scene import FileScene  # noqa: E402
 from program import NOISE, SOURCE, ProgramTest, rhegma  # noqa: E402
 from scenes import plate  # noqa: E402
-from wrong_physics import TEMPLATES  # noqa: E402
+from wrong_physics import REASONS, TEMPLATES  # noqa: E402
 
 SEED = int(os.environ.get("RHEGMA_SEED", "2"))
 COUNT = int(os.environ.get("RHEGMA_SCENES", "60"))
@@ -62,7 +62,7 @@ def print_table():
             with open(path, "w") as text:
                 text.write(scene.text())
             answer = rhegma(path, "--check", "--quiet")
-            said = next((m for m in messages_of(answer) if re.search(place, m)), "nothing")
+            said = next((m for m in messages_of(answer) if re.search(place, m) and re.search(REASONS[template], m)), "nothing")
             said = shortened(said).replace("|", "\\|")
             print(f"| {number + 1} | {os.path.relpath(scene.path, os.path.join(SOURCE, 'xml_inputs'))[:-4]} | {template.__doc__} "
                   f"| {said} |")
@@ -228,6 +228,9 @@ class NonNumbers(ProgramTest):
 
 
 class WrongPhysics(ProgramTest):
+    def test_each_error_has_a_reason(self):
+        self.assertEqual({t.__name__ for t in TEMPLATES}, {t.__name__ for t in REASONS})
+
     def test_wrong_physics_is_said(self):
         print(f"seed {SEED}, {COUNT} scenes", flush=True)
         rng = random.Random(SEED)
@@ -241,8 +244,8 @@ class WrongPhysics(ProgramTest):
                 for noise in NOISE:
                     self.assertNotIn(noise, answer.messages)
                 self.assertIsNone(NON_NUMBER.search(answer.messages), answer)
-                fitting = [m for m in messages_of(answer) if re.search(place, m)]
-                self.assertTrue(fitting, f"no message on {place}:\n{answer}")
+                fitting = [m for m in messages_of(answer) if re.search(place, m) and re.search(REASONS[template], m)]
+                self.assertTrue(fitting, f"no message on {place} that says {REASONS[template]}:\n{answer}")
                 if answer.status == 0:  # a warning: an error where the user asks for that
                     self.assertEqual(rhegma(path, "--check", "--quiet", "--strict").status, 1)
 

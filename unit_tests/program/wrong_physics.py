@@ -1,7 +1,7 @@
 """Errors that make a right scene wrong in its physics, each with the places that a message may name.
 
 Each template changes a scene and gives a regular expression of the places that may be named, or None where the scene has
-nothing to which it applies. Its docstring is the error that it makes, for the table of docs/plausibility.md."""
+nothing to which it applies. A message counts only if it has the place and the reason, REASONS. Its docstring is the error that it makes, for the table of docs/plausibility.md."""
 
 from physics_of_loads import (
     support_away, mirror_away, load_away, no_load, late_load, heavy_loads, nothing_acts,
@@ -39,3 +39,66 @@ TEMPLATES = [support_away, mirror_away, load_away, no_load, late_load, thin_body
              mirror_in_material, wrong_side, held_everywhere, fast_support, rare_samples, limit_above_waves,
              limit_below_a_cell, speeds_in_kilometres, no_pressure, late_pressure, source_of_nothing, source_too_strong,
              probe_away, reference_in_celsius, table_in_celsius, strained_by_heat, held_at_the_load, nearly_incompressible]
+
+TOO_STRAINED = "strains the body by about .* (linear law|more than a solid withstands)"
+
+# What must be said of the place, for each template: words of the reason, as a regular expression.
+REASONS = {
+    support_away: "contains no node of any body|can (move|turn)",
+    mirror_away: "contains no node of any body|touches the domain's edge|can (move|turn)",
+    load_away: "the load misses the body",
+    no_load: "is zero, so this boundary does nothing",
+    late_load: "so this boundary does next to nothing; times are in seconds",
+    thin_body: "the body is .* thin, .* cells",
+    thin_hole: "the hole is .* thin, .* cells",
+    hole_beside: "it cuts nothing",
+    all_in_millimetres: "are lengths in metres|domain integral|no load balances it",
+    one_body_in_millimetres: "outside of the domain",
+    crack_in_millimetres: "outside of all bodies|no crack has a front inside a body|write its points in metres",
+    cells_in_millimetres: "more than the domain's",
+    modulus_in_megapascal: "wave speed is .*, lower than in almost any solid",
+    density_in_grams: "less than of foams|higher than in diamond",
+    no_step: "so nothing happens; times are in seconds",
+    endless: "the run would take about .* steps",
+    short_crack: "below three cells|outside of all bodies",
+    toughness_in_megajoule: "less than (the surface energy of any solid|an atom.s distance|of any stiff solid)",
+    toughness_in_pascal: "more than that of any solid of this stiffness",
+    heavy_damping: "a body loses its velocity in each step",
+    heavy_loads: TOO_STRAINED,
+    fast_bodies: TOO_STRAINED,
+    touching_twin: "both share one motion there",
+    senseless_number: "implausible|must|more than|less than|no solid|lower than|higher than|would|outside",
+    hot_source_away: "so it heats nothing",
+    held_temperature_away: "contains no node of any body",
+    toughness_in_megapascal: "is a K_Ic of .*, less than of any stiff solid",
+    thin_hole_in_a_held_body: "the hole is .* thin, .* cells",
+    thickness_in_millimetres: "plane stress assumes a body thinner than it is wide",
+    yield_in_megapascal: "so that it yields as a whole",
+    nothing_acts: "so all stays at rest",
+    gravity_in_millimetres: "times that of the Earth",
+    opposite_load_forgotten: "no load balances it",
+    damping_that_never_settles: "of an oscillation is left",
+    thin_wall: "less than two cells wide",
+    thin_ring: "less than two cells wide",
+    cut_apart: "pieces that do not touch",
+    crack_below_a_surface: "fewer than two cells of material",
+    crack_that_comes_back: "cells can't separate faces closer than three cells",
+    mirror_in_material: "that of the mirror image|both prescribe",
+    wrong_side: "that of the mirror image.*write Side",
+    held_everywhere: "does not strain the body|both prescribe",
+    fast_support: "waves in the bodies|strains the body",
+    rare_samples: "so the run does not end at rest",
+    limit_above_waves: "times the speed of Rayleigh waves",
+    limit_below_a_cell: "less than a cell .*no crack grows",
+    speeds_in_kilometres: "it rises to .*speeds are in m/s",
+    no_pressure: "so this pressure does nothing",
+    late_pressure: "so this pressure does next to nothing; times are in seconds",
+    source_of_nothing: "so this source does next to nothing",
+    source_too_strong: "at which no solid exists",
+    probe_away: "no body is closer",
+    reference_in_celsius: "colder than liquid nitrogen",
+    table_in_celsius: "beyond which its last value is used",
+    strained_by_heat: "more than of any solid|by thermal expansion|strains",
+    held_at_the_load: "the support takes it|both prescribe|prescribes the motion of all",
+    nearly_incompressible: "too few cells make bending too stiff",
+}

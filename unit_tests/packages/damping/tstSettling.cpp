@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -78,6 +79,26 @@ TEST(Settling, WaitsForABodyThatCreeps)
   EXPECT_LT(2.0 * rest, 100.0 * drift);
   EXPECT_GT(2.0 * rest, 80.0 * drift);
   EXPECT_NEAR(strong.mayStillChange(), 2.0 * rest, 0.02 * rest);
+}
+
+/// Modes of the frequency w = 1, damped ten times and a half of critical. Both rates of decay of the first
+/// have the product 1, so that its frequency follows from the slower one; the second oscillates.
+TEST(Settling, MeasuresTheFrequencyOfAMotionThatCreeps)
+{
+  for (const double r : {20.0, 1.0})
+  {
+    const double s = 0.5 * r + std::sqrt(std::max(0.0, 0.25 * r * r - 1.0));
+    Settling settling(1e-12, 1e-12, 5, r);
+    EXPECT_FALSE(settling.frequencyOfCreep());
+    for (int k = 1; k < 100; ++k)
+    {
+      const double t = 0.5 * k,
+                   v = r > 2.0 ? std::exp(-t / s) : std::exp(-0.5 * r * t) * std::sin(std::sqrt(0.75) * t);
+      settling.sample(0.5 * v * v, 1.0, {}, t);
+    }
+    ASSERT_EQ(settling.frequencyOfCreep().has_value(), r > 2.0);
+    EXPECT_NEAR(settling.frequencyOfCreep().value_or(1.0), 1.0, 1e-6);
+  }
 }
 
 /// Two samples at a turning point agree, and G is far from rest all the same: what it may still change is

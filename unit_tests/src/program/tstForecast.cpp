@@ -101,16 +101,21 @@ TEST(Forecast, ToWhereDampingHasItSettle)
   Teuchos::ParameterList damped = scene();
   damped.sublist("Damping").set("Stop When Settled", true).set("Mass Rate", 40.0).set("Settled Drift", 1e-4);
   damped.sublist("Damping").set("Settled Energy Ratio", 1e-4);
-  const Forecast f = forecastOf(rates(), damped, 0.0);
+  constexpr double critical = 20.0; // of the slowest motion
+  const Forecast f = forecastOf(rates(), damped, 0.0, critical);
   EXPECT_NEAR(f.secondsToRest, 0.5 + 0.4605 * 1.02 * 0.12 + 0.005, 2e-3);
   EXPECT_LT(f.secondsToRest, f.seconds);
   Teuchos::ParameterList rare = damped; // rest is seen in a sample
   rare.sublist("Output").set("History Interval", 0.6);
-  EXPECT_NEAR(forecastOf(rates(), rare, 0.0).secondsToRest, 0.5 + 0.6 * 1.02 * 0.1033 + 0.005, 2e-3);
+  EXPECT_NEAR(forecastOf(rates(), rare, 0.0, critical).secondsToRest, 0.5 + 0.6 * 1.02 * 0.1033 + 0.005,
+              2e-3);
   rare.sublist("Output").set("History Interval", 2.0);
-  EXPECT_EQ(forecastOf(rates(), rare, 0.0).secondsToRest, 0.0);
-  damped.sublist("Damping").set("Mass Rate", 0.0);
+  EXPECT_EQ(forecastOf(rates(), rare, 0.0, critical).secondsToRest, 0.0);
+  // It creeps, and is not known.
+  EXPECT_EQ(forecastOf(rates(), damped, 0.0, 0.99 * critical).secondsToRest, 0.0);
   EXPECT_EQ(forecastOf(rates(), damped, 0.0).secondsToRest, 0.0);
+  damped.sublist("Damping").set("Mass Rate", 0.0);
+  EXPECT_EQ(forecastOf(rates(), damped, 0.0, critical).secondsToRest, 0.0);
 }
 
 /// The first steps were the dear ones: what they took is known, and the rest is as the last of them.
