@@ -16,6 +16,9 @@ namespace Rhegma::propagation
 namespace
 {
 
+/// Cells that a Rayleigh wave travels between two evaluations of G.
+constexpr double usualSampling = 0.5;
+
 /// Least increment [cells], and the least and the usual one of each kind of analysis.
 constexpr double leastIncrement = 0.02, leastWhileRunning = 0.5, usualWhileRunning = 1.0, usualAtRest = 0.25;
 
@@ -97,10 +100,10 @@ void addSampling(Section& s)
 {
   s.real("Sampling Interval")
       .range(0.0, 4.0)
-      .byDefault(0.5)
+      .optional()
       .meaning("Cells at the front that a Rayleigh wave travels between two evaluations of G of a "
                "front, in a dynamic analysis. A front whose G would reach the toughness by extrapolation is "
-               "evaluated in each step. 0: every step.");
+               "evaluated in each step. 0: every step. If not given: 0.5.");
 }
 
 } // namespace
@@ -238,7 +241,8 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
                   list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
                   run.initialTemperature.value_or(0.0),
                   {},
-                  list.isParameter("Sampling Interval") ? list.get<double>("Sampling Interval") : 0.0,
+                  list.isParameter("Sampling Interval") ? list.get<double>("Sampling Interval")
+                                                        : usualSampling,
                   0.0,
                   isEquilibrium(scene),
                   !list.isParameter("On Stop") || list.get<std::string>("On Stop") == "Stop"};
