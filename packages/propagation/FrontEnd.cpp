@@ -47,11 +47,9 @@ FrontEnd<D>::FrontEnd(const State<D>& state, const Options& options, const Crack
     fate = Fate::Growing; // in the last load step
   else
     fate = release < toughness ? Fate::Arrested : Fate::AtRest;
-  const double nodes = double(front.nodes.size());
-  const double between =
-      own.increments > 1 ? nodes * (own.lastTime - own.firstTime) / double(own.increments - 1) : 0.0;
-  pauses = fate == Fate::Running && release < toughness && own.increments > 1 &&
-           state.clock.time - own.lastTime > 3.0 * between;
+  const double nodes = double(front.nodes.size()), intervals = double(own.increments) - nodes; // of all nodes
+  pauses = fate == Fate::Running && release < toughness && intervals > 0.0 &&
+           state.clock.time - own.lastTime > 3.0 * nodes * (own.lastTime - own.firstTime) / intervals;
   waits = pauses && own.hasAlmostStopped(front, state.clock.time);
 }
 

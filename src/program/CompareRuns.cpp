@@ -190,7 +190,7 @@ std::string endOfScene(const json& run)
     return "stopped";
   if (status != "finished")
     return cutOff;
-  return run.value("ended_before_settled", false) ? notAtRest : "finished";
+  return run.is_object() && run.value("ended_before_settled", false) ? notAtRest : "finished";
 }
 
 bool isFinished(const json& run) { return endOfScene(run) == "finished"; }
