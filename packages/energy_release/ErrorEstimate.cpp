@@ -227,6 +227,7 @@ std::vector<ErrorEstimate> estimateErrors(const State<D>& state, const std::vect
     return estimates;
   const NodeCover<D> cover = coverOfNodes(state, Vector<D>{}, 1e300);
   std::vector<FrontLengths> lengths;
+  lengths.reserve(samples.size());
   for (const FrontSample<D>& sample : samples)
     lengths.push_back(sample.front.ended ? FrontLengths{} : lengthsAt(state, sample.front, cover));
   const double energy = energyOfStressError(state, sightsOf(state, samples, lengths));

@@ -288,7 +288,7 @@ TEST_P(Restart, IsTheUnbrokenRun)
   const long steps = GetParam().steps;
   const long broken = std::min(steps / 2 + 3, steps - 1); // not at a sample or a check of the cells
   const Trace whole = unbroken(scene, steps);
-  ASSERT_GE(whole.rows.size(), 4U);
+  ASSERT_GE(static_cast<long>(whole.rows.size()), std::min(4L, steps - 1));
   EXPECT_EQ(difference(whole, continued(scene, broken, steps)), "");
 }
 
