@@ -33,7 +33,9 @@ class GoesOn(RestartTest):
         with h5py.File(checkpoint, "r") as file:
             stopped = float(file["run"].attrs["time"])
         with open(os.path.join(broken, "summary.json")) as file:
-            self.assertEqual(stopped, json.load(file)["time"])
+            summary = json.load(file)
+        # A step without a sample is followed by one more, for the last row of the history; the run that continues has not made it.
+        self.assertIn(round((summary["time"] - stopped) / (summary["time"] / summary["steps"]), 6), (0.0, 1.0))
         self.assertLess(stopped, END)
         # Into a folder of its own, then in place.
         self.run_to_its_end(path, self.path("elsewhere"), "--restart", checkpoint)
