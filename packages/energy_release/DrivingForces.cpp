@@ -9,6 +9,7 @@
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -23,20 +24,45 @@ namespace
 template <int D>
 constexpr double fitAgainAfter = D == 2 ? 1.0 : 0.9;
 
-/// The largest distance of a front's nodes from where they were; infinite where the nodes have changed [m].
+/// Positions of the nodes of a front, and of those of other fronts within a distance of its middle, one after
+/// the other [m]: a crack that comes near leaves less room for the tube of a front that does not move.
 template <int D>
-double largestMove(const std::vector<double>& at, const CrackFront<D>& front)
+std::vector<double> positionsAround(const State<D>& state, std::size_t f, double reach)
 {
-  if (at.size() != D * front.nodes.size())
+  const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  std::vector<double> at;
+  for (const FrontNode<D>& node : fronts[f].nodes)
+    at.insert(at.end(), node.position.c, node.position.c + D);
+  for (std::size_t g = 0; g < fronts.size(); ++g)
+    for (const FrontNode<D>& node : fronts[g].nodes)
+      if (g != f && norm(node.position - fronts[f].position) < reach)
+        at.insert(at.end(), node.position.c, node.position.c + D);
+  return at;
+}
+
+/// The largest distance of positions from where they were; infinite where they are others [m].
+template <int D>
+double largestMove(const std::vector<double>& before, const std::vector<double>& now)
+{
+  if (before.size() != now.size())
     return 1e300;
   double largest = 0.0;
-  for (std::size_t k = 0; k < front.nodes.size(); ++k)
+  for (std::size_t k = 0; k < now.size(); k += D)
   {
-    Vector<D> before;
-    std::copy_n(&at[D * k], D, before.c);
-    largest = std::max(largest, norm(front.nodes[k].position - before));
+    double square = 0.0;
+    for (std::size_t d = k; d < k + D; ++d)
+      square += (now[d] - before[d]) * (now[d] - before[d]);
+    largest = std::max(largest, square);
   }
-  return largest;
+  return std::sqrt(largest);
+}
+
+/// Within this distance other fronts matter for tubes: one that is not yet in a tube, and what it moves by
+/// until the tube is fitted anew [m].
+double reachAround(const FrontTube& release, const FrontTube& intensity, double cell)
+{
+  constexpr double more = 4.0; // cells
+  return 2.0 * std::max(release.radii.outer, intensity.radii.outer) + more * cell;
 }
 
 /// Smallest radii [cells].
@@ -122,13 +148,13 @@ const typename DrivingForces<D>::Fitted& DrivingForces<D>::tubesOf(const State<D
   Fitted& own = fitted_[f];
   const CrackFront<D>& front = state.cracks.fronts[f];
   const double cell = spacingAt(state, front.position);
-  if (largestMove(own.at, front) < fitAgainAfter<D> * cell && (D == 3 || own.cell == cell))
+  const auto around = [&]
+  { return positionsAround(state, f, reachAround(own.release, own.intensity, own.cell)); };
+  if (largestMove<D>(own.at, around()) < fitAgainAfter<D> * cell && (D == 3 || own.cell == cell))
     return own;
-  own.at.clear();
-  for (const FrontNode<D>& node : front.nodes)
-    own.at.insert(own.at.end(), node.position.c, node.position.c + D);
   own.cell = cell;
   fitTubes(state, front, cell, own.release, own.intensity);
+  own.at = around();
   return own;
 }
 

@@ -31,7 +31,7 @@ public:
 private:
   struct Fitted
   {
-    std::vector<double> at; ///< positions of the nodes then, one after the other [m]
+    std::vector<double> at; ///< positions then of the front's nodes and of those of fronts near it [m]
     double cell = 0.0;      ///< edge of the cells there [m]
     FrontTube release, intensity;
     BlocksInReach<D> blocks{}; ///< around the front

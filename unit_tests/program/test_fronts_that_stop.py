@@ -59,6 +59,27 @@ def penny_beside_a_crack(**more):
     return scene
 
 
+def glass_with_a_flaw():
+    """A plate of glass whose edge crack runs past the front of a longer one, 4.5 mm off its path."""
+    def pulled(y, sign):
+        ends = [[0.1, y], [0.0, y]] if sign > 0.0 else [[0.0, y], [0.1, y]]
+        return {"Type": "Traction", "Body": "Plate", "From": ends[0], "To": ends[1], "Stress": [0.0, sign * 4e6],
+                "History": "0:0, 4e-4:1"}
+
+    return Scene({
+        "Domain": {"Dimension": 2, "Plane": "Stress", "Thickness": 5e-3, "Lower Corner": [-0.01, -0.01], "Upper Corner": [0.11, 0.07],
+                   "Cell Size": 2.5e-3},
+        "Time": {"Final Time": 2.4e-4},
+        "Materials": {"Glass": {"Model": "Linear Elastic", "Density": 2500.0, "Young Modulus": 7e10, "Poisson Ratio": 0.22}},
+        "Bodies": {"Plate": {"Material": "Glass", "Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.06]}},
+        "Boundaries": {"Top": pulled(0.06, 1.0), "Bottom": pulled(0.0, -1.0)},
+        "Cracks": {"Edge": {"Points": [0.0, 0.03, 0.02, 0.03]}, "Flaw": {"Points": [0.05, 0.0345, 0.08, 0.0345]}},
+        "Energy Release": {},
+        "Propagation": {"Toughness": "8.04*(1 + v/1500)", "On Stop": "Continue"},
+        "Output": {"Fields": False},
+    })
+
+
 class FrontsThatStop(ProgramTest):
     def run_scene(self, scene, *options):
         """\\return the answer, the summary as text and read, and the rows of the history"""
@@ -156,6 +177,14 @@ class FrontsThatStop(ProgramTest):
         self.assertGreater(front["largest_advance"], 1e-3)
         self.assertGreater(front["largest_advance"], front["mean_advance"])
         self.assertGreaterEqual(front["new_area"], area * (1.0 - 1e-9))
+
+    def test_a_crack_that_comes_near_is_not_in_the_contour_of_a_front_at_rest(self):
+        """G of the front that it passes rises above its toughness, and what drives it is the G that is reported."""
+        answer, _, summary, rows = self.run_scene(glass_with_a_flaw())
+        self.assertEqual(answer.status, 0, answer)
+        front = summary["cracks"][1]["fronts"][0]
+        first = next(float(row["time"]) for row in rows if float(row["Flaw.0.G_J"]) > 8.04)
+        self.assertLess(abs(front["initiated"] - first), 1e-5, (front, first))
 
     def test_arrest_has_both_numbers_and_one_line(self):
         """A load that comes and goes: the front starts and stops, and has one line for it."""
