@@ -116,8 +116,8 @@ void testStrip(const std::string& conductivity, double tolerance)
 TEST(SteadyConduction, TwoTemperatures) { testStrip<2>("2", 1e-6); }
 TEST(SteadyConduction, TwoTemperatures3D) { testStrip<3>("2", 1e-6); }
 
-/// Bodies whose edges lie on lines of the grid but for round-off, which then decides which nodes their particles
-/// touch: cells and domains at random, in metres as people write them.
+/// Bodies whose edges lie on lines of the grid but for round-off, which then decides which nodes their
+/// particles touch: cells and domains at random, in metres as people write them.
 TEST(SteadyConduction, EdgesOnGridLines)
 {
   std::mt19937 random(5);
