@@ -63,7 +63,7 @@ TEST(Meetings, AreSaidWhereBodiesShareNodes)
   std::uniform_real_distribution<double> turn(0.0, 2.0 * M_PI), part(0.0, 1.0);
   constexpr double end = 1e-2;
   int met = 0, passed = 0;
-  for (int k = 0; k < 40; ++k)
+  for (int k = 0; k < 300; ++k)
   {
     const double place = turn(random), aim = place + M_PI + 0.8 * (part(random) - 0.5);
     const Reals lower = pair(0.35 + 2.4 * std::cos(place), 0.35 + 2.4 * std::sin(place));
