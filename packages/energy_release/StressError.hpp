@@ -23,8 +23,8 @@ struct ErrorSight
 ///
 /// s is the stress of a particle, s*_n the value at node n of the linear function that fits the stresses of
 /// the particles around the node best, with the weights V0 N_n: a superconvergent patch recovery whose
-/// sampling points are the particles. A stress that is linear in space is recovered exactly, also
-/// next to a surface, and nodes behind a front have a fit for each side of the crack. C is that of small
+/// sampling points are the particles. The fit of a stress that is linear in space has no error, nor has it
+/// next to a surface; nodes behind a front have a fit for each side of the crack. C is that of small
 /// strain. If s* converges faster than s, E converges to the energy of the error of the displacements.
 /// Source: Zienkiewicz and Zhu, Int. J. Numer. Meth. Eng. 33 (1992) 1331 and 1365, theorem 1.
 ///
