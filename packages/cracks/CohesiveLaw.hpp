@@ -5,6 +5,7 @@
 #include "base/Types.hpp"
 #include "cracks/FrontCell.hpp"
 #include "cracks/SpringConstants.hpp"
+#include "state/OpeningFraction.hpp"
 
 #include <cmath>
 
@@ -58,6 +59,18 @@ KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, FrontLaw 
   return (lag + lagMidCell * middle + lagTurned * (1.0 - steepest)) / steepest;
 }
 
+/// (l - xi) / xi of the law of FrontCell.hpp [-]: how close the two fields of a node near a front are to one.
+/// Parameters: see frontSpringStiffness
+template <int D>
+KOKKOS_INLINE_FUNCTION double frontBond(double behind, double away, double steepest, FrontLaw law)
+{
+  if (!(away < 1.0) || !hasFrontCell<D>(steepest, law))
+    return 0.0;
+  const double range = (law.atRest ? frontCell::atRest::range : frontCell::inMotion::range) / steepest;
+  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, law), law.least());
+  return xi < range ? (range - xi) / xi : 0.0;
+}
+
 /// Stiffness of the spring between the two fields of a node near a front [N/m]. By the law of
 /// FrontCell.hpp
 ///
@@ -82,18 +95,8 @@ KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width,
     const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
     return xi < 1.0 ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away) : 0.0;
   }
-  const double range = (law.atRest ? frontCell::atRest::range : frontCell::inMotion::range) / steepest;
   const double factor = law.atRest ? frontCell::atRest::stiffness : frontCell::inMotion::stiffness;
-  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, law), law.least());
-  return xi < range ? factor * modulus * width * (range - xi) / xi : 0.0;
-}
-
-/// Fraction of a crack's opening at a node in 2D [-], by the masses of its two fields: where particles are
-/// cut at a fraction z of a cell from the node, the lesser field has (1 - z)^2 / 2 of the mass, so that this
-/// is 1 - z for the cut that the particles really have. Zero where a field has no particle.
-KOKKOS_INLINE_FUNCTION double openingFraction(double mass, double other)
-{
-  return std::sqrt(2.0 * std::fmin(mass, other) / (mass + other));
+  return factor * modulus * width * frontBond<D>(behind, away, steepest, law);
 }
 
 /// The cohesive traction of a node, as a nodal force: falls linearly from T at an onset T / k to zero at an

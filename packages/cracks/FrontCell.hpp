@@ -24,4 +24,8 @@ constexpr double stiffness = 0.22, range = 0.99, lag = 0.21, lagMidCell = 0.032;
 
 } // namespace inMotion
 
+/// Conductance of heat between the fields where a is a stiffness: fraction of the conductivity times the
+/// width [-], from the same patch with the temperature of an insulating crack on its rim.
+constexpr double conductance = 0.574;
+
 } // namespace Rhegma::cracks::frontCell

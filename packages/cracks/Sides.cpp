@@ -80,15 +80,23 @@ void clearNodeSides(const State<D>& state, const Surroundings& around)
       });
 }
 
+/// Largest component of the normal of a simplex.
+template <int D>
+KOKKOS_INLINE_FUNCTION double steepestOf(const CrackSight<D>& sight, int simplex)
+{
+  double steepest = 0.0;
+  for (int d = 0; d < D; ++d)
+    steepest = std::fmax(steepest, std::fabs(sight.normal(simplex, d)));
+  return steepest;
+}
+
 /// How far behind a front a node must lie to open, with springs, seen from a simplex [cells]. \param distance
 /// from the crack [cells]
 template <int D>
 KOKKOS_INLINE_FUNCTION double toleranceWithSprings(const CrackSight<D>& sight, int simplex, double distance,
                                                    FrontLaw law)
 {
-  double steepest = 0.0;
-  for (int d = 0; d < D; ++d)
-    steepest = std::fmax(steepest, std::fabs(sight.normal(simplex, d)));
+  const double steepest = steepestOf(sight, simplex);
   const double ahead = splitAhead<D>(steepest, std::fabs(distance) / steepest, law);
   return hasFrontCell<D>(steepest, law) ? law.least() - ahead : -ahead;
 }
@@ -105,6 +113,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
   const View<int*> side = state.cracks.nodeSide, cellMark = around.cellMark;
   const View<std::uint64_t*> nearest = around.nearest;
   const bool frontSprings = state.cracks.frontSprings;
+  const View<double*> conductance = state.cracks.frontConductance;
   const int stamp = around.stamp;
   const FrontLaw law = around.law;
   Kokkos::parallel_for(
@@ -123,6 +132,15 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
           return;
         const int name = sight.crackOf(s) + 1;
         side(n) = seen.distance > -sideTolerance * cell ? name : -name;
+        if (conductance.extent(0) > 0)
+        {
+          const double steepest = steepestOf(sight, s);
+          conductance(n) = frontSprings && sight.nearFront(s) == nearFront::hasSprings
+                               ? frontCell::conductance *
+                                     frontBond<D>(seen.behind / cell,
+                                                  std::fabs(seen.distance) / (cell * steepest), steepest, law)
+                               : 0.0;
+        }
         // A particle in cell c touches nodes c - 1 to c + 2 along each axis, and in refined cells those
         // in c - 1 to c + 1.
         int at[D];
@@ -332,6 +350,8 @@ void reserveRows(State<D>& state, Surroundings& around)
     cracks.enrichedField = View<int*>("rhegma::enrichedField", capacity);
     Kokkos::deep_copy(cracks.enrichedField, -1);
   }
+  if (around.law.ofCells && cracks.frontConductance.extent(0) < cracks.nodeSide.extent(0))
+    cracks.frontConductance = View<double*>("rhegma::frontConductance", cracks.nodeSide.extent(0));
 }
 
 } // namespace

@@ -54,6 +54,28 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
   return above + below > 0.0 ? 0.5 * cell * (below - above) / (above + below) : 0.0;
 }
 
+/// The thermal part of an interaction integral near the front. \param sums of the particles
+template <class Work>
+double heatNearFront(const Work& work, const double* sums, int mode)
+{
+  return work.nearFront.near(sums + Work::heatAt + 3 * (1 + mode), mode == 0 ? 0.5 : 0.0);
+}
+
+/// What corrects that of J [J] (HeatNearFront.hpp).
+template <class Work>
+double heatOfRelease(const Work& work, const double* sums, double modeI, double modeII)
+{
+  const double* ofJ = sums + Work::heatAt;
+  double near = -ofJ[0], moment = ofJ[1];
+  for (int mode = 0; mode < 2; ++mode)
+  {
+    const double intensity = mode == 0 ? modeI : modeII;
+    near += intensity * heatNearFront(work, sums, mode);
+    moment -= intensity * ofJ[3 * (1 + mode) + 1];
+  }
+  return near + work.nearFront.nearOfRegular(moment);
+}
+
 /// Intensities by Williams' field about the tip of the crack in the cells. Each iteration finds the remaining
 /// offset, which falls by a factor of 50 or so.
 template <class Work>
@@ -75,9 +97,11 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
   for (int turn = 1;; ++turn)
   {
     work.tip = middle + sum.tipOffset * front.direction;
-    double sums[Work::numSums]; // J, both intensities, both reciprocal integrals
+    double sums[Work::numSums];
     blocks.sum("rhegma::domainIntegral", work, sums);
     sumParts(state, sums, Work::numSums);
+    for (int mode = 0; mode < 2 && work.nearFront.corrects(); ++mode)
+      sums[1 + mode] += heatNearFront(work, sums, mode) - sums[Work::heatAt + 3 * (1 + mode)];
     const FaceTractions::Interaction pressed = pressure.interaction(sum.tipOffset, work.disk.moduli),
                                      touching = contact.interaction(sum.tipOffset, work.disk.moduli);
     // The tractions of closed faces are those with which K_I is that of their opening: the integral over the
@@ -97,6 +121,8 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
                  reciprocalII = all(sums[4], pressed.R[1], touching.R[1]);
     sum.modeI = scale * modeI;
     sum.modeII = scale * modeII;
+    if (work.nearFront.corrects())
+      sum.J += heatOfRelease(work, sums, sum.modeI, sum.modeII) / thickness;
     const double square = modeI * modeI + modeII * modeII;
     if (turn == turns || !(square > 0.0))
       return sum;
@@ -153,8 +179,11 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
                      work.positive = front.crack + 1;
                      work.negative = -front.crack - 1;
                      work.bent = path.count > 0;
+                     if (!work.heat.tables.empty())
+                       work.nearFront =
+                           HeatNearFront(spacingAt(state, front.position), radii.inner, radii.outer);
                      // What closed faces press with follows from their opening (integrateAboutTip).
-                     work.intensities = intensities || state.cracks.tractions;
+                     work.intensities = intensities || state.cracks.tractions || work.nearFront.corrects();
                      kept.blocks.find(state, {boxAround(front.position, work.reach)});
                      work.disk = describeDisk(state, front, radii, kept.blocks);
                      const Region<D> nodes = nodesOf(state, boxAround(front.position, work.reach));

@@ -3,6 +3,7 @@
 
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/FrontRows.hpp"
+#include "energy_release/HeatNearFront.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "material/Materials.hpp"
 #include "transfer/ParticleViews.hpp"
@@ -33,13 +34,15 @@ struct Pair
 {
   double interaction[2] = {0.0, 0.0};
   double reciprocal[2] = {0.0, 0.0};
+  double ofHeat[2] = {0.0, 0.0}; ///< of interaction, for a weight of one
 };
 
-/// Sums the integrands of particles: J, both interaction integrals, both reciprocal integrals.
+/// Sums the integrands of particles: J, both interaction integrals, both reciprocal integrals, and for the
+/// first three what corrects their part of heat (HeatNearFront.hpp).
 template <ShapeKind S, bool Stored>
 struct Integrand
 {
-  static constexpr int numSums = 5;
+  static constexpr int heatAt = 5, numSums = heatAt + 3 * HeatNearFront::numSums;
   Connectivity<D, S, Stored> broken;
   FrontRows<D> rows; ///< of the nodes
   Vector<D> centre;
@@ -52,6 +55,7 @@ struct Integrand
   BorrowedView<int*> material, side;
   View<Properties*> materials;
   ParticleHeat<D> heat;
+  HeatNearFront nearFront;
   FrontDisk disk;
   Vector<D> tip; ///< of Williams' field
   Vector<D> direction, normal;
@@ -84,6 +88,23 @@ struct Integrand
     return x * x + y * y <= reach * reach;
   }
 
+  /// Velocity relative to the disk, acceleration and gradient of velocity at a particle.
+  template <class Stencil>
+  KOKKOS_INLINE_FUNCTION void readMotion(const Stencil& stencil, Vector<D>& v, Vector<D>& a,
+                                         double (&dv)[D][D]) const
+  {
+    Pack<4> change[D];
+    const Pack<4> motion =
+        stencil.template valueAndGradient<FrontRows<D>::width>(rows.data + FrontRows<D>::motionAt, change);
+    for (int i = 0; i < D; ++i)
+    {
+      v[i] = motion[i] - disk.velocity[i];
+      a[i] = motion[D + i];
+      for (int j = 0; j < D; ++j)
+        dv[i][j] = change[j][i];
+    }
+  }
+
   template <class Stencil>
   KOKKOS_INLINE_FUNCTION void add(int p, const Stencil& stencil, double (&sums)[numSums]) const
   {
@@ -100,18 +121,7 @@ struct Integrand
     Vector<D> v{}, a{};
     double dv[D][D] = {};
     if (moving)
-    {
-      Pack<4> change[D];
-      const Pack<4> motion =
-          stencil.template valueAndGradient<FrontRows<D>::width>(rows.data + FrontRows<D>::motionAt, change);
-      for (int i = 0; i < D; ++i)
-      {
-        v[i] = motion[i] - disk.velocity[i];
-        a[i] = motion[D + i];
-        for (int j = 0; j < D; ++j)
-          dv[i][j] = change[j][i];
-      }
-    }
+      readMotion(stencil, v, a, dv);
 
     const double* F = &deformation(p, 0);
     // The direction in the undeformed disk, its image, and u,1 relative to the turned disk.
@@ -130,11 +140,15 @@ struct Integrand
     const Properties& law = materials(material(p));
     const double energy =
         heat.energy(p, material(p), law, F, variables) - disk.misfit + 0.5 * density * dot(v, v);
+    const double warming = heat.energyAlong(p, material(p), law, F, tau, variables, image);
+    const Vector<D> from{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
+    const double r = std::sqrt(dot(from, from));
+    const bool corrects = heat.strains(material(p)) && nearFront.reaches(r);
+    if (corrects)
+      nearFront.add(r, -volume(p) * warming, q, sums + heatAt);
     if (!bent)
       sums[0] += volume(p) * (dot(flux, du) - energy * dot(dq, image) +
-                              (density * (dot(a, du) - dot(v, dv1)) -
-                               heat.energyAlong(p, material(p), law, F, tau, variables, image)) *
-                                  q);
+                              (density * (dot(a, du) - dot(v, dv1)) - warming) * q);
     else
       sums[0] += volume(p) * alongPath(p, weight, slope, energy, density, v, a, dv);
     if (!intensities)
@@ -142,6 +156,8 @@ struct Integrand
     const Pair sum = interaction(p, q, dq, flux, du, density, a, image);
     for (int mode = 0; mode < 2; ++mode)
     {
+      if (corrects)
+        nearFront.add(r, sum.ofHeat[mode], q, sums + heatAt + (1 + mode) * HeatNearFront::numSums);
       sums[1 + mode] += sum.interaction[mode];
       sums[3 + mode] += sum.reciprocal[mode];
     }
@@ -228,9 +244,10 @@ struct Integrand
           reciprocal -= w.stress[i][j] * uIn[i] * slopeIn[j];
         }
       }
-      const double traced = disk.traceFactor * (w.stress[0][0] + w.stress[1][1]) * q;
-      m += expansionAlong * traced;
-      reciprocal -= expanded * traced;
+      const double traced = disk.traceFactor * (w.stress[0][0] + w.stress[1][1]);
+      m += expansionAlong * traced * q;
+      reciprocal -= expanded * traced * q;
+      sum.ofHeat[mode] = volume(p) * expansionAlong * traced;
       sum.interaction[mode] = volume(p) * m;
       sum.reciprocal[mode] = volume(p) * reciprocal;
     }

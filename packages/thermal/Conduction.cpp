@@ -41,12 +41,13 @@ void Conduction<D>::measure(const State<D>& state)
   const auto materials = onHost(state.materials.thermo.material);
   const auto knots = onHost(state.materials.thermo.knot);
   diffusivity = 0.0;
-  leastCapacity = leastDiffusivity = std::numeric_limits<double>::infinity();
+  leastCapacity = leastDiffusivity = conductivity = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < materials.extent(0); ++m)
   {
-    double ratio = 0.0, least = 1e300;
+    double ratio = 0.0, least = 1e300, product = 1.0;
     for (int d = 0; d < D; ++d)
     {
+      product *= materials(m).ratio[d];
       ratio = std::max(ratio, materials(m).ratio[d]);
       least = std::min(least, materials(m).ratio[d]);
     }
@@ -57,12 +58,16 @@ void Conduction<D>::measure(const State<D>& state)
       if (knots(k).conductivity > 0.0 || materials.extent(0) == 1)
         leastDiffusivity = std::min(leastDiffusivity, least * knots(k).conductivity / knots(k).capacity);
       leastCapacity = std::min(leastCapacity, knots(k).capacity);
+      if (knots(k).conductivity > 0.0)
+        conductivity = std::min(conductivity, std::pow(product, 1.0 / D) * knots(k).conductivity);
     }
   }
   several = materials.extent(0) > 1 && diffusivity > 0.0;
   expands = state.method.mechanics && anyExpands(state.materials.thermo);
   if (!std::isfinite(leastDiffusivity))
     leastDiffusivity = 0.0;
+  if (!std::isfinite(conductivity))
+    conductivity = 0.0;
 }
 
 template <int D>
@@ -155,7 +160,7 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
   sumOverRanks(state, nodes.sums.data(), HeatNodes<D>::sumWidth, 0, HeatNodes<D>::momentAt + D);
   findTemperature(state, nodes);
   if (!facesKnown)
-    faces.update(state);
+    faces.update(state, nodes, conductivity);
   facesKnown = true;
   faces.merge(state, nodes, join);
   if (several)
@@ -170,7 +175,7 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
     heat = integrator.takeSteadyChange(state, nodes);
   else
     heat += changeTemperature(state, nodes, dt);
-  if (integrator.method == Method::Explicit)
+  if (!isImplicit(integrator.method))
     heat += faces.exchange(state, nodes, dt);
   ++stepsTaken;
   changeToParticles(state, nodes, fading, supplied, dt);

@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "base/ReadList.hpp"
 #include "material/Tensors.hpp"
+#include "state/OpeningFraction.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
@@ -73,18 +74,31 @@ void CrackConduction<D>::read(const Teuchos::ParameterList& list, const State<D>
 }
 
 template <int D>
-void CrackConduction<D>::update(const State<D>& state)
+void CrackConduction<D>::update(const State<D>& state, const HeatNodes<D>& nodes, double conductivity)
 {
-  if (!conducts_ || state.cracks.simplex.extent(0) == 0 || state.cracks.enrichedField.extent(0) == 0)
+  const bool atFronts = state.cracks.frontConductance.extent(0) > 0;
+  if ((!conducts_ && !atFronts) || state.cracks.simplex.extent(0) == 0 ||
+      state.cracks.enrichedField.extent(0) == 0)
     return;
+  const std::size_t rows = state.mesh.nodes.sums.extent(0);
+  if (conductance_.extent(0) < rows)
+    conductance_ = View<double*>("rhegma::thermal::conductance", rows);
+  if (conducts_)
+    ofFaces(state);
+  else
+    Kokkos::deep_copy(conductance_, 0.0);
+  if (atFronts)
+    ofFronts(state, nodes, conductivity);
+}
+
+/// Conductance of nodes whose fields pass heat through faces.
+template <int D>
+void CrackConduction<D>::ofFaces(const State<D>& state)
+{
   points_.update(state);
   searchAround(state);
-  const std::size_t rows = state.mesh.nodes.sums.extent(0);
-  if (faces_.extent(0) < rows)
-  {
-    faces_ = View<double * [D + 2]>("rhegma::thermal::faces", rows);
-    conductance_ = View<double*>("rhegma::thermal::conductance", rows);
-  }
+  if (faces_.extent(0) < conductance_.extent(0))
+    faces_ = View<double * [D + 2]>("rhegma::thermal::faces", conductance_.extent(0));
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double * [D + 2]> faces = faces_;
   Kokkos::parallel_for(
@@ -105,6 +119,24 @@ void CrackConduction<D>::update(const State<D>& state)
     forEachBlock("rhegma::thermal::endsOfFields", state.mesh.blocks, block);
   sumOverRanks(state, faces_.data(), D + 2, 0, D + 2);
   findConductance(state);
+}
+
+/// Adds the conductance of nodes that are not cut in full.
+template <int D>
+void CrackConduction<D>::ofFronts(const State<D>& state, const HeatNodes<D>& heat, double conductivity)
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<double*> ofFront = state.cracks.frontConductance, conductance = conductance_;
+  const double width = conductivity * state.method.thickness;
+  Kokkos::parallel_for(
+      "rhegma::thermal::conductanceAtFronts", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+      KOKKOS_LAMBDA(const int i) {
+        const int one = nodes.parent(i);
+        const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
+        const double C2 = heat.sums(nodes.numLattice + i, HeatNodes<D>::capacityAt);
+        if (C1 > 0.0 && C2 > 0.0)
+          conductance(one) += width * openingFraction(C1, C2) * ofFront(one);
+      });
 }
 
 /// Stencils at both sides of the face points.

@@ -30,6 +30,10 @@ struct FaceLaw
 /// Each node passes heat between its own two fields by itself, with the temperatures at the end of the step
 /// (backward Euler), so that any conductance is stable: an infinite one makes the two temperatures one, which
 /// is conduction without a crack. Heat is conserved to round-off.
+///
+/// Nodes just ahead of a front and behind it, whose fields springs join (FrontSprings.hpp), pass heat as far
+/// as the cells there are not cut: the conductance is k b times CrackSet::frontConductance, b the thickness
+/// times the fraction of the lesser field, so that the insulating crack of the cells ends at the front.
 template <int D>
 class CrackConduction
 {
@@ -37,11 +41,9 @@ public:
   /// Reads the sublist `Crack Faces` of Thermal.
   void read(const Teuchos::ParameterList& list, const State<D>& state);
 
-  /// Whether heat passes through some crack at all.
-  bool conducts() const { return conducts_; }
-
-  /// Finds the conductance of the nodes as the faces are now; needs the masses of the nodes. Collective.
-  void update(const State<D>& state);
+  /// Finds the conductance of the nodes as the faces are now; needs the capacities of the nodes. Collective.
+  /// \param conductivity of what lies at fronts [W/(m K)]
+  void update(const State<D>& state, const HeatNodes<D>& nodes, double conductivity);
 
   /// Gives the two fields of a node in perfect contact the one temperature that the node would have without a
   /// crack: if the temperatures met during the step instead, particles that already have the temperature of
@@ -52,10 +54,11 @@ public:
   /// outside for it
   double exchange(const State<D>& state, const HeatNodes<D>& nodes, double dt) const;
 
-  /// Whether there are faces that conduct now.
+  /// Whether some nodes pass heat between their fields now.
   bool active(const State<D>& state) const
   {
-    return conducts_ && conductance_.extent(0) > 0 && state.cracks.enrichedField.extent(0) > 0;
+    return (conducts_ || state.cracks.frontConductance.extent(0) > 0) && conductance_.extent(0) > 0 &&
+           state.cracks.enrichedField.extent(0) > 0;
   }
 
   /// Between the two fields of each node of the lattice that has two [W/K]; others have none.
@@ -70,6 +73,8 @@ public:
   void searchAround(const State<D>& state);
   void addFaces(const State<D>& state);
   void findConductance(const State<D>& state);
+  void ofFaces(const State<D>& state);
+  void ofFronts(const State<D>& state, const HeatNodes<D>& nodes, double conductivity);
 
 private:
   bool conducts_ = false, perfectContact_ = false;

@@ -217,7 +217,10 @@ struct CrackSet
 
   View<int*> nodeSide;      ///< of each node: its side where the node lies behind a front, else 0
   View<int*> enrichedField; ///< row of the enriched field of each node, or -1 (dual field only)
-  View<double*> pressure;   ///< on the faces of each segment or triangle [Pa]; empty without pressure
+  /// Conductance between the two fields of a node near a front that its cell joins, over conductivity and
+  /// width [-], of nodes with a side. Zero away from fronts; empty where all nodes with a side are cut.
+  View<double*> frontConductance;
+  View<double*> pressure; ///< on the faces of each segment or triangle [Pa]; empty without pressure
   /// Springs and cohesive tractions behind fronts, of each lattice node: force on its primary field, opposite
   /// on its enriched field [N], and stiffness [N/m]. Holds for nodes with both; empty without springs.
   View<double * [D + 1]> spring;

@@ -2,12 +2,16 @@
 """Constants of the front springs in 2D, from the near field of a front in a patch of cells.
 
 The rim of a patch of square cells moves as the near field of K_I or K_II (Williams, J. Appl. Mech. 24 (1957) 109). Nodes are split
-and springs act as in packages/cracks, and particles that the crack passes through are divided along it. At rest the strain energy exceeds that of the near field by G times the distance by
-which the crack of the cells ends behind the front: its lag. The constants make the lag small for any position of the front in
+and springs act as in packages/cracks, and particles that the crack passes through are divided along it. At rest the strain
+energy exceeds that of the near field by G times the distance by which the crack of the cells ends behind the front: its lag. The constants make the lag small for any position of the front in
 its cell, any angle to the cells and both modes. No body and no load enters. With particles at their starting places, linear
 functions and GIMP are the same.
 
+Heat passes between the fields of the same nodes. Its conductance comes from the same patch with the temperature of an insulating
+crack across a flux on the rim, sqrt(r) sin(theta / 2), and the conductivity in place of E': that is mode III.
+
     front_cell.py            print the lag of the law of the constants in packages/cracks/FrontCell.hpp, in cells
+    front_cell.py --heat     the same of the conductance
     front_cell.py --before   the same of the law that 3D has
     front_cell.py --fit      fit the constants (some minutes) and write them to that file
 """
@@ -21,22 +25,31 @@ import scipy.sparse
 import scipy.sparse.linalg
 import scipy.stats
 
+HEAT = 3  # mode III: temperature across an insulating crack
 HEADER = os.path.join(os.path.dirname(__file__), "../../packages/cracks/FrontCell.hpp")
 NAMES = ["stiffness", "range", "lag", "lagMidCell", "lagTurned"]
 ANGLES = [0, 4, 15, 30, 45]
 RADIUS = 7  # of the patch in cells
-REMOTE = 0.012  # excess energy of bilinear cells far from the front, which is no lag [cells]
+REMOTE, REMOTE_HEAT = 0.012, 0.0  # excess energy of bilinear cells far from the front, which is no lag [cells]
 SIDE_TOLERANCE, BAND = 0.1, 3.0  # packages/cracks/Sides.hpp, CrackGeometry.hpp
 LEAST_DISTANCE = {True: 0.05, False: 0.003}  # in motion, at rest: packages/cracks/SpringConstants.hpp
 CFL = 0.4
 
 
+def parts(mode):
+    """Values of a node."""
+    return 1 if mode == HEAT else 2
+
+
 def displacement(x, z, mode, nu, side):
-    """Near field in plane stress for E = 1, K = 1; side +1 and -1 continue a face beyond the crack."""
+    """Near field in plane stress for E = 1, K = 1; side +1 and -1 continue a face beyond the crack. That of heat for a
+    conductivity of 1 is as large that G is 1: half the integral of the square of the gradient falls by 1 per length."""
     r, t = np.hypot(x, z), np.arctan2(z, x)
     t = np.where((side > 0) & (t < -np.pi / 2), t + 2 * np.pi, t)
     t = np.where((side < 0) & (t > np.pi / 2), t - 2 * np.pi, t)
     k, f, c, s = (3 - nu) / (1 + nu), np.sqrt(r / (2 * np.pi)) * (1 + nu), np.cos(t / 2), np.sin(t / 2)
+    if mode == HEAT:
+        return np.sqrt(4 * r / np.pi) * s, np.zeros_like(r)
     if mode == 1:
         return f * c * (k - 1 + 2 * s * s), f * s * (k + 1 - 2 * c * c)
     return f * s * (k + 1 + 2 * c * c), -f * c * (k - 1 - 2 * s * s)
@@ -47,6 +60,8 @@ def stress(x, z, mode):
     r, t = np.hypot(x, z), np.arctan2(z, x)
     f, c, s = 1 / np.sqrt(2 * np.pi * r), np.cos(t / 2), np.sin(t / 2)
     c3, s3 = np.cos(1.5 * t), np.sin(1.5 * t)
+    if mode == HEAT:  # the flux, as work on the first value alone
+        return -s / np.sqrt(np.pi * r), np.zeros_like(r), c / np.sqrt(np.pi * r)
     if mode == 1:
         return f * c * (1 - s * s3), f * c * (1 + s * s3), f * s * c * c3
     return -f * s * (2 + c * c3), f * s * c * c3, f * c * (1 - s * s3)
@@ -76,8 +91,10 @@ def exact_energy(front, t, mode, nu):
 class NewLaw:
     """Where nodes open and the springs between their fields; constants as in FrontCell.hpp."""
 
-    def __init__(self, constants, moving=False):
+    def __init__(self, constants, moving=False, conductance=None):
         self.__dict__.update(dict(zip(NAMES, constants)))
+        if conductance is not None:
+            self.stiffness = conductance
         self.least = LEAST_DISTANCE[moving]
 
     def ahead(self, c, z):
@@ -156,32 +173,36 @@ def material_points(front, t, particles):
     return [np.concatenate(v) for v in zip(*parts)]
 
 
-def assemble(front, t, split, side, nu, particles):
+def assemble(front, t, split, side, nu, particles, mode):
     """Rows, columns and values of the stiffness, and the mass of each field: nodes, then enriched fields."""
+    n = parts(mode)
     edge = 2 * RADIUS + 1
     enriched = np.cumsum(split) - 1 + len(split)
     mass = np.zeros(len(split) + split.sum())
     law = np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]]) / (1 - nu**2)
     cell, place, volume, own = material_points(front, t, particles)
-    row, strain = np.zeros((len(cell), 8), int), np.zeros((len(cell), 3, 8))
+    row, strain = np.zeros((len(cell), 4 * n), int), np.zeros((len(cell), 3, 4 * n))
+    if mode == HEAT:
+        law = np.diag([1.0, 0.0, 1.0])  # of both components of the gradient
     for k, (i, j) in enumerate(((0, 0), (1, 0), (0, 1), (1, 1))):
         nx, nz = (v if far else 1 - v for v, far in ((place[:, 0], i), (place[:, 1], j)))
         dx, dz = (2 * i - 1) * nz, (2 * j - 1) * nx
         node = (cell[:, 0] + i) * edge + cell[:, 1] + j
         field = np.where(split[node] & (side[node] != own), enriched[node], node)
         np.add.at(mass, field, nx * nz * volume)
-        strain[:, 0, 2 * k], strain[:, 2, 2 * k] = dx, dz
-        strain[:, 1, 2 * k + 1], strain[:, 2, 2 * k + 1] = dz, dx
-        row[:, 2 * k], row[:, 2 * k + 1] = 2 * field, 2 * field + 1
+        strain[:, 0, n * k], strain[:, 2, n * k], row[:, n * k] = dx, dz, n * field
+        if mode != HEAT:
+            strain[:, 1, 2 * k + 1], strain[:, 2, 2 * k + 1], row[:, 2 * k + 1] = dz, dx, 2 * field + 1
     stiffness = np.einsum("pai,ab,pbj,p->pij", strain, law, strain, volume)
-    return [np.repeat(row, 8, 1).ravel(), np.tile(row, (1, 8)).ravel(), stiffness.ravel()], mass, enriched
+    size = 4 * n
+    return [np.repeat(row, size, 1).ravel(), np.tile(row, (1, size)).ravel(), stiffness.ravel()], mass, enriched
 
 
-def add_springs(entries, stiffness, enriched):
+def add_springs(entries, stiffness, enriched, n):
     node = np.nonzero(stiffness)[0]
     rows, columns, values = [entries[0]], [entries[1]], [entries[2]]
-    for d in (0, 1):
-        a, b, k = 2 * node + d, 2 * enriched[node] + d, stiffness[node]
+    for d in range(n):
+        a, b, k = n * node + d, n * enriched[node] + d, stiffness[node]
         rows += [a, b, a, b]
         columns += [a, b, b, a]
         values += [k, k, -k, -k]
@@ -197,25 +218,28 @@ def lag(law, front, degrees, mode, nu=0.33, particles=2, cfl=0.0):
     away = np.abs(z) / c
     split = law.opens(-x, c, away) & (np.abs(z) < BAND)
     side = np.where(z > -SIDE_TOLERANCE, 1, -1)
-    entries, mass, enriched = assemble(front, t, split, side, nu, particles)
+    entries, mass, enriched = assemble(front, t, split, side, nu, particles, mode)
     own, other = mass[: len(nodes)], np.where(split, mass[np.minimum(enriched, len(mass) - 1)], 0)
     joined = split & (own > 0) & (other > 0)
     # the largest stable in explicit steps, HoldingForce.hpp; there is none at rest
     most = own * other / np.maximum(own + other, 1e-30) / (max(cfl, 1e-9) ** 2 * (1 - nu**2))
     k = np.where(joined & (away < 1), np.minimum(law.spring(-x, c, away, own, other), most), 0)
-    rows, columns, values = add_springs(entries, k, enriched)
-    size = 2 * len(mass)
+    n = parts(mode)
+    rows, columns, values = add_springs(entries, k, enriched, n)
+    size = n * len(mass)
     K = scipy.sparse.csr_matrix((values, (rows, columns)), (size, size)) + 1e-9 * scipy.sparse.identity(size)
     u, fixed = np.zeros(size), np.zeros(size, bool)
     rim = np.max(np.abs(nodes), 1) == RADIUS
     for at, sign, index in ((rim, side, np.arange(len(nodes))), (rim & split, -side, enriched)):
-        n = np.nonzero(at)[0]
-        a, b = displacement(x[n], z[n], mode, nu, np.where(np.abs(z[n]) < BAND, sign[n], 0))
-        u[2 * index[n]], u[2 * index[n] + 1] = a * t[0] - b * t[1], a * t[1] + b * t[0]
-        fixed[2 * index[n]] = fixed[2 * index[n] + 1] = True
+        i = np.nonzero(at)[0]
+        a, b = displacement(x[i], z[i], mode, nu, np.where(np.abs(z[i]) < BAND, sign[i], 0))
+        u[n * index[i]] = a if mode == HEAT else a * t[0] - b * t[1]
+        fixed[n * index[i]] = True
+        if mode != HEAT:
+            u[2 * index[i] + 1], fixed[2 * index[i] + 1] = a * t[1] + b * t[0], True
     free = ~fixed
     u[free] = scipy.sparse.linalg.spsolve(K[free][:, free].tocsc(), -K[free][:, fixed] @ u[fixed])
-    return 0.5 * u @ (K @ u) - exact_energy(front, t, mode, nu) - REMOTE
+    return 0.5 * u @ (K @ u) - exact_energy(front, t, mode, nu) - (REMOTE_HEAT if mode == HEAT else REMOTE)
 
 
 def lags(law, degrees, mode, points, **more):
@@ -231,9 +255,13 @@ def read_constants():
     return [float(re.search(r"double %s = ([-0-9.e]+);" % n, text).group(1)) for n in NAMES]
 
 
-def write_constants(constants):
+def read_conductance():
+    return float(re.search(r"double conductance = ([0-9.e]+);", open(HEADER).read()).group(1))
+
+
+def write_constants(constants, conductance):
     text = open(HEADER).read()
-    for name, value in zip(NAMES, constants):
+    for name, value in list(zip(NAMES, constants)) + [("conductance", conductance)]:
         text = re.sub(r"(double %s = )[-0-9.e]+;" % name, lambda m: "%s%.3g;" % (m.group(1), value), text, count=1)
     open(HEADER, "w").write(text)
 
@@ -258,23 +286,33 @@ def fit():
     return found.x
 
 
+def fit_conductance(constants):
+    """Nodes open where those constants say."""
+    points = positions(16, 3)
+    cost = lambda a: sum(np.mean(lags(NewLaw(constants, False, a), angle, HEAT, points) ** 2) for angle in ANGLES)
+    return scipy.optimize.minimize_scalar(cost, bounds=(0.2, 1.2), method="bounded", options={"xatol": 0.005}).x
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--fit", action="store_true")
     options.add_argument("--before", action="store_true")
+    options.add_argument("--heat", action="store_true")
     options.add_argument("--moving", action="store_true", help="with the limits of explicit steps")
     options.add_argument("--positions", type=int, default=64, help="of the front in its cell")
     options.add_argument("--particles", type=int, default=2, help="of a cell along an axis")
     options.add_argument("--poisson", type=float, default=0.33)
     chosen = options.parse_args()
     if chosen.fit:
-        write_constants(fit())
-    law = OldLaw() if chosen.before else NewLaw(read_constants(), chosen.moving)
+        constants = fit()
+        write_constants(constants, fit_conductance(constants))
+    law = OldLaw() if chosen.before else NewLaw(read_constants(), chosen.moving, read_conductance() if chosen.heat else None)
     points = positions(chosen.positions, 11)  # others than those of the fit
-    print("lag in cells: angle, mode I mean, scatter, least, largest; mode II the same")
+    print("lag in cells: angle, %s" % ("mean, scatter, least, largest of heat" if chosen.heat else
+                                       "mode I mean, scatter, least, largest; mode II the same"))
     for degrees in ANGLES + [10, 22, 37]:
         row = []
-        for mode in (1, 2):
+        for mode in (HEAT,) if chosen.heat else (1, 2):
             v = lags(law, degrees, mode, points, nu=chosen.poisson, particles=chosen.particles,
                      cfl=CFL if chosen.moving else 0.0)
             row += [v.mean(), v.std(), v.min(), v.max()]

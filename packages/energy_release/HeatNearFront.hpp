@@ -1,0 +1,102 @@
+#pragma once
+/// What the gradient of temperature adds to the integrals around a front in 2D, next to the front.
+
+#include "base/Types.hpp"
+
+#include <cmath>
+
+namespace Rhegma::energy_release
+{
+
+/// Corrects the integrals of f = dW/dT T,1 and of its like for intensities over the cells at the front.
+///
+/// At the front of an insulating crack the gradient of temperature is singular as the stress is, so that each
+/// unit of r contributes as much to the integral as any other; particles within a cell of the front do not
+/// resolve that. Their part is replaced by a fit to a ring around them. By symmetry the mean of r f over a
+/// circle has the terms r^(1/2) and r^(3/2) with the stress of mode I, of which only the symmetric part of
+/// T,1 remains (uniform, then linear); with that of mode II it has 1 and r, of the antisymmetric part
+/// (singular, then r^(1/2)). Two moments over the ring give both coefficients. With w = 1 within `within`,
+/// falling linearly to 0 at `until`,
+///
+///     sum V f q  becomes  sum V f q (1 - w) + int w (c0 r^p + c1 r^(p+1)) dr,   p = 1/2, 0.
+///
+/// f of J is K_I times that of mode I plus K_II times that of mode II plus a remainder without singularity,
+/// of which r f has the mean c r.
+struct HeatNearFront
+{
+  static constexpr int numSums = 3; ///< of w f q, and both moments of f
+
+  double within = 0.0, until = 0.0,
+         outer = 0.0; ///< radii of w, and of the ring outside [m]; 0: no correction
+
+  HeatNearFront() = default;
+
+  /// \param cell size of the cells at the front [m] \param inner radius of the part of the disk in which the
+  /// weight is 1 [m] \param most outer radius of the disk [m]
+  HeatNearFront(double cell, double inner, double most)
+  {
+    if (inner < 2.0 * cell || most < 3.0 * cell)
+      return;
+    within = cell;
+    until = 2.0 * cell;
+    outer = std::fmin(4.0 * cell, most);
+  }
+
+  bool corrects() const { return outer > 0.0; }
+  KOKKOS_INLINE_FUNCTION bool reaches(double r) const { return r < outer; }
+
+  KOKKOS_INLINE_FUNCTION double fraction(double r) const
+  {
+    return r <= within ? 1.0 : r < until ? (until - r) / (until - within) : 0.0;
+  }
+
+  /// Weight of the first moment; that of the second is r times this. Zero at both ends of the ring.
+  KOKKOS_INLINE_FUNCTION double ofRing(double r) const
+  {
+    return r > within && r < outer ? (r - within) * (outer - r) : 0.0;
+  }
+
+  /// Adds a particle. \param f its part of the integral without the weight \param q the weight
+  KOKKOS_INLINE_FUNCTION void add(double r, double f, double q, double* sums) const
+  {
+    sums[0] += fraction(r) * q * f;
+    sums[1] += ofRing(r) * f;
+    sums[2] += ofRing(r) * r * f;
+  }
+
+  /// The integral of w f by the fit c0 r^power + c1 r^(power + 1). \param sums of all particles
+  double near(const double* sums, double power) const
+  {
+    const double a = ringIntegral(power), b = ringIntegral(power + 1.0), c = ringIntegral(power + 2.0);
+    const double det = a * c - b * b;
+    return ((sums[1] * c - sums[2] * b) * nearIntegral(power) +
+            (sums[2] * a - sums[1] * b) * nearIntegral(power + 1.0)) /
+           det;
+  }
+
+  /// The integral of w f of a remainder with the mean c r. \param moment its first
+  double nearOfRegular(double moment) const { return moment / ringIntegral(1.0) * nearIntegral(1.0); }
+
+private:
+  /// Of ofRing r^p.
+  double ringIntegral(double p) const
+  {
+    const auto primitive = [&](double r)
+    {
+      return -std::pow(r, p + 3.0) / (p + 3.0) + (within + outer) * std::pow(r, p + 2.0) / (p + 2.0) -
+             within * outer * std::pow(r, p + 1.0) / (p + 1.0);
+    };
+    return primitive(outer) - primitive(within);
+  }
+
+  /// Of w r^p.
+  double nearIntegral(double p) const
+  {
+    const auto primitive = [&](double r) {
+      return (until * std::pow(r, p + 1.0) / (p + 1.0) - std::pow(r, p + 2.0) / (p + 2.0)) / (until - within);
+    };
+    return std::pow(within, p + 1.0) / (p + 1.0) + primitive(until) - primitive(within);
+  }
+};
+
+} // namespace Rhegma::energy_release
