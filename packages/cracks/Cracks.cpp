@@ -103,7 +103,7 @@ struct Parts
   {
     surroundings.law.ofCells =
         // Faces that burn carry the pressure of the gas.
-        D == 2 && !releases && !touching && options.pressedCracks.empty() &&
+        D == 2 && !releases && !touching && options.fieldsConduct && options.pressedCracks.empty() &&
         !options.burning;
   }
 };

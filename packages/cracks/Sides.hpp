@@ -27,8 +27,9 @@ struct Surroundings
   View<std::uint64_t*> nearest; ///< of each active node: square distance and number of the nearest simplex
   int stamp = 0;
   int generation = 0; ///< of the nodes
-  /// That of FrontCell.hpp is not where fronts may grow, nor where faces are loaded, touch, or insulate: its
-  /// nodes ahead of the front are joined by springs alone, and would be faces to whatever else acts on these.
+  /// That of FrontCell.hpp is not where fronts may grow, nor where faces are loaded or touch: its nodes
+  /// ahead of the front are joined by springs alone, and would be faces to whatever else acts on these. Nor
+  /// where heat cannot pass between the fields of a node.
   FrontLaw law;
 };
 

@@ -175,7 +175,7 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
     heat = integrator.takeSteadyChange(state, nodes);
   else
     heat += changeTemperature(state, nodes, dt);
-  if (!isImplicit(integrator.method))
+  if (integrator.method == Method::Explicit)
     heat += faces.exchange(state, nodes, dt);
   ++stepsTaken;
   changeToParticles(state, nodes, fading, supplied, dt);

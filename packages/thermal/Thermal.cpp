@@ -306,6 +306,9 @@ void declareHeat(const Teuchos::ParameterList& list, RunOptions& options)
 {
   options.mechanics = list.get<bool>("Mechanics");
   options.initialTemperature = list.get<double>("Initial Temperature");
+  // Its stages do not include heat that passes between fields, and in a splitting of steps nodes with little
+  // material would be far from the temperature that they have together.
+  options.fieldsConduct = list.get<std::string>("Conduction") != "Super Time Stepping";
 }
 
 } // namespace

@@ -40,6 +40,7 @@ struct RunOptions
   /// [K]; none without heat.
   std::optional<double> initialTemperature;
   bool heat() const { return initialTemperature.has_value(); }
+  bool fieldsConduct = true; ///< heat, if any, can pass between the two fields of a node
 
   bool adaptive = false; ///< cells change
   int frontLevels = 0;   ///< levels of finer cells at crack fronts
