@@ -21,6 +21,9 @@ namespace Rhegma::program
 namespace
 {
 
+/// How the message of a run begins that a signal stopped.
+constexpr const char* stoppedBySignal = "the run was stopped by ";
+
 /// Takes the folder for this run, on the first rank.
 std::unique_ptr<RunLock> takeFolder(const std::string& folder, const std::string& scene, const Ranks& ranks)
 {
@@ -252,10 +255,13 @@ std::string Production::listFiles()
   }
 }
 
-bool Production::outOfSteps() const
+RunEnd Production::end(const std::string& failure) const
 {
-  return simulation_.time() < finalTime_ &&
-         simulation_.steps() >= scene_.sublist("Time").get<int>("Maximum Steps");
+  if (!failure.empty())
+    return stopRequested_ ? RunEnd::Signalled : RunEnd::Stopped;
+  const bool outOfSteps = simulation_.time() < finalTime_ &&
+                          simulation_.steps() >= scene_.sublist("Time").get<int>("Maximum Steps");
+  return outOfSteps ? RunEnd::CutOff : RunEnd::Finished;
 }
 
 void Production::advanceFromFieldToField()
