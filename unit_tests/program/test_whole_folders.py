@@ -65,7 +65,9 @@ class OneRun(RestartTest):
         self.assertEqual(status, 2)
         self.assertIn("was cut off", output)
         self.run_to_its_end(self.write("short.xml", scene().text()), folder)
-        self.assertEqual(check_tool(folder)[0], 0)
+        status, output, _ = check_tool(folder)
+        self.assertEqual(status, 0)
+        self.assertRegex(output, r"^The run finished at t = \S+ s after \d+ steps\.\n")
         self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
 
     def test_a_run_that_a_signal_stops_is_whole_and_not_at_its_end(self):
@@ -83,7 +85,7 @@ class OneRun(RestartTest):
                 self.assertEqual(run.wait(PATIENCE), 2)
                 status, output, messages = check_tool(folder)
                 self.assertEqual(status, 2, output + messages)
-                self.assertIn("The run was stopped by SIGINT at t = ", output)
+                self.assertTrue(output.startswith("The run was stopped by SIGINT at t = "), output)
                 self.assertIn(f"--output {folder} --restart {folder}/checkpoint.h5 continues from", output)
                 with open(os.path.join(folder, "history.csv"), encoding="utf-8") as file:
                     last = float(file.read().splitlines()[-1].split(",")[0])
@@ -159,7 +161,9 @@ class OneRun(RestartTest):
         message = self.message_of(run)
         for word in (f"process {run.pid} on ", "run.lock", "was removed during the run", f"--restart {folder}/checkpoint.h5"):
             self.assertIn(word, message)
-        self.assertEqual(check_tool(folder)[0], 0)
+        status, output, messages = check_tool(folder)
+        self.assertEqual((status, messages), (2, ""))
+        self.assertTrue(output.startswith("The run stopped at t = "), output)
         self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
 
     def test_no_comparison_in_a_folder_that_another_has_taken(self):
