@@ -19,6 +19,7 @@
 #include "program/Production.hpp"
 #include "program/RunEnd.hpp"
 #include "program/Twice.hpp"
+#include "scene/ReadFile.hpp"
 #include "scene/Scene.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -68,11 +69,25 @@ void printErrors(const std::vector<SceneError>& errors, std::ostream& err)
 /// A validated scene, or nothing after its errors have been printed.
 Teuchos::RCP<Teuchos::ParameterList> validScene(const Options& options, std::ostream& err)
 {
-  const SceneResult result = readScene(options.scene, options.overrides, effectSchema());
+  const Ranks ranks(world());
   // A file may be visible to some ranks only.
   std::ostringstream own;
+  SceneResult result;
+  if (!isPipe(options.scene))
+    result = readScene(options.scene, options.overrides, effectSchema());
+  else if (ranks.many())
+    result.errors = {
+        {"", "\"" + options.scene +
+                 "\" is a pipe, which can be read once only, and not by all ranks; give the path "
+                 "of a scene's XML file."}};
+  else
+  {
+    if (!options.quiet)
+      err << "rhegma: reading the scene from the pipe " << options.scene << "\n" << std::flush;
+    result = readScene(options.scene, options.overrides, effectSchema());
+  }
   printErrors(result.errors, own);
-  const std::string errors = Ranks(world()).firstText(own.str());
+  const std::string errors = ranks.firstText(own.str());
   if (errors.empty())
     return result.list;
   err << errors;
