@@ -73,7 +73,7 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       manifest_(folder_, options.scene),
       history_(beginHistory(folder_, earlier, ranks, manifest_)),
       progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0),
-      checkpoints_(scene.sublist("Output"), folder_, simulation, history_, ranks),
+      checkpoints_(scene, folder_, simulation, history_, ranks),
       retries_(isEquilibrium(scene) ? 0 : scene.sublist("Time").get<int>("Retries")),
       continued_(earlier.exists()),
       warnings_(earlier.warnings())

@@ -185,6 +185,24 @@ public:
     rates.frameBytes = ranks_.max(folder.bytes());
   }
 
+  void checkpoint(StepRates& rates)
+  {
+    const ScratchFolder folder(ranks_);
+    if (folder.path().empty())
+      return;
+    const double begin = wallSeconds();
+    try
+    {
+      simulation_.checkpoint(folder.path() + "/checkpoint.h5");
+    }
+    catch (const OutputError&)
+    {
+      return; // as for a snapshot
+    }
+    rates.checkpoint = ranks_.max(wallSeconds() - begin);
+    rates.checkpointBytes = ranks_.max(folder.bytes());
+  }
+
 private:
   /// Where the simulation is, and when.
   struct Mark
@@ -270,6 +288,8 @@ StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& sce
     simulation.hold();
     if (scene.sublist("Output").get<bool>("Fields"))
       measurement.snapshot(rates);
+    if (writesCheckpoints(scene))
+      measurement.checkpoint(rates);
   }
   catch (const RunError& error)
   {
