@@ -209,7 +209,7 @@ std::string asText(const Forecast& forecast)
                      size(rates.memory) + " of memory";
   if (forecast.bytes > 0.0)
     text += ", " + size(forecast.bytes) + " of fields";
-  if (forecast.checkpoints > 0.0)
+  if (forecast.checkpoints > 0.0 && rates.checkpoint > 0.0)
     text += ", " + counted(std::lround(forecast.checkpoints), "checkpoint") + " of " +
             size(rates.checkpointBytes) + " (" + seconds(forecast.checkpoints * rates.checkpoint) + ")";
   if (forecast.kept)

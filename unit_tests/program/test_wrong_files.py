@@ -89,16 +89,13 @@ class WrongFiles(ProgramTest):
         self.assert_messages(answer.stderr, [("", ["/dev/stdin", "256 MB", "scene"])])
 
     def test_pipe_that_gives_a_scene(self):
-        """As process substitution makes it; the first piece comes late."""
-        path = self.path("pipe")
-        os.mkfifo(path)
-        keep = os.open(path, os.O_RDWR)  # so that there is a writer from the beginning
-        child = subprocess.Popen([PROGRAM, path, "--output", self.path("out"), "--set", "Time:Maximum Steps=2"],
-                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment())
-        self.assertEqual(child.stderr.readline(), f"rhegma: reading the scene from the pipe {path}\n")
-        os.write(keep, plate().text().encode())
-        os.close(keep)
-        output, messages = child.communicate(timeout=PATIENCE)
+        """As process substitution makes it; the scene comes after the program has begun to wait."""
+        child = subprocess.Popen([PROGRAM, "/dev/stdin", "--output", self.path("out"), "--set", "Time:Maximum Steps=2"],
+                                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment())
+        self.addCleanup(child.wait)
+        self.addCleanup(child.kill)
+        self.assertEqual(child.stderr.readline(), "rhegma: reading the scene from the pipe /dev/stdin\n")
+        output, messages = child.communicate(plate().text(), timeout=PATIENCE)
         self.assertEqual(child.returncode, 0, output + messages)
         with open(self.path("out", "manifest.json"), encoding="utf-8") as file:
             self.assertIsNone(json.load(file)["scene"])
