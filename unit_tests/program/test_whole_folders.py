@@ -6,6 +6,7 @@ test_killed_runs.py kills runs, test_flipped_bits.py flips bits, and test_full_d
 with the same tool.
 """
 
+import csv
 import fcntl
 import json
 import os
@@ -14,6 +15,7 @@ import subprocess
 import sys
 import time
 import unittest
+from xml.etree import ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
@@ -260,6 +262,45 @@ class Foreign(RestartTest):
     def test_scene_in_the_place_of_a_result(self):
         path = self.write("summary.json", scene().text())
         self.assert_refused([path, "--output", self.folder], [("", ["own scene", "summary.json", "--output"])])
+
+
+class Names(RestartTest):
+    """Names in UTF-8 are the same in all that a run leaves, and in what the tools make of it."""
+
+    def test_names_beyond_ascii(self):
+        body, crack, load = "Tr\u00e4ger \u00b5", "\u88c2\u7f1d", "Zug \u2192 \U0001f600"
+        text = plate().set("Time > Maximum Steps", 20).text()
+        for old, new in (("Plate", body), ("Notch", crack), ("Pull", load)):
+            text = text.replace(f'"{old}"', f'"{new}"')
+        folder = self.path("out")
+        answer = rhegma(self.write("scene.xml", text), "--output", folder)
+        self.assertEqual(answer.status, 0, answer)
+        self.assertIn(f"crack {crack}, front 0", answer.output)
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        self.assertEqual([entry["name"] for kind in ("bodies", "cracks", "boundaries") for entry in summary[kind]],
+                         [body, crack, load])
+        with open(os.path.join(folder, "history.csv"), encoding="utf-8", newline="") as file:
+            columns = next(csv.reader(file))
+        for column in (f"{crack}.0.G_J", f"{crack}.opening", f"{load}.force_x"):
+            self.assertIn(column, columns)
+        with open(os.path.join(folder, "fields.xdmf"), encoding="utf-8") as file:
+            ElementTree.parse(file)
+        status, output, messages = check_tool(folder)
+        self.assertEqual((status, messages), (0, ""), output)
+        plain = dict(os.environ, LC_ALL="C", PYTHONIOENCODING="")
+        for tool in ("rhegma-check", "rhegma-plot"):
+            result = subprocess.run([sys.executable, os.path.join(SOURCE, "tools", tool), folder], capture_output=True, env=plain)
+            self.assertEqual(result.returncode, 0, result.stderr.decode(errors="replace"))
+        checked = rhegma(self.path("scene.xml"), "--check")
+        self.assertEqual(checked.status, 0, checked)
+        self.assertIn(f"Bodies > {body}: mass", checked.output)
+        wrong = rhegma(self.path("scene.xml"), "--check", "--set", f"Bodies:{body}:Material=none")
+        self.assertEqual(wrong.status, 1, wrong)
+        self.assert_messages(wrong.messages, [(f"Bodies > {body} > Material", ["none"])])
+        halves = rhegma(self.path("scene.xml"), "--output", self.path("twice"), "--twice", "--quiet")
+        self.assertEqual(halves.status, 0, halves)
+        self.assertIn(f"G_J of {crack}.0", halves.output)
 
 
 class Many(RestartTest):

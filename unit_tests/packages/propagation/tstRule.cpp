@@ -1,5 +1,6 @@
 /// When and where fronts advance, without a body.
 
+#include "Pi.hpp"
 #include "material/MaterialTable.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
@@ -21,7 +22,8 @@ using namespace Rhegma::propagation;
 namespace
 {
 
-const double pi = 4.0 * std::atan(1.0), degree = pi / 180.0;
+using Rhegma::Test::pi;
+const double degree = pi / 180.0;
 
 double speedOf(Plane plane, double poisson)
 {
