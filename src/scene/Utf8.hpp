@@ -18,7 +18,7 @@ std::size_t firstNotUtf8(std::string_view text);
 /// A byte that is not UTF-8, as text: "the byte 0xE9 is not UTF-8 (in ISO-8859-1 it is ...)".
 std::string foreignByteText(char byte);
 
-/// What is wrong with a name, as the end of a sentence, with what to write; empty: nothing.
+/// What is wrong with a name, for an error after its path, with what to write; empty: nothing.
 std::string mistakeInName(std::string_view name);
 
 /// A name with its control characters and bytes that are not UTF-8 written as <U+001B> or <0xE9>, for
