@@ -6,10 +6,10 @@ set(RHEGMA_TESTS_ALONE
   packages/cracks/tstLocking packages/energy_release/tstCrackClosure packages/energy_release/tstErrorEstimate
   packages/energy_release/tstFrontLines packages/energy_release/tstFronts3D packages/energy_release/tstInclinedCracks
   packages/energy_release/tstNegativeRelease packages/energy_release/tstPressedCracks
-  packages/energy_release/tstSpringFronts packages/mass_matrix/tstRefinedCells packages/mass_matrix/tstVibration
+  packages/energy_release/tstSpringFronts packages/mass_matrix/tstVibration
   packages/propagation/tstJunctionGas packages/propagation/tstJunctions packages/propagation/tstPennyGrowth
   packages/registry/tstOwnSections packages/thermal/tstCellExpansion packages/thermal/tstConduction
   packages/thermal/tstConductionIntegrator packages/thermal/tstCoupling packages/thermal/tstCrackConduction
   packages/thermal/tstJudgeTemperatures packages/thermal/tstMeetingMaterials src/output/tstRunLock
   src/parallel/tstOnRanks src/scene/tstMistakes src/scene/tstOverrides src/scene/tstTimeFunction
-  src/step/tstFreeVibration src/surface/tstSurfaceMesh src/transfer/tstShearStrain src/transfer/tstTreeStencil)
+  src/surface/tstSurfaceMesh src/transfer/tstShearStrain src/transfer/tstTreeStencil)

@@ -239,7 +239,7 @@ void XmlReader::readReference(std::string& value)
                                   ? meaningOf(std::string_view(text_).substr(at_ + 1, end - at_ - 1))
                                   : std::string();
   if (meaning.empty())
-    fail(at_, at(at_ + 1) == '#' ? "a &# that gives no character which XML allows"
+    fail(at_, at(at_ + 1) == '#' ? "a &# that gives no character which XML allows (write &amp; for &)"
                                  : "a & that begins no known reference (write &amp; for &)");
   value += meaning;
   at_ = end;
