@@ -207,11 +207,11 @@ public:
     initialize(*run);
     Notes notes;
     double next = 0.0, wall = 0.0;
-    Row sampled;
+    Row sampledRow;
     try
     {
       keepNotes(notes, archive);
-      serialize(*run, next, sampled, archive);
+      serialize(*run, next, sampledRow, archive);
       archive("wall_seconds", wall);
     }
     catch (const std::invalid_argument& error)
@@ -223,7 +223,7 @@ public:
     }
     run_ = std::move(run);
     next_ = next;
-    Engine::last = sampled;
+    Engine::last = sampledRow;
     earlierSeconds_ = wall;
     timer_.reset();
     writer_.reset();

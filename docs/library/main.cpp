@@ -1,6 +1,8 @@
 /// Rhegma inside an application: runs a scene and says whether its first crack would run.
 ///
 ///     will_it_run SCENE.xml TOUGHNESS     [J/m2]
+///
+/// With OpenMP on a machine with other work, start it with OMP_WAIT_POLICY=passive (docs/user-guide.md).
 
 #include <Simulation.hpp>
 

@@ -183,6 +183,20 @@ std::vector<CrackRun> FrontHistory::runs() const
   return all;
 }
 
+double FrontHistory::meanSpeed() const
+{
+  double length = 0.0, duration = 0.0;
+  for (std::size_t r = 0; r < starts_.size(); ++r)
+  {
+    const std::size_t begin = starts_[r], end = r + 1 < starts_.size() ? starts_[r + 1] : times_.size();
+    // The front makes its first increment when it initiates, in no time.
+    for (std::size_t k = begin + 1; k < end; ++k)
+      length += lengths_[k];
+    duration += times_[end - 1] - times_[begin];
+  }
+  return duration > 0.0 ? length / duration : 0.0;
+}
+
 /// Its first increment and the one after its last.
 std::pair<std::size_t, std::size_t> FrontHistory::longestRun() const
 {

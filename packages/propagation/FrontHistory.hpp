@@ -97,6 +97,11 @@ public:
   /// All its runs; the last may not be over.
   std::vector<CrackRun> runs() const;
 
+  /// Mean speed over all its runs: the advance after the first increment of each, over the time from its
+  /// initiation to its last increment [m/s]. Time at rest between runs does not count; 0 where no run has two
+  /// increments.
+  double meanSpeed() const;
+
   /// Start and end of the second half of its longest run [s]; none where that had fewer than four increments.
   std::pair<double, double> settled() const;
   /// Mean speed in that time [m/s].

@@ -115,7 +115,8 @@ Section propagationSection()
   s.text("Toughness")
       .unit("J/m2")
       .notEmpty()
-      .meaning("Fracture energy per area Gc as a function of the front speed v [m/s]: a number, an "
+      .meaning("Fracture energy per area Gc as a function of the front speed v [m/s], that of a single "
+               "increment: a number, an "
                "expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
                "500:200\". With Thermal the expression may contain the temperature T [K].");
   s.real("Initiation Toughness")

@@ -36,25 +36,22 @@ nlohmann::json entryOfRuns(const std::vector<CrackRun>& runs)
   return entry;
 }
 
-/// How far a front ran, where to and how fast. \param position where it is now [m]
-std::string extensionAsText(const std::vector<CrackRun>& runs, const FrontExtension&,
-                            const Vector<2>& position)
+/// How far a front ran, where to and how fast.
+std::string extensionAsText(const std::vector<CrackRun>& runs, const CrackFront<2>& front,
+                            const FrontState<2>& own)
 {
-  double length = 0.0, duration = 0.0;
+  double length = 0.0;
   for (const CrackRun& run : runs)
-  {
     length += run.length;
-    duration += run.lastAdvance - run.initiation;
-  }
-  std::string text = "extension " + readableLength(length) + " to " + formatShort(position[0]) + ", " +
-                     formatShort(position[1]) + " m";
-  if (duration > 0.0)
-    text += ", mean speed " + formatShort(length / duration) + " m/s";
-  return text;
+  const double speed = own.nodes.at(front.nodes[0].name).history.meanSpeed();
+  return "extension " + readableLength(length) + " to " + formatShort(front.position[0]) + ", " +
+         formatShort(front.position[1]) + " m" +
+         (speed > 0.0 ? ", mean speed " + formatShort(speed) + " m/s" : std::string());
 }
 
-std::string extensionAsText(const std::vector<CrackRun>&, const FrontExtension& extension, const Vector<3>&)
+std::string extensionAsText(const std::vector<CrackRun>&, const CrackFront<3>& front, const FrontState<3>&)
 {
+  const FrontExtension& extension = front.extension;
   return "extension " + readableLength(extension.largest) + " at most, " + readableLength(extension.mean) +
          " on average, new area " + formatShort(extension.area) + " m2";
 }
@@ -72,12 +69,13 @@ std::string growthAsText(const CrackFront<D>& front)
 
 /// When, how often, how far, where to and how fast a front ran.
 template <int D>
-std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& front)
+std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& front,
+                       const FrontState<D>& own)
 {
   std::string text = "initiated at t = " + readableTime(runs.front().initiation);
   if (runs.size() > 1)
     text += ", arrested and reinitiated " + std::to_string(runs.size() - 1) + " times";
-  return text + ", " + extensionAsText(runs, front.extension, front.position);
+  return text + ", " + extensionAsText(runs, front, own);
 }
 
 /// Mean time and position of the points of a path between two times; not numbers where there are none.
@@ -113,6 +111,8 @@ void reportPath(const CrackFront<2>& front, const FrontState<2>& own, bool equil
   if (equilibrium) // the time of its increments has no meaning
     return;
   const FrontHistory& history = own.nodes.at(front.nodes[0].name).history;
+  const double speed = history.meanSpeed();
+  entry["mean_speed"] = speed > 0.0 ? speed : notYet;
   entry["settled_release"] = history.settledRelease();
   const PathPoint<2> mean = settledMean(own.path, history.settled());
   entry["settled_time"] = mean.time;
@@ -196,7 +196,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     if (moved && options.equilibrium && !stopped)
       summary["answers"].push_back(name + ": " + growthAsText(front));
     else if (moved || stopped)
-      summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front) + ", " : "") +
+      summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front, own) + ", " : "") +
                                    fateAsText(front, own, end));
     else if (end.fate == Fate::NotInitiated && state.method.analysis != Analysis::LoadFactor)
       reportRest(state, front, own.closest(), options.rule.startTime, summary);

@@ -33,6 +33,9 @@ double wallClock()
 
 nlohmann::json checksumOf(const std::string& path)
 {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) // to open a pipe may wait for ever
+    return nullptr;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file)
     return nullptr;

@@ -50,7 +50,6 @@ nlohmann::json makeSummary(const SummaryFacts& facts, const nlohmann::json& repo
   summary["cracks"] = nlohmann::json::array();
   summary["settled"] = facts.settled;
   summary["references"] = nlohmann::json::array();
-  summary["status"] = facts.status;
   if (report.is_object())
     summary.update(report);
   return summary;

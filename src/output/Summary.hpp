@@ -27,7 +27,6 @@ struct SummaryFacts
   std::map<std::string, double> stages; ///< name -> seconds
   std::vector<double> peakMemory;       ///< of each rank [bytes]
   bool settled = false;
-  std::string status; ///< "finished", or why it could not go on
 };
 
 /// The summary, with an empty list of cracks and no references unless the report brings them.

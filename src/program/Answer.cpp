@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "program/RunEnd.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ double numberOrZero(const nlohmann::json& of, const char* name)
 std::string howItEnded(const nlohmann::json& summary)
 {
   const auto status = summary.value("status", std::string());
-  if (status.rfind("finished", 0) != 0) // time and step are in it
+  if (!isFinished(endOf(summary))) // time and step are in it
     return status;
   return "the run " + status + " at t = " + readableTime(numberOrZero(summary, "time")) + " after " +
          std::to_string(summary.value("steps", 0L)) + " steps" +

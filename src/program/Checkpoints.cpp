@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/OutputError.hpp"
 #include "parallel/FirstRank.hpp"
+#include "program/Intervals.hpp"
 
 #include <cmath>
 #include <new>
@@ -17,18 +18,13 @@ namespace
 /// A copy in memory is made when the time since the last one is this multiple of its cost.
 constexpr int fractionOfCopies = 50;
 
-double orZero(const Teuchos::ParameterList& list, const char* name)
-{
-  return list.isParameter(name) ? list.get<double>(name) : 0.0;
-}
-
 } // namespace
 
-Checkpoints::Checkpoints(const Teuchos::ParameterList& output, const std::string& folder,
+Checkpoints::Checkpoints(const Teuchos::ParameterList& scene, const std::string& folder,
                          Simulation& simulation, History& history, const Ranks& ranks)
-    : wanted_(output.get<bool>("Checkpoints")),
-      interval_(orZero(output, "Checkpoint Interval")),
-      minutes_(orZero(output, "Checkpoint Minutes")),
+    : wanted_(scene.sublist("Output").get<bool>("Checkpoints")),
+      interval_(checkpointInterval(scene)),
+      minutes_(checkpointMinutes(scene)),
       path_(folder + "/checkpoint.h5"),
       simulation_(simulation),
       history_(history),

@@ -24,8 +24,9 @@ namespace Rhegma::program
 class Checkpoints
 {
 public:
-  /// \param ranks of the run: every call is collective, the first rank reads the clock and writes
-  Checkpoints(const Teuchos::ParameterList& output, const std::string& folder, Simulation& simulation,
+  /// \param scene validated \param ranks of the run: every call is collective, the first rank reads the clock
+  /// and writes
+  Checkpoints(const Teuchos::ParameterList& scene, const std::string& folder, Simulation& simulation,
               History& history, const Ranks& ranks);
 
   /// To be called when the run begins and at each sample. Where the history can't be written, no copy is made

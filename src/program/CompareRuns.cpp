@@ -55,7 +55,7 @@ std::vector<Point> pathOf(const HistoryColumns& history, const std::string& fron
   return path;
 }
 
-std::string endOf(const json& front)
+std::string endOfFront(const json& front)
 {
   // Without Propagation it has no status. The reason of a stop names places, which move with the cells.
   const std::string status = front.value("status", "at rest");
@@ -144,7 +144,7 @@ double meanStep(const json& summary)
 void compareFront(Comparison& comparison, const std::string& name, const json& asIs, const json& half,
                   const RunResults& first, const RunResults& second)
 {
-  const std::string endAsIs = endOf(asIs), endHalf = endOf(half);
+  const std::string endAsIs = endOfFront(asIs), endHalf = endOfFront(half);
   comparison.word("end of " + name, endAsIs, endHalf);
   if (std::isnan(numberOrNone(asIs, "initiated")) && std::isnan(numberOrNone(half, "initiated")))
     return compareAtRest(comparison, name, asIs, half);
@@ -181,20 +181,6 @@ void compareReferences(Comparison& comparison, const json& asIs, const json& hal
                        numberOrNone(other[k], "value"), 0);
 }
 
-/// How a run ended: "finished" where it came to the end of its scene.
-std::string endOfScene(const json& run)
-{
-  const std::string status =
-      run.contains("status") && run["status"].is_string() ? run["status"].get<std::string>() : "finished";
-  if (status.rfind("finished", 0) != 0)
-    return "stopped";
-  if (status != "finished")
-    return cutOff;
-  return run.is_object() && run.value("ended_before_settled", false) ? notAtRest : "finished";
-}
-
-bool isFinished(const json& run) { return endOfScene(run) == "finished"; }
-
 /// Whether the cells stopped a front of a run, which may have gone on without it.
 bool hasStoppedFront(const json& run)
 {
@@ -208,10 +194,11 @@ bool hasStoppedFront(const json& run)
 
 void compareEnds(Comparison& comparison, const json& asIs, const json& half)
 {
-  const auto ofFronts = [](const json& run) { return hasStoppedFront(run) ? "stopped" : "finished"; };
-  if (!isFinished(asIs) || !isFinished(half))
+  const auto ofFronts = [](const json& run)
+  { return hasStoppedFront(run) ? RunEnd::Stopped : RunEnd::Finished; };
+  if (const RunEnd one = endOf(asIs), other = endOf(half); std::max(one, other) != RunEnd::Finished)
   {
-    comparison.ends("end of the run", endOfScene(asIs), endOfScene(half));
+    comparison.ends("end of the run", one, other);
     comparison.value("time reached", "s", numberOrNone(asIs, "time"), numberOrNone(half, "time"), 0);
   }
   else if (hasStoppedFront(asIs) || hasStoppedFront(half))
@@ -219,10 +206,10 @@ void compareEnds(Comparison& comparison, const json& asIs, const json& half)
 }
 
 /// How and when a run ended.
-json endOfRun(const json& summary)
+json endAndTime(const json& summary)
 {
   json end = json::object();
-  for (const char* key : {"status", "time", "steps", "ended_before_settled"})
+  for (const char* key : {"end", "status", "time", "steps"})
     if (summary.contains(key))
       end[key] = summary[key];
   return end;
@@ -313,7 +300,7 @@ nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half)
   compareTemperatures(comparison, asIs.summary, half.summary);
   compareReferences(comparison, asIs.summary, half.summary);
   json result = comparison.result();
-  result["runs"] = {{"as_is", endOfRun(asIs.summary)}, {"half", endOfRun(half.summary)}};
+  result["runs"] = {{"as_is", endAndTime(asIs.summary)}, {"half", endAndTime(half.summary)}};
   return result;
 }
 
@@ -336,9 +323,9 @@ std::string comparisonAsText(const nlohmann::json& comparison)
   }
   const json& runs = comparison.at("runs");
   for (const auto& [name, title] : {std::pair("as_is", "As it is: "), std::pair("half", "With half: ")})
-    if (const json& run = runs.at(name); !isFinished(run))
-      text << title << run.at("status").get<std::string>()
-           << (endOfScene(run) == notAtRest ? " before the bodies were at rest" : "") << "\n";
+    if (const RunEnd end = endOf(runs.at(name)); end != RunEnd::Finished)
+      text << title << runs.at(name).at("status").get<std::string>()
+           << (end == RunEnd::NotAtRest ? " before the bodies were at rest" : "") << "\n";
   text << "Verdict: " << comparison.at("verdict").get<std::string>() << "\n";
   return text.str();
 }

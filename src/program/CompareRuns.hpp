@@ -14,7 +14,7 @@ namespace Rhegma::program
 using HistoryColumns = std::map<std::string, std::vector<double>>;
 HistoryColumns readHistory(const std::string& path);
 
-/// What a run left.
+/// What a run left; its summary has its end (RunEnd.hpp).
 struct RunResults
 {
   nlohmann::json summary;
@@ -25,9 +25,9 @@ struct RunResults
 /// \param asIs, half of the scene as it is, and with cells of half the size
 /// \return {"answers": [{"name", "unit", "as_is", "half", "change" or "cells", "extrapolated",
 /// "extrapolated_order_2", "order",
-/// "resolved", "verdict"}], "resolved", "verdict", "open", "cell" [m], "runs": {"as_is", "half": {"status",
-/// "time" [s], "steps"}}}. An answer is resolved where it moves by at most 5 %; a path or position where it
-/// moves by at most a cell of the first run. Runs that stopped are never resolved as a whole.
+/// "resolved", "verdict"}], "resolved", "verdict", "open", "cell" [m], "runs": {"as_is", "half": {"end",
+/// "status", "time" [s], "steps"}}}. An answer is resolved where it moves by at most 5 %; a path or position
+/// where it moves by at most a cell of the first run. Runs that stopped are never resolved as a whole.
 nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half);
 
 /// The comparison as a table for a terminal, its last line the verdict.

@@ -20,6 +20,35 @@ constexpr double resolvedChange = 0.05;
 /// No extrapolation from a larger change: cells are too large for an order to hold.
 constexpr double largestExtrapolated = 0.25;
 
+/// What to do where the runs, one of them or a front did not come to its end.
+std::string adviceAfter(RunEnd asIs, RunEnd half)
+{
+  switch (std::max(asIs, half))
+  {
+  case RunEnd::Finished:
+    break;
+  case RunEnd::NotAtRest:
+    return "raise Time > Final Time or change Damping, until both runs settle";
+  case RunEnd::CutOff:
+    return "raise Time > Maximum Steps";
+  case RunEnd::Stopped:
+  case RunEnd::Signalled:
+    if (asIs == half)
+      return "see why the runs stopped";
+    if (half == RunEnd::Finished)
+      return "the run finishes with half the cell size: use that size, and compare again with half of it";
+    return isFinished(half) ? "see why the run stops with the cells of the scene"
+                            : "see why the run stops with half the cell size";
+  }
+  return "use smaller cells";
+}
+
+/// What keeps an answer from being judged.
+std::string reasonText(RunEnd end)
+{
+  return end == RunEnd::Stopped ? "a run stopped" : std::string("a run was ") + nameOf(end);
+}
+
 std::string cellsText(double cells) { return formatShort(cells) + (cells == 1.0 ? " cell" : " cells"); }
 
 } // namespace
@@ -44,7 +73,7 @@ void Comparison::value(const std::string& name, const std::string& unit, double 
   const double scale = std::max(std::fabs(half), std::numeric_limits<double>::min());
   const double change = asIs == half ? 0.0 : (half - asIs) / scale;
   answer["change"] = change;
-  if (order > 0 && unfinished_.empty() && std::fabs(change) <= largestExtrapolated)
+  if (order > 0 && !unfinished_ && std::fabs(change) <= largestExtrapolated)
   {
     answer["order"] = order;
     answer["extrapolated"] = half + (half - asIs) / (std::pow(2.0, order) - 1.0);
@@ -71,22 +100,12 @@ void Comparison::word(const std::string& name, const std::string& asIs, const st
       asIs == half ? "the same" : "differs");
 }
 
-void Comparison::ends(const std::string& name, const std::string& asIs, const std::string& half)
+void Comparison::ends(const std::string& name, RunEnd asIs, RunEnd half)
 {
-  const std::string& worse = asIs == "finished" ? half : asIs;
-  unfinished_ = worse;
-  add({{"name", name}, {"unit", ""}, {"as_is", asIs}, {"half", half}}, false,
-      asIs == half ? "both " + asIs : "differs");
-  if (worse == cutOff)
-    advice_ = "raise Time > Maximum Steps";
-  else if (worse == notAtRest)
-    advice_ = "raise Time > Final Time or change Damping, until both runs settle";
-  else
-    advice_ =
-        asIs == half ? "see why the runs stopped"
-        : half == "finished"
-            ? "the run finishes with half the cell size: use that size, and compare again with half of it"
-            : "see why the run stops with half the cell size";
+  unfinished_ = std::max(asIs, half);
+  advice_ = adviceAfter(asIs, half);
+  add({{"name", name}, {"unit", ""}, {"as_is", nameOf(asIs)}, {"half", nameOf(half)}}, false,
+      asIs == half ? std::string("both ") + nameOf(asIs) : "differs");
 }
 
 json Comparison::result() const
@@ -108,12 +127,10 @@ void Comparison::add(json answer, bool resolved, const std::string& what)
 {
   if (!resolved)
     open_ += (open_.empty() ? "" : "; ") + answer["name"].get<std::string>() + " (" + what + ")";
-  answer["resolved"] = resolved && unfinished_.empty();
-  answer["verdict"] =
-      what + (!resolved             ? ": not resolved"
-              : unfinished_.empty() ? ": resolved"
-                                    : ": not judged, as a run " +
-                                          (unfinished_ == "stopped" ? unfinished_ : "was " + unfinished_));
+  answer["resolved"] = resolved && !unfinished_;
+  answer["verdict"] = what + (!resolved      ? ": not resolved"
+                              : !unfinished_ ? ": resolved"
+                                             : ": not judged, as " + reasonText(*unfinished_));
   answers_.push_back(std::move(answer));
 }
 

@@ -1,16 +1,15 @@
 #pragma once
 /// Collects the answers of two runs and judges how far they moved.
 
+#include "program/RunEnd.hpp"
+
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 
 namespace Rhegma::program
 {
-
-/// How runs end without coming to the end of their scene.
-constexpr const char* cutOff = "cut off";        ///< by Time > Maximum Steps
-constexpr const char* notAtRest = "not at rest"; ///< at the end, though the scene asks to stop when settled
 
 /// Answers of a scene as it is and with cells of half the size. All are added before result() is called.
 class Comparison
@@ -31,9 +30,8 @@ public:
   void word(const std::string& name, const std::string& asIs, const std::string& half);
 
   /// Of runs one of which, or both, or a front of which, did not come to its end: what comes after that is
-  /// not known, and nothing is resolved. \param name of what is compared \param asIs, half words such as
-  /// "stopped"; "finished" for a run that did
-  void ends(const std::string& name, const std::string& asIs, const std::string& half);
+  /// not known, and nothing is resolved. \param name of what is compared
+  void ends(const std::string& name, RunEnd asIs, RunEnd half);
 
   /// {"answers", "resolved", "open", "verdict", "cell"}, as compareRuns() describes them
   nlohmann::json result() const;
@@ -45,8 +43,9 @@ private:
   nlohmann::json answers_ = nlohmann::json::array();
   std::string open_; ///< answers that are not resolved, and what of them
   std::string advice_ = "use smaller cells";
-  bool known_ = false;     ///< there is an answer that is not zero
-  std::string unfinished_; ///< why the answers are not those of the end of the scene; empty: they are
+  bool known_ = false; ///< there is an answer that is not zero
+  std::optional<RunEnd>
+      unfinished_; ///< why the answers are not those of the end of the scene; none: they are
 };
 
 } // namespace Rhegma::program

@@ -124,6 +124,22 @@ std::string costLine(int particles, const Forecast& forecast)
 
 } // namespace
 
+double checkpointsOf(const Teuchos::ParameterList& scene, double from, double to, double steps,
+                     double seconds)
+{
+  if (!writesCheckpoints(scene))
+    return 0.0;
+  constexpr double rounding = 1e-9;
+  const double interval = checkpointInterval(scene), minutes = checkpointMinutes(scene);
+  // After each interval and at the end (Checkpoints::afterStep, atEnd).
+  const double byTime =
+      interval > 0.0 ? std::ceil(to / interval - rounding) - std::floor(from / interval + rounding) : 0.0;
+  // By the clock only where the last one is so long ago.
+  const double parts = std::max(1.0, byTime);
+  const double byClock = minutes > 0.0 ? parts * std::floor(seconds / parts / (60.0 * minutes)) : 0.0;
+  return std::min(byTime + byClock, steps);
+}
+
 Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time, double slowest)
 {
   const Teuchos::ParameterList& times = scene.sublist("Time");
@@ -143,7 +159,9 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
                             : 0.0;
   const double samples = std::min(f.steps, fraction * length / historyInterval(scene));
   const double running = copies * (fraction * (rates.spent + restSeconds) + samples * rates.sample);
-  f.seconds = rates.setup + running + frames * rates.frame;
+  const double withoutCheckpoints = rates.setup + running + frames * rates.frame;
+  f.checkpoints = checkpointsOf(scene, time, time + fraction * length, f.steps, withoutCheckpoints);
+  f.seconds = withoutCheckpoints + f.checkpoints * rates.checkpoint;
   f.bytes = frames * rates.frameBytes;
   f.solves = f.steps * rates.solves;
   if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
@@ -151,7 +169,12 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
     const double settled =
         std::max(timeToRest(*end, slowest), historyInterval(scene)); // it is seen in a sample
     if (settled < fraction * length)
-      f.secondsToRest = rates.setup + running * settled / (fraction * length) + rates.frame;
+    {
+      const double part = settled / (fraction * length);
+      f.secondsToRest = rates.setup + part * running + rates.frame;
+      f.secondsToRest +=
+          checkpointsOf(scene, time, time + settled, part * f.steps, f.secondsToRest) * rates.checkpoint;
+    }
   }
   return f;
 }
@@ -186,6 +209,9 @@ std::string asText(const Forecast& forecast)
                      size(rates.memory) + " of memory";
   if (forecast.bytes > 0.0)
     text += ", " + size(forecast.bytes) + " of fields";
+  if (forecast.checkpoints > 0.0 && rates.checkpoint > 0.0)
+    text += ", " + counted(std::lround(forecast.checkpoints), "checkpoint") + " of " +
+            size(rates.checkpointBytes) + " (" + seconds(forecast.checkpoints * rates.checkpoint) + ")";
   if (forecast.kept)
     return text + "; rates kept from an earlier measurement, " + utcTime(rates.measured);
   text += sourceAsText(forecast);

@@ -22,8 +22,15 @@ struct Forecast
   double solves = 0.0;        ///< linear systems to the end, of an analysis of equilibrium
   double seconds = 0.0;       ///< to the end, on a machine without other work [s]
   double secondsToRest = 0.0; ///< to where damping has the run settle and end; 0: it does not [s]
-  double bytes = 0.0;         ///< of files
+  double bytes = 0.0;         ///< of files of fields
+  double checkpoints = 0.0;   ///< written to the end; each replaces the one before
 };
+
+/// Checkpoints that a run writes in a part of it: at each Output > Checkpoint Interval and at its end, and by
+/// Checkpoint Minutes; at most one a step. \param from, to of the part [s] \param seconds that it takes by
+/// the clock
+double checkpointsOf(const Teuchos::ParameterList& scene, double from, double to, double steps,
+                     double seconds);
 
 /// Cost of a run from the rates of its steps. \param time reached so far [s] \param slowest angular frequency
 /// of the slowest motion that damping must bring to rest [1/s]; 0: unknown

@@ -21,6 +21,9 @@ namespace Rhegma::program
 namespace
 {
 
+/// How the message of a run begins that a signal stopped.
+constexpr const char* stoppedBySignal = "the run was stopped by ";
+
 /// Takes the folder for this run, on the first rank.
 std::unique_ptr<RunLock> takeFolder(const std::string& folder, const std::string& scene, const Ranks& ranks)
 {
@@ -70,7 +73,7 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       manifest_(folder_, options.scene),
       history_(beginHistory(folder_, earlier, ranks, manifest_)),
       progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0),
-      checkpoints_(scene.sublist("Output"), folder_, simulation, history_, ranks),
+      checkpoints_(scene, folder_, simulation, history_, ranks),
       retries_(isEquilibrium(scene) ? 0 : scene.sublist("Time").get<int>("Retries")),
       continued_(earlier.exists()),
       warnings_(earlier.warnings())
@@ -252,10 +255,13 @@ std::string Production::listFiles()
   }
 }
 
-bool Production::outOfSteps() const
+RunEnd Production::end(const std::string& failure) const
 {
-  return simulation_.time() < finalTime_ &&
-         simulation_.steps() >= scene_.sublist("Time").get<int>("Maximum Steps");
+  if (!failure.empty())
+    return stopRequested_ ? RunEnd::Signalled : RunEnd::Stopped;
+  const bool outOfSteps = simulation_.time() < finalTime_ &&
+                          simulation_.steps() >= scene_.sublist("Time").get<int>("Maximum Steps");
+  return outOfSteps ? RunEnd::CutOff : RunEnd::Finished;
 }
 
 void Production::advanceFromFieldToField()

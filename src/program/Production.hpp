@@ -11,6 +11,7 @@
 #include "program/EarlierPart.hpp"
 #include "program/Options.hpp"
 #include "program/Retries.hpp"
+#include "program/RunEnd.hpp"
 #include "program/StopSignal.hpp"
 
 #include <iosfwd>
@@ -19,9 +20,6 @@
 
 namespace Rhegma::program
 {
-
-/// How the status of a run begins that a signal stopped.
-constexpr const char* stoppedBySignal = "the run was stopped by ";
 
 class Production
 {
@@ -55,8 +53,8 @@ public:
   /// Whether another run has taken the folder: nothing may be written there any more.
   bool folderIsLost() const { return folderLost_; }
 
-  /// Whether the run ended because of Time > Maximum Steps.
-  bool outOfSteps() const;
+  /// How the run ended. \param failure that runToEnd() returned
+  RunEnd end(const std::string& failure) const;
 
 private:
   void observe();

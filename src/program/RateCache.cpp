@@ -31,7 +31,7 @@ struct Entry
   double StepRates::*value;
 };
 
-constexpr std::array<Entry, 12> entries{{{"setup", &StepRates::setup},
+constexpr std::array<Entry, 14> entries{{{"setup", &StepRates::setup},
                                          {"spent", &StepRates::spent},
                                          {"solves", &StepRates::solves},
                                          {"solve", &StepRates::solve},
@@ -39,6 +39,8 @@ constexpr std::array<Entry, 12> entries{{{"setup", &StepRates::setup},
                                          {"sample", &StepRates::sample},
                                          {"frame", &StepRates::frame},
                                          {"frame_bytes", &StepRates::frameBytes},
+                                         {"checkpoint", &StepRates::checkpoint},
+                                         {"checkpoint_bytes", &StepRates::checkpointBytes},
                                          {"memory", &StepRates::memory},
                                          {"time_step", &StepRates::timeStep},
                                          {"time", &StepRates::time},

@@ -17,7 +17,9 @@
 #include "program/Forecast.hpp"
 #include "program/Intervals.hpp"
 #include "program/Production.hpp"
+#include "program/RunEnd.hpp"
 #include "program/Twice.hpp"
+#include "scene/ReadFile.hpp"
 #include "scene/Scene.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -67,18 +69,32 @@ void printErrors(const std::vector<SceneError>& errors, std::ostream& err)
 /// A validated scene, or nothing after its errors have been printed.
 Teuchos::RCP<Teuchos::ParameterList> validScene(const Options& options, std::ostream& err)
 {
-  const SceneResult result = readScene(options.scene, options.overrides, effectSchema());
+  const Ranks ranks(world());
   // A file may be visible to some ranks only.
   std::ostringstream own;
+  SceneResult result;
+  if (!isPipe(options.scene))
+    result = readScene(options.scene, options.overrides, effectSchema());
+  else if (ranks.many())
+    result.errors = {
+        {"", "\"" + options.scene +
+                 "\" is a pipe, which can be read once only, and not by all ranks; give the path "
+                 "of a scene's XML file."}};
+  else
+  {
+    if (!options.quiet)
+      err << "rhegma: reading the scene from the pipe " << options.scene << "\n" << std::flush;
+    result = readScene(options.scene, options.overrides, effectSchema());
+  }
   printErrors(result.errors, own);
-  const std::string errors = Ranks(world()).firstText(own.str());
+  const std::string errors = ranks.firstText(own.str());
   if (errors.empty())
     return result.list;
   err << errors;
   return Teuchos::null;
 }
 
-SummaryFacts facts(const Options& options, const Simulation& simulation, const std::string& status)
+SummaryFacts facts(const Options& options, const Simulation& simulation)
 {
   SummaryFacts f;
   f.scene = options.scene;
@@ -94,16 +110,19 @@ SummaryFacts facts(const Options& options, const Simulation& simulation, const s
   f.stages = simulation.stageSeconds();
   f.peakMemory = Ranks(world()).gatherOnAll({peakMemoryBytes()});
   f.settled = simulation.settled();
-  f.status = status;
   return f;
 }
 
 /// What summary.json holds of a run that has ended, but for its references and answers.
+/// \param failure why it could not go on; empty if it could
 nlohmann::json summaryOf(const Options& options, const Teuchos::ParameterList& scene,
                          const Simulation& simulation, const Production& production,
-                         const std::string& status)
+                         const std::string& failure)
 {
-  nlohmann::json summary = makeSummary(facts(options, simulation, status), simulation.report());
+  nlohmann::json summary = makeSummary(facts(options, simulation), simulation.report());
+  const RunEnd end = production.end(failure);
+  const bool moving = end == RunEnd::Finished && summary.value("ended_before_settled", false);
+  writeEnd(moving ? RunEnd::NotAtRest : end, failure, summary);
   const Checkpoints::Cost& cost = production.costOfCheckpoints();
   summary["history_interval"] = historyInterval(scene);
   summary["checkpoints"] = {{"written", cost.written}, {"copies", cost.copies}, {"seconds", cost.seconds}};
@@ -171,7 +190,7 @@ EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& sce
   const nlohmann::json summary = simulation.report();
   try
   {
-    refuseUnknownQuantities(references(scene), makeSummary(facts(options, simulation, ""), summary));
+    refuseUnknownQuantities(references(scene), makeSummary(facts(options, simulation), summary));
   }
   catch (const std::invalid_argument&)
   {
@@ -270,10 +289,7 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     err << "rhegma: " << failure << "\n";
     return exitStopped;
   }
-  const std::string status = !failure.empty()          ? failure
-                             : production.outOfSteps() ? "finished at Time > Maximum Steps"
-                                                       : "finished";
-  nlohmann::json summary = summaryOf(options, *scene, simulation, production, status);
+  nlohmann::json summary = summaryOf(options, *scene, simulation, production, failure);
   const bool within = addReferences(references(*scene), summary);
   addAnswers(summary);
   const std::string unwritten = writeResults(summary, production, ranks);

@@ -25,7 +25,7 @@ namespace Rhegma::program
 namespace
 {
 
-/// A folder of its own for one snapshot, removed with all that is in it.
+/// A folder of its own for files that are measured, removed with all that is in it.
 class ScratchFolder
 {
 public:
@@ -167,22 +167,33 @@ public:
     return true;
   }
 
-  void snapshot(StepRates& rates)
+  /// A snapshot and a checkpoint, of those that the run writes: in one folder, since a checkpoint waits until
+  /// the fields are on the disk.
+  void files(const Teuchos::ParameterList& scene, StepRates& rates)
   {
+    const bool fields = scene.sublist("Output").get<bool>("Fields"), checkpoints = writesCheckpoints(scene);
+    if (!fields && !checkpoints)
+      return;
     const ScratchFolder folder(ranks_);
     if (folder.path().empty())
       return;
-    const double processor = processorSeconds();
     try
     {
-      simulation_.writeFields(folder.path());
+      const double processor = processorSeconds();
+      if (fields)
+        simulation_.writeFields(folder.path());
+      rates.frame = fields ? ranks_.max(processorSeconds() - processor) : 0.0;
+      rates.frameBytes = ranks_.max(folder.bytes());
+      if (!checkpoints)
+        return;
+      const double begin = wallSeconds();
+      simulation_.checkpoint(folder.path() + "/checkpoint.h5");
+      rates.checkpoint = ranks_.max(wallSeconds() - begin);
+      rates.checkpointBytes = ranks_.max(folder.bytes()) - rates.frameBytes;
     }
-    catch (const OutputError&)
+    catch (const OutputError&) // a run would say so
     {
-      return; // a run would say so
     }
-    rates.frame = ranks_.max(processorSeconds() - processor);
-    rates.frameBytes = ranks_.max(folder.bytes());
   }
 
 private:
@@ -268,8 +279,7 @@ StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& sce
     late = measurement.late();
     // A run keeps a copy of its state.
     simulation.hold();
-    if (scene.sublist("Output").get<bool>("Fields"))
-      measurement.snapshot(rates);
+    measurement.files(scene, rates);
   }
   catch (const RunError& error)
   {

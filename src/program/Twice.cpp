@@ -6,7 +6,8 @@
 #include "output/RunLock.hpp"
 #include "parallel/FirstRank.hpp"
 #include "program/CompareRuns.hpp"
-#include "program/Production.hpp"
+#include "program/Options.hpp"
+#include "program/RunEnd.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -77,7 +78,7 @@ bool comparable(int code, const std::string& folder)
     return code == exitFinished || code == exitReferenceMissed;
   std::ifstream file(folder + "/summary.json");
   const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-  return summary.is_object() && summary.value("status", std::string()).rfind(stoppedBySignal, 0) != 0;
+  return summary.is_object() && endOf(summary) != RunEnd::Signalled;
 }
 
 /// Prints and writes the comparison. Throws OutputError when it can't be read or written.

@@ -3,17 +3,14 @@
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
+#include "scene/Utf8.hpp"
 #include "scene/XmlAttributes.hpp"
 
 #include <Teuchos_Array.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -179,7 +176,7 @@ private:
   void open()
   {
     const std::string* const named = m_xml.find("name");
-    const std::string name = named != nullptr ? *named : std::string();
+    const std::string asWritten = named != nullptr ? *named : std::string(), name = printable(asWritten);
     reportAttributes(name);
     Element& above = m_open.back();
     if (above.kind == Kind::Validators)
@@ -187,7 +184,7 @@ private:
       report("", unknownTag("Validators"));
       above.kind = Kind::Left;
     }
-    const Kind kind = above.kind == Kind::List ? kindOf(name) : Kind::Left;
+    const Kind kind = above.kind == Kind::List ? kindOf(asWritten) : Kind::Left;
     ParameterList* const list =
         kind == Kind::List ? &addValue(*above.list, name, ParameterList(above.list->name() + "->" + name))
                            : above.list;
@@ -210,6 +207,8 @@ private:
     else if (trimmed(name).empty())
       report(path(), sublist ? "a <ParameterList> has no name; write <ParameterList name=\"...\">."
                              : "a <Parameter> has no name; " + formOfParameter);
+    else if (const std::string mistake = mistakeInName(name); !mistake.empty())
+      report(scenePath(path(), printable(name)), mistake);
     else if (isTaken(m_open.back(), name))
       report(scenePath(path(), name), "the name is given twice; keep one of the two.");
     else
@@ -291,54 +290,7 @@ private:
       {{"type", std::nullopt}, {"value", std::nullopt}}};
 };
 
-/// Larger than any scene, and small enough to read at once: a device or a pipe may be endless.
-constexpr std::size_t mostBytes = 256u << 20;
-
-/// So that a large file is not moved about while it is read; a device has no size.
-void reserveFor(const std::string& file, std::string& text)
-{
-  std::error_code none;
-  const auto size = std::filesystem::file_size(file, none);
-  if (!none && size < mostBytes)
-    text.reserve(size + 1);
-}
-
-/// \return whether the stream ended before
-bool readUpTo(std::size_t most, std::istream& in, std::string& text)
-{
-  char piece[65536];
-  while (text.size() <= most && (in.read(piece, sizeof piece) || in.gcount() > 0))
-    text.append(piece, static_cast<std::size_t>(in.gcount()));
-  return text.size() <= most;
-}
-
 } // namespace
-
-std::string readText(const std::string& file, std::vector<SceneError>& errors)
-{
-  std::error_code ignored;
-  const auto status = std::filesystem::status(file, ignored);
-  const std::string name = "\"" + file + "\" ";
-  if (!std::filesystem::exists(status))
-    errors.push_back({"", name + "does not exist; give the path of a scene's XML file."});
-  else if (std::filesystem::is_directory(status))
-    errors.push_back({"", name + "is a folder; give the path of a scene's XML file."});
-  else
-  {
-    std::ifstream in(file, std::ios::binary);
-    std::string text;
-    if (in && in.peek() == std::ifstream::traits_type::eof())
-      errors.push_back({"", name + "is empty; a scene starts with <ParameterList name=\"Rhegma\">."});
-    else if (!in)
-      errors.push_back({"", name + "can't be read (" + std::strerror(errno) + "); check its permissions."});
-    else if (reserveFor(file, text); !readUpTo(mostBytes, in, text))
-      errors.push_back(
-          {"", name + "is larger than 256 MB, which no scene is; give the path of a scene's XML file."});
-    else
-      return text;
-  }
-  return {};
-}
 
 Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std::string& topName,
                                               std::vector<SceneError>& errors)
@@ -352,7 +304,10 @@ Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std:
   const std::string byteOrderMark = "\xEF\xBB\xBF";
   const std::string rest =
       xml.rfind(byteOrderMark, 0) == 0 ? xml.substr(byteOrderMark.size()) : std::string();
-  XmlReader reader(rest.empty() ? xml : rest);
+  const std::string& text = rest.empty() ? xml : rest;
+  if (xml.rfind("\xFF\xFE", 0) == 0 || xml.rfind("\xFE\xFF", 0) == 0)
+    return refuse("the file is in UTF-16; save it in UTF-8");
+  XmlReader reader(text);
   try
   {
     reader.next();
@@ -363,6 +318,9 @@ Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std:
       return refuse("the top list has no name");
     if (*name != topName)
       return refuse("the top list is \"" + *name + "\"");
+    if (const std::size_t at = firstNotUtf8(text); at != std::string::npos)
+      return refuse("line " + std::to_string(reader.lineOf(at)) + ": " + foreignByteText(text[at]) +
+                    "; save the file in UTF-8, for example with iconv -f ISO-8859-1 -t UTF-8");
     const auto list = Teuchos::parameterList(topName);
     std::vector<SceneError> found;
     if (!Cleaner(reader, found).read(*list))

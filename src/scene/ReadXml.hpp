@@ -12,12 +12,9 @@
 namespace Rhegma
 {
 
-/// The text of a file; adds an error, and returns nothing, if there is no readable text.
-std::string readText(const std::string& file, std::vector<SceneError>& errors);
-
-/// The list that the XML describes, without invalid entries: duplicate names, missing attributes, unknown
-/// types, values that are not of their type. Teuchos itself would merge duplicates and read "1.5Pa" as 1.5
-/// and "abc" as 0. Null if the text is no XML or no scene.
+/// The list that the XML describes, without invalid entries: duplicate names, names with control characters,
+/// missing attributes, unknown types, values that are not of their type. Teuchos itself would merge
+/// duplicates and read "1.5Pa" as 1.5 and "abc" as 0. Null if the text is no XML, no scene or not UTF-8.
 Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std::string& topName,
                                               std::vector<SceneError>& errors);
 

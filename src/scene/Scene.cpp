@@ -4,6 +4,7 @@
 #include "scene/Accuracy.hpp"
 #include "scene/CrossChecks.hpp"
 #include "scene/Overrides.hpp"
+#include "scene/ReadFile.hpp"
 #include "scene/ReadXml.hpp"
 #include "scene/SceneParts.hpp"
 #include "scene/Validation.hpp"

@@ -3,6 +3,7 @@
 #include "base/EntryValue.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/NormaliseValue.hpp"
+#include "scene/Utf8.hpp"
 
 #include <algorithm>
 
@@ -162,6 +163,13 @@ void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& nam
 {
   const Section* sub = active.findSection(name);
   const Parameter* parameter = active.findParameter(name);
+  // Also where an application gives the list, which no XML has passed.
+  if (const std::string mistake = mistakeInName(name); !mistake.empty())
+  {
+    report(scenePath(path, printable(name)), mistake);
+    list.remove(name);
+    return;
+  }
   if (auto* sublist = valueIf<Teuchos::ParameterList>(entry))
   {
     if (!sub && !parameter)

@@ -1,5 +1,7 @@
 #include "scene/XmlReader.hpp"
 
+#include "scene/Utf8.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -23,27 +25,6 @@ bool startsName(char c)
 
 bool isInName(char c) { return startsName(c) || (c >= '0' && c <= '9') || c == '-' || c == '.'; }
 
-/// The character of a number as UTF-8; empty: there is none.
-std::string utf8(unsigned long code)
-{
-  std::string text;
-  const auto add = [&](unsigned long byte) { text += static_cast<char>(byte); };
-  const auto more = [&](int shift) { add(0x80 | ((code >> shift) & 0x3f)); };
-  if (code == 0 || code > 0x10ffff || (code >= 0xd800 && code < 0xe000))
-    return text;
-  if (code < 0x80)
-    add(code);
-  else if (code < 0x800)
-    add(0xc0 | (code >> 6));
-  else if (code < 0x10000)
-    add(0xe0 | (code >> 12)), more(6);
-  else
-    add(0xf0 | (code >> 18)), more(12), more(6);
-  if (code >= 0x80)
-    more(0);
-  return text;
-}
-
 /// What a reference stands for, without its & and ; (empty: nothing known).
 std::string meaningOf(std::string_view reference)
 {
@@ -59,7 +40,8 @@ std::string meaningOf(std::string_view reference)
   if (digits.empty() || digits.size() > 8 ||
       digits.find_first_not_of(hexadecimal ? "0123456789abcdefABCDEF" : "0123456789") != std::string::npos)
     return {};
-  return utf8(std::stoul(digits, nullptr, hexadecimal ? 16 : 10));
+  const std::string character = utf8(std::stoul(digits, nullptr, hexadecimal ? 16 : 10));
+  return character.size() == 1 && isControl(character[0]) ? std::string() : character;
 }
 
 } // namespace
@@ -257,7 +239,8 @@ void XmlReader::readReference(std::string& value)
                                   ? meaningOf(std::string_view(text_).substr(at_ + 1, end - at_ - 1))
                                   : std::string();
   if (meaning.empty())
-    fail(at_, "a & that begins no known reference (write &amp; for &)");
+    fail(at_, at(at_ + 1) == '#' ? "a &# that gives no character which XML allows (write &amp; for &)"
+                                 : "a & that begins no known reference (write &amp; for &)");
   value += meaning;
   at_ = end;
 }

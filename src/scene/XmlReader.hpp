@@ -54,6 +54,8 @@ public:
   std::string_view content() const { return content_; }
   /// Line of the item, counted from 1.
   std::size_t line() const { return lineOf(start_); }
+  /// Line of a position in the text.
+  std::size_t lineOf(std::size_t at) const;
 
 private:
   struct Open
@@ -63,7 +65,6 @@ private:
   };
 
   [[noreturn]] void fail(std::size_t at, const std::string& reason) const;
-  std::size_t lineOf(std::size_t at) const;
   char at(std::size_t position) const { return position < text_.size() ? text_[position] : '\0'; }
   bool startsWith(std::string_view start) const { return text_.compare(at_, start.size(), start) == 0; }
 

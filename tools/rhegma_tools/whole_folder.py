@@ -16,14 +16,16 @@ import numpy as np
 
 MAGIC = b"\x89RHEGMA chk\r\n\x1a\n\x00"
 BLOCK = 512
-STOPPED = "the run was stopped by "  # status of a run that a signal has stopped
+WENT_TO_ITS_END = ("finished", "not at rest", "cut off")  # "end" in summary.json of runs that nothing stopped
 UNWRITTEN = "can't be written"  # in the status of a run that could not write a file
 
 
 class Found:
-    """faults: sentences on what is wrong; notes: on what is right; ended: whether the run came to its end."""
+    """how: a sentence on how the run ended, empty where the folder is of no run; faults: sentences on what is wrong; notes: on
+    what is right; ended: whether the run came to its end, or to Time > Maximum Steps."""
 
     def __init__(self):
+        self.how = ""
         self.faults = []
         self.notes = []
         self.ended = False
@@ -85,7 +87,7 @@ def check_scene(folder, manifest, found):
     path = scene.get("path")
     if not path:
         return
-    if not os.path.exists(path):
+    if not os.path.isfile(path):  # also a pipe from which the run has read it
         found.notes.append(f"The scene {path} is not there and was not compared.")
     else:
         content = read_bytes(path)
@@ -276,13 +278,32 @@ def compare_times(folder, rows, frames, summary, found):
 
 
 def check_status(folder, summary, found):
-    """Its status, or None where there is none. A run that could not write a file has left less than it should."""
+    """A run that could not write a file has left less than it should."""
     status = summary.get("status") if summary else None
-    if not isinstance(status, str):
-        return None
-    if UNWRITTEN in status:
+    if isinstance(status, str) and UNWRITTEN in status:
         found.faults.append(f"{folder}: not all could be written: {status}.")
-    return status
+
+
+def went_to_its_end(summary):
+    """Whether nothing stopped the run of a summary. One of an older version has only a status in words."""
+    end = summary.get("end")
+    return end in WENT_TO_ITS_END if isinstance(end, str) else str(summary.get("status")).startswith("finished")
+
+
+def how_it_ended(folder, summary):
+    """Of a run that has ended: how."""
+    status = summary.get("status") if summary else None
+    if not isinstance(status, str) or not status:
+        return f"How the run in {folder} ended is not known: {folder}/summary.json does not say it."
+    if not went_to_its_end(summary):
+        if status.startswith(("the run stopped", "the run was stopped")):
+            return f"{status[0].upper()}{status[1:]}."
+        return f"The run did not come to its end: {status}."
+    time, steps = summary.get("time"), summary.get("steps")
+    at = f" at t = {time:.6g} s" if isinstance(time, (int, float)) else ""
+    after = f" after {steps} step{'' if steps == 1 else 's'}" if isinstance(steps, int) else ""
+    notes = {"cut off": ", before Time > Final Time", "not at rest": ", before the bodies were at rest"}
+    return f"The run {status}{at}{after}{notes.get(summary.get('end'), '')}."
 
 
 def check_listed(folder, manifest, found):
@@ -306,16 +327,16 @@ def no_manifest(folder):
     return f"{folder} has no manifest.json: no run wrote it, or one of an older version, or one that was cut off at once."
 
 
-def how_it_stands(folder):
-    """Of a run that has not ended: whether it goes on."""
+def how_it_stands(folder, faults):
+    """Of a run that has not ended: whether it goes on, and whether its checkpoint, if it has no fault, continues it."""
     if is_running(folder):
         return f"A run is going on in {folder}."
     if os.path.exists(os.path.join(folder, "run.lock")) and is_running(folder) is None:
         return f"A run of another machine may be going on in {folder}: {folder}/run.lock says which."
     checkpoint = os.path.join(folder, "checkpoint.h5")
-    if os.path.exists(checkpoint):
+    if os.path.exists(checkpoint) and not any(checkpoint in fault for fault in faults):
         return f"The run in {folder} was cut off: --output {folder} --restart {checkpoint} continues it."
-    return f"The run in {folder} was cut off and has no checkpoint: run it again."
+    return f"The run in {folder} was cut off and has no {'whole ' if os.path.exists(checkpoint) else ''}checkpoint: run it again."
 
 
 def check_folder(folder):
@@ -341,11 +362,10 @@ def check_folder(folder):
     rows = read(check_history, folder, manifest)
     summary = read(check_summary, folder, manifest)
     read(compare_times, folder, rows, frames, summary)
-    status = read(check_status, folder, summary)
-    if found.ended and status and status.startswith(STOPPED):
-        found.ended = False
-        if not found.faults:
-            found.notes.append(f"{status[0].upper()}{status[1:]}.")
-    elif not found.ended and not found.faults:
-        found.notes.append(how_it_stands(folder))
+    read(check_status, folder, summary)
+    if found.ended:
+        found.how = how_it_ended(folder, summary)
+        found.ended = summary is not None and went_to_its_end(summary)
+    elif manifest or os.path.exists(os.path.join(folder, "run.lock")):
+        found.how = how_it_stands(folder, found.faults)
     return found

@@ -63,6 +63,28 @@ class Forecast(ProgramTest):
         self.assertEqual((found[3], float(found[5])), ("h", 1e6))
         self.assertIn("from its first", self.check("--set", "Time:CFL=0.31"))
 
+    def test_checkpoints_are_part_of_the_cost(self):
+        """Of a checkpoint that would take 1000 s, so many as the interval asks for; the last is at the end of the run."""
+        end = 1e-3
+
+        def check(interval):
+            return self.check("--set", f"Time:Final Time={end}", "--set", f"Output:Checkpoint Interval={interval}")
+
+        def slower(content):
+            for kept in content["scenes"]:
+                self.assertGreater(kept["checkpoint"], 0.0)
+                kept["checkpoint"] = 1000.0
+        self.assertNotIn("checkpoint", self.check("--set", f"Time:Final Time={end}"))
+        hours = {}
+        for number in (4, 8):
+            self.assertRegex(check(end / number), rf", {number} checkpoints of [\d.]+ MB \([\d.]+ s\)")
+            self.change(lambda content: slower({"scenes": content["scenes"][:1]}))
+            found = LINE.search(check(end / number))
+            self.assertEqual(found[3], "h")
+            hours[number] = float(found[2])
+        for number, value in hours.items():  # of three digits; the steps take less than a minute
+            self.assertAlmostEqual(value, number * 1000.0 / 3600.0, delta=0.025)
+
     def test_rates_of_another_machine_are_refused(self):
         self.check()
 

@@ -6,6 +6,7 @@ test_killed_runs.py kills runs, test_flipped_bits.py flips bits, and test_full_d
 with the same tool.
 """
 
+import csv
 import fcntl
 import json
 import os
@@ -14,6 +15,7 @@ import subprocess
 import sys
 import time
 import unittest
+from xml.etree import ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
@@ -65,7 +67,9 @@ class OneRun(RestartTest):
         self.assertEqual(status, 2)
         self.assertIn("was cut off", output)
         self.run_to_its_end(self.write("short.xml", scene().text()), folder)
-        self.assertEqual(check_tool(folder)[0], 0)
+        status, output, _ = check_tool(folder)
+        self.assertEqual(status, 0)
+        self.assertRegex(output, r"^The run finished at t = \S+ s after \d+ steps\.\n")
         self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
 
     def test_a_run_that_a_signal_stops_is_whole_and_not_at_its_end(self):
@@ -83,7 +87,7 @@ class OneRun(RestartTest):
                 self.assertEqual(run.wait(PATIENCE), 2)
                 status, output, messages = check_tool(folder)
                 self.assertEqual(status, 2, output + messages)
-                self.assertIn("The run was stopped by SIGINT at t = ", output)
+                self.assertTrue(output.startswith("The run was stopped by SIGINT at t = "), output)
                 self.assertIn(f"--output {folder} --restart {folder}/checkpoint.h5 continues from", output)
                 with open(os.path.join(folder, "history.csv"), encoding="utf-8") as file:
                     last = float(file.read().splitlines()[-1].split(",")[0])
@@ -159,7 +163,9 @@ class OneRun(RestartTest):
         message = self.message_of(run)
         for word in (f"process {run.pid} on ", "run.lock", "was removed during the run", f"--restart {folder}/checkpoint.h5"):
             self.assertIn(word, message)
-        self.assertEqual(check_tool(folder)[0], 0)
+        status, output, messages = check_tool(folder)
+        self.assertEqual((status, messages), (2, ""))
+        self.assertTrue(output.startswith("The run stopped at t = "), output)
         self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
 
     def test_no_comparison_in_a_folder_that_another_has_taken(self):
@@ -256,6 +262,45 @@ class Foreign(RestartTest):
     def test_scene_in_the_place_of_a_result(self):
         path = self.write("summary.json", scene().text())
         self.assert_refused([path, "--output", self.folder], [("", ["own scene", "summary.json", "--output"])])
+
+
+class Names(RestartTest):
+    """Names in UTF-8 are the same in all that a run leaves, and in what the tools make of it."""
+
+    def test_names_beyond_ascii(self):
+        body, crack, load = "Tr\u00e4ger \u00b5", "\u88c2\u7f1d", "Zug \u2192 \U0001f600"
+        text = plate().set("Time > Maximum Steps", 20).text()
+        for old, new in (("Plate", body), ("Notch", crack), ("Pull", load)):
+            text = text.replace(f'"{old}"', f'"{new}"')
+        folder = self.path("out")
+        answer = rhegma(self.write("scene.xml", text), "--output", folder)
+        self.assertEqual(answer.status, 0, answer)
+        self.assertIn(f"crack {crack}, front 0", answer.output)
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        self.assertEqual([entry["name"] for kind in ("bodies", "cracks", "boundaries") for entry in summary[kind]],
+                         [body, crack, load])
+        with open(os.path.join(folder, "history.csv"), encoding="utf-8", newline="") as file:
+            columns = next(csv.reader(file))
+        for column in (f"{crack}.0.G_J", f"{crack}.opening", f"{load}.force_x"):
+            self.assertIn(column, columns)
+        with open(os.path.join(folder, "fields.xdmf"), encoding="utf-8") as file:
+            ElementTree.parse(file)
+        status, output, messages = check_tool(folder)
+        self.assertEqual((status, messages), (0, ""), output)
+        plain = dict(os.environ, LC_ALL="C", PYTHONIOENCODING="")
+        for tool in ("rhegma-check", "rhegma-plot"):
+            result = subprocess.run([sys.executable, os.path.join(SOURCE, "tools", tool), folder], capture_output=True, env=plain)
+            self.assertEqual(result.returncode, 0, result.stderr.decode(errors="replace"))
+        checked = rhegma(self.path("scene.xml"), "--check")
+        self.assertEqual(checked.status, 0, checked)
+        self.assertIn(f"Bodies > {body}: mass", checked.output)
+        wrong = rhegma(self.path("scene.xml"), "--check", "--set", f"Bodies:{body}:Material=none")
+        self.assertEqual(wrong.status, 1, wrong)
+        self.assert_messages(wrong.messages, [(f"Bodies > {body} > Material", ["none"])])
+        halves = rhegma(self.path("scene.xml"), "--output", self.path("twice"), "--twice", "--quiet")
+        self.assertEqual(halves.status, 0, halves)
+        self.assertIn(f"G_J of {crack}.0", halves.output)
 
 
 class Many(RestartTest):

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Files that are no scene, and output that can't be written."""
 
+import json
 import os
+import subprocess
 import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import ProgramTest, rhegma  # noqa: E402
+from program import PATIENCE, PROGRAM, ProgramTest, environment, rhegma  # noqa: E402
 from scenes import plate  # noqa: E402
 
 START = '<ParameterList name="Rhegma">'
@@ -69,7 +71,57 @@ class WrongFiles(ProgramTest):
         self.refuse(START + " " * (257 << 20), "256 MB", "scene")
 
     def test_device_without_end(self):
-        self.assert_refused(["/dev/zero"], [("", ["/dev/zero", "256 MB"])])
+        self.assert_refused(["/dev/zero"], [("", ["/dev/zero", "is a device", "give the path"])])
+
+    def test_pipe_into_which_no_program_writes(self):
+        """It is not waited for."""
+        os.mkfifo(self.path("scene.xml"))
+        self.assert_refused(["scene.xml", "--quiet"], [("", ["scene.xml", "a pipe into which no program writes", "give the path"])])
+
+    def test_pipe_without_end(self):
+        writer = subprocess.Popen(["cat", "/dev/zero"], stdout=subprocess.PIPE)
+        self.addCleanup(writer.wait)
+        self.addCleanup(writer.kill)
+        with writer.stdout:
+            answer = subprocess.run([PROGRAM, "/dev/stdin", "--quiet"], stdin=writer.stdout, capture_output=True, text=True,
+                                    env=environment(), timeout=PATIENCE)
+        self.assertEqual(answer.returncode, 1)
+        self.assert_messages(answer.stderr, [("", ["/dev/stdin", "256 MB", "scene"])])
+
+    def test_pipe_that_gives_a_scene(self):
+        """As process substitution makes it; the scene comes after the program has begun to wait."""
+        child = subprocess.Popen([PROGRAM, "/dev/stdin", "--output", self.path("out"), "--set", "Time:Maximum Steps=2"],
+                                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment())
+        self.addCleanup(child.wait)
+        self.addCleanup(child.kill)
+        self.assertEqual(child.stderr.readline(), "rhegma: reading the scene from the pipe /dev/stdin\n")
+        output, messages = child.communicate(plate().text(), timeout=PATIENCE)
+        self.assertEqual(child.returncode, 0, output + messages)
+        with open(self.path("out", "manifest.json"), encoding="utf-8") as file:
+            self.assertIsNone(json.load(file)["scene"])
+
+    def test_latin_1(self):
+        """In a name and in a comment; the message has the line and the byte."""
+        text = plate().text().replace("<ParameterList name=", "<!-- a note -->\n<ParameterList name=", 1)
+        for old, new in (("Pull", "Tr\u00e4ger"), ("a note", "20 \u00b0C")):
+            with self.subTest(new):
+                changed = text.replace(old, new)
+                byte = f"0x{ord(max(new)):02X}"
+                line = 1 + changed[: changed.index(max(new))].count("\n")
+                self.write("scene.xml", changed.encode("latin-1"))
+                words = [f"line {line}: the byte {byte} is not UTF-8", f'it is "{max(new)}"', "iconv"]
+                self.assert_refused(["scene.xml"], [("", words)])
+
+    def test_utf_16(self):
+        self.refuse(plate().text().encode("utf-16"), "UTF-16", "UTF-8")
+
+    def test_control_characters_in_names(self):
+        """As a reference and as they are; messages do not pass them on to the terminal."""
+        for written, shown in (("Pu&#10;ll", "U+000A"), ("Pu\tll", "U+0009"), ("Pu\x7fll", "U+007F"), ("Pu\u009bll", "U+009B")):
+            with self.subTest(shown):
+                self.write("scene.xml", plate().text().replace('"Pull"', f'"{written}"'))
+                self.assert_refused(["scene.xml"], [(f"Boundaries > Pu<{shown}>ll", [f"control character {shown}", "write a name"])])
+        self.refuse(plate().text().replace('"Pull"', '"Pu&#27;ll"'), "line ", "&#", "no character")
 
     def test_text_next_to_the_tags(self):
         self.leave_an_older_run("scene.out")

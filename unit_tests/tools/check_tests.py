@@ -48,6 +48,7 @@ class Check(ToolTest):
         self.assertEqual((status, messages), (0, ""))
         self.assertIn("2 whole frames", output)
         self.assertIn("3 rows", output)
+        self.assertTrue(output.startswith("The run finished at t = 2 s.\n"), output)
         self.assertTrue(output.endswith("is whole.\n"), output)
         self.assertEqual(run("rhegma-check", self.out, "--quiet"), (0, "", ""))
 
@@ -100,7 +101,35 @@ class Check(ToolTest):
         status, _, messages = self.end_of_run(2.0, status="the run stopped at t = 2 s, step 9: out/history.csv can't be written: why")
         self.assertEqual(status, 1)
         self.assertIn("not all could be written: the run stopped at t = 2 s", messages)
-        self.assertEqual(self.end_of_run(2.0, status="the run stopped at t = 2 s, step 9: it is unstable")[0], 0)
+
+    def test_end_of_a_run_that_stopped(self):
+        """Its files are whole, and its exit status was 2: nobody should take them for those of a finished run."""
+        unstable = "the run stopped at t = 2 s, step 9: it is unstable"
+        for end in ({"end": "stopped"}, {}):  # older versions wrote no end
+            status, output, messages = self.end_of_run(2.0, status=unstable, **end)
+            self.assertEqual((status, messages), (2, ""))
+            self.assertEqual(output.splitlines()[0], f"T{unstable[1:]}.")
+            self.assertNotIn("is whole", output)
+        status, output, _ = self.end_of_run(2.0, status="a particle left the domain", end="stopped")
+        self.assertEqual((status, output.splitlines()[0]), (2, "The run did not come to its end: a particle left the domain."))
+        status, output, _ = self.end_of_run(2.0, status="finished", end="no known word")
+        self.assertEqual(status, 2)
+
+    def test_end_of_a_run_that_nothing_stopped(self):
+        for end, status, words in (("finished", "finished", "The run finished at t = 2 s after 9 steps."),
+                                   ("cut off", "finished at Time > Maximum Steps",
+                                    "The run finished at Time > Maximum Steps at t = 2 s after 9 steps, before Time > Final Time."),
+                                   ("not at rest", "finished",
+                                    "The run finished at t = 2 s after 9 steps, before the bodies were at rest.")):
+            code, output, _ = self.end_of_run(2.0, status=status, end=end)
+            self.assertEqual((code, output.splitlines()[0]), (0, words))
+
+    def test_end_of_a_run_with_a_fault(self):
+        """The first line says it all the same; where the summary is lost, that it is not known."""
+        self.change("history.csv", b"1.0,3.0", b"1.0,3.5")
+        self.assertTrue(run("rhegma-check", self.out)[1].startswith("The run finished at t = 2 s.\n"))
+        os.remove(os.path.join(self.out, "summary.json"))
+        self.assertTrue(run("rhegma-check", self.out)[1].startswith(f"How the run in {self.out} ended is not known"))
 
     def test_what_is_no_checkpoint(self):
         with open(os.path.join(self.out, "checkpoint.h5"), "wb") as file:
@@ -114,10 +143,10 @@ class Check(ToolTest):
         self.assertIn("was cut off", output)
 
     def test_exit_status_is_that_of_the_help(self):
-        """0: whole; 1: damaged, missing, or no folder of a run; 2: going on or cut off."""
+        """0: finished and whole; 1: damaged, missing, or no folder of a run; 2: going on, killed or stopped."""
         help_text = " ".join(run("rhegma-check", "--help")[1].split())
-        for words in ("0: whole", "1: something is missing, damaged or can't be read, or could not be written by the run, or DIR is not",
-                      "2: the run is still going on or was cut off"):
+        for words in ("0: the run finished and its files are whole", "1: something is missing, damaged or can't be read, or could not be written by the run, or DIR is not",
+                      "2: the run is still going on, was killed, or stopped before its end"):
             self.assertIn(words, help_text)
         self.assertEqual(run("rhegma-check", self.out)[0], 0)
         for name in ("history.csv", "summary.json", "manifest.json"):

@@ -12,6 +12,7 @@
 /// amplitude is bounded too: the largest difference of velocity over the largest velocity.
 
 #include "../../src/step/Bodies.hpp"
+#include "Pi.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ namespace Test
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
+using Rhegma::Test::pi;
 constexpr double length = 120.0; ///< of the bar [m], cells of 1 m
 constexpr double face = 72.0;    ///< the first position where the cells change [m]
 constexpr double apart = 6.0;    ///< from one face to the next [m]

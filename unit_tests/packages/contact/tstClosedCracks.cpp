@@ -1,5 +1,6 @@
 /// Closed cracks in equilibrium: parts that only contact joins, friction, and stress intensities.
 
+#include "Pi.hpp"
 #include "Simulation.hpp"
 #include "packages/energy_release/InclinedPlate.hpp"
 #include "src/step/Bodies.hpp"
@@ -19,7 +20,7 @@ namespace Test
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 constexpr double press = 1e-3; ///< of Young's modulus 1
 
 /// A block of 8 x 8 cells, cut through by a crack at an angle, between tractions at its bottom and top.

@@ -1,4 +1,5 @@
 #include "CubeScene.hpp"
+#include "Pi.hpp"
 
 #include "energy_release/FrontLine.hpp"
 
@@ -8,7 +9,7 @@ using namespace Rhegma::cracks::test;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 
 double frontLength(const Teuchos::ParameterList& scene)
 {

@@ -1,4 +1,5 @@
 #include "CubeScene.hpp"
+#include "Pi.hpp"
 
 #include "cracks/CrackGrowth.hpp"
 #include "cracks/Opening.hpp"
@@ -13,7 +14,7 @@ using namespace Rhegma::cracks::test;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 constexpr double toughness = 100.0;
 
 /// A block with a disk at rest.

@@ -1,4 +1,5 @@
 #include "CubeScene.hpp"
+#include "Pi.hpp"
 
 #include "../../src/surface/StlFileOf.hpp"
 #include "cracks/Opening.hpp"
@@ -14,7 +15,7 @@ using namespace Rhegma::surface::test;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 
 /// A cap of a sphere as rings of triangles, wound at random as files may have them.
 surface::SurfaceMesh cap(const Vector<3>& centre, double radius, double width, int rings, int sectors)

@@ -2,6 +2,7 @@
 /// An infinite plate with an inclined crack, of which a square is cut out whose rim moves as the closed form
 /// says.
 
+#include "Pi.hpp"
 #include "src/step/ElasticBox.hpp"
 
 #include <cmath>
@@ -22,8 +23,8 @@ struct InclinedCrack
   double angle, x, y;             ///< of the crack and of its middle [m]
   double opening, sliding, along; ///< [Pa]
   double pressure = 0.0;          ///< [Pa]
-  double modeI() const { return (opening + pressure) * std::sqrt(std::acos(-1.0) * halfLength); }
-  double modeII() const { return sliding * std::sqrt(std::acos(-1.0) * halfLength); }
+  double modeI() const { return (opening + pressure) * std::sqrt(pi * halfLength); }
+  double modeII() const { return sliding * std::sqrt(pi * halfLength); }
 };
 
 /// A crack at `angle`, pulled by `load` in a direction `turn` away from its normal. Without a turn the stress
@@ -63,7 +64,6 @@ inline std::string displacement(const InclinedCrack& crack, double loading)
 /// measured. \param half [m]
 inline Teuchos::ParameterList inclinedPlate(const InclinedCrack& crack, double half, double cell)
 {
-  const double pi = std::acos(-1.0);
   Teuchos::ParameterList scene =
       elasticBox<2>(all<2>(-half), all<2>(half), cell, 2.0, crack.solid, "Plate", "Stress");
   Teuchos::ParameterList& rim = scene.sublist("Boundaries").sublist("Rim");

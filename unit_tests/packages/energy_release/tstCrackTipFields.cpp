@@ -1,4 +1,5 @@
 #include "LatticeState.hpp"
+#include "Pi.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@ using namespace Rhegma::energy_release;
 namespace
 {
 
-const double pi = 4.0 * std::atan(1.0);
+using Rhegma::Test::pi;
 
 /// Stress must follow from the gradient by Hooke's law: two independent formulas of the same field.
 void checkHooke(double poisson, bool planeStress)

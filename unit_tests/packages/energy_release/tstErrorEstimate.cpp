@@ -2,6 +2,7 @@
 /// next to them is in program/test_error_bars.py.
 
 #include "LatticeState.hpp"
+#include "Pi.hpp"
 
 #include "energy_release/ErrorEstimate.hpp"
 #include "energy_release/FrontLengths.hpp"
@@ -17,6 +18,7 @@
 using namespace Rhegma;
 using namespace Rhegma::energy_release;
 using namespace Rhegma::energy_release::test;
+using Rhegma::Test::pi;
 
 namespace
 {
@@ -140,7 +142,6 @@ TEST(StressError, HasTheComplianceOfThePlane)
 /// / 4) -ln cos t dt up to the edges.
 TEST(StressError, CountsByTheDistanceFromFronts)
 {
-  const double pi = std::acos(-1.0);
   const State<2> state = stressed(ShapeKind::Linear,
                                   [&](double x, double)
                                   {

@@ -1,4 +1,5 @@
 #include "../cracks/CubeScene.hpp"
+#include "Pi.hpp"
 
 #include "energy_release/FrontTube.hpp"
 
@@ -9,7 +10,7 @@ using namespace Rhegma::energy_release;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 
 } // namespace
 

@@ -1,4 +1,5 @@
 #include "../cracks/CubeScene.hpp"
+#include "Pi.hpp"
 
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DrivingForces.hpp"
@@ -18,7 +19,7 @@ using namespace Rhegma::energy_release;
 namespace
 {
 
-constexpr double pi = 3.14159265358979;
+using Rhegma::Test::pi;
 const double shear = young / (2.0 * (1.0 + poisson)), effective = young / (1.0 - poisson * poisson);
 /// Strains are 1e-8 where the tube begins: rotations and stretch matter no more than that.
 const Intensities smallK{1.0, 0.4, -0.7};

@@ -1,6 +1,7 @@
 /// Stress intensities of cracks under pressure at random angles and positions in their cells, against the
 /// closed form.
 
+#include "Pi.hpp"
 #include "Simulation.hpp"
 #include "packages/energy_release/InclinedPlate.hpp"
 
@@ -16,7 +17,7 @@ using namespace Rhegma::Test;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 constexpr double halfLength = 5e-3, pressure = 1e6, cell = halfLength / 8.0;
 const ElasticSolid solid{1200.0, 3e9, 0.33};
 

@@ -10,6 +10,7 @@
 /// included.
 
 #include "../../src/step/Bodies.hpp"
+#include "Pi.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -22,7 +23,7 @@ namespace Test
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
+using Rhegma::Test::pi;
 constexpr int cells = 64;
 constexpr double width = 8.0;   ///< of the pulse [cells]
 constexpr double travel = 50.0; ///< cells, and seconds, as waves go at 1 m/s

@@ -1,5 +1,6 @@
 /// Where cracks run and how fast, whatever their angle to the cells.
 
+#include "Pi.hpp"
 #include "Simulation.hpp"
 #include "packages/energy_release/InclinedPlate.hpp"
 
@@ -16,7 +17,7 @@ using namespace Rhegma::Test;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 constexpr double halfLength = 5e-3, load = 1e6, cell = halfLength / 8.0, rest = 1.5e-4, end = 1.7e-4;
 
 /// A square of 12 half lengths of the crack whose rim is moved so and held; damped until it is at rest, then

@@ -1,5 +1,6 @@
 /// A penny crack that grows, driven by what is prescribed.
 
+#include "Pi.hpp"
 #include "cracks/Opening.hpp"
 #include "output/CoreRow.hpp"
 #include "packages/propagation/DrivenFronts.hpp"
@@ -24,7 +25,7 @@ using Reals = Teuchos::Array<double>;
 
 Reals reals(const std::vector<double>& values) { return Reals(values.begin(), values.end()); }
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 constexpr double cell = 1e-3, radius = 3e-3, half = 8e-3, stress = 2e6;
 const ElasticSolid solid;
 

@@ -1,5 +1,6 @@
 /// When and where fronts advance, without a body.
 
+#include "Pi.hpp"
 #include "material/MaterialTable.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
@@ -12,6 +13,8 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace Rhegma;
 using namespace Rhegma::propagation;
@@ -19,7 +22,8 @@ using namespace Rhegma::propagation;
 namespace
 {
 
-const double pi = 4.0 * std::atan(1.0), degree = pi / 180.0;
+using Rhegma::Test::pi;
+const double degree = pi / 180.0;
 
 double speedOf(Plane plane, double poisson)
 {
@@ -116,6 +120,51 @@ TEST(FrontHistory, SeparatesItsRuns)
   EXPECT_NEAR(history.settledSpeed(), 400.0, 1e-6 * 400.0);
   EXPECT_NEAR(history.settledRelease(), 180.0, 1e-6 * 180.0);
   EXPECT_LE(history.settled().second, runs[0].lastAdvance);
+}
+
+/// The mean of the answer is that of the positions over all the time in which the front ran: here two runs
+/// with a rest between them, and one of a single increment, which has no speed.
+TEST(FrontHistory, MeanSpeedIsThatOfAllRuns)
+{
+  const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
+  FrontHistory history;
+  const double dt = 1e-7, increment = 1e-3, fastest = 900.0;
+  double time = 0.0, position = 0.0;
+  std::vector<std::vector<std::pair<double, double>>> runs; // time and position of each increment
+  const auto pull = [&](double release, int steps)
+  {
+    for (int k = 0; k < steps; ++k)
+    {
+      const bool before = history.running();
+      const Advance made = history.advance(rule, time += dt, release, increment, fastest);
+      position += increment * made.increments;
+      if (made.increments > 0 && !before)
+        runs.emplace_back();
+      if (made.increments > 0)
+        runs.back().emplace_back(history.lastTime(), position);
+    }
+  };
+  pull(180.0, 300); // at 400 m/s
+  EXPECT_NEAR(history.meanSpeed(), 400.0, 1e-6 * 400.0);
+  pull(0.0, 2000);
+  pull(120.0, 500); // at 100 m/s
+  pull(0.0, 6000);
+  pull(100.0, 1); // one increment
+  pull(0.0, 2000);
+  ASSERT_EQ(runs.size(), 3U);
+  EXPECT_EQ(runs[2].size(), 1U);
+  double length = 0.0, duration = 0.0;
+  for (const auto& run : runs)
+  {
+    length += run.back().second - run.front().second;
+    duration += run.back().first - run.front().first;
+  }
+  EXPECT_NEAR(history.meanSpeed(), length / duration, 1e-9 * length / duration);
+  // Neither that of the first run, nor that of the second half of the longest one.
+  EXPECT_LT(history.meanSpeed(), 250.0);
+  EXPECT_GT(history.meanSpeed(), 150.0);
+  EXPECT_NEAR(history.settledSpeed(), 400.0, 1e-6 * 400.0);
+  EXPECT_EQ(FrontHistory().meanSpeed(), 0.0);
 }
 
 /// Long steps hold several increments.

@@ -2,6 +2,7 @@
 /// Bars that vibrate freely while the fine cells in their middle take substeps.
 
 #include "../../src/step/Bodies.hpp"
+#include "Pi.hpp"
 
 #include "state/EnergySums.hpp"
 
@@ -13,7 +14,7 @@ namespace Rhegma
 namespace Test
 {
 
-constexpr double pi = 3.14159265358979323846;
+using Rhegma::Test::pi;
 constexpr double length = 12.0; // cells of 1 m, waves of 1 m/s
 constexpr double amplitude = 1e-5;
 

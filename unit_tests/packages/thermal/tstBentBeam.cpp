@@ -1,5 +1,6 @@
 /// What heat that crosses a beam takes from its vibration.
 
+#include "Pi.hpp"
 #include "src/step/Bodies.hpp"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace Test
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846, start = 300.0;
+using Rhegma::Test::pi;
+constexpr double start = 300.0;
 
 /// Loss of amplitude in a period of a free beam of 64 x 8 m in its first mode of bending, over pi: the
 /// inverse quality. \param expansion of its material [1/K] \param conductivity [W/(m K)] \param frequency

@@ -1,5 +1,6 @@
 /// Motion and heat together: the energy balance of both closes, and waves run at the adiabatic speed.
 
+#include "Pi.hpp"
 #include "src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
 #include "transfer/ParticleViews.hpp"
@@ -17,7 +18,8 @@ namespace Test
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846, start = 300.0, length = 16.0;
+using Rhegma::Test::pi;
+constexpr double start = 300.0, length = 16.0;
 
 /// A bar of 16 x 2 m, E = rho = 1, in smooth motion v = speed cos(pi x / L); across it is held.
 Rhegma::Run<2> movingBar(const std::string& model, double expansion, double capacity, double speed,

@@ -1,3 +1,4 @@
+#include "Pi.hpp"
 #include "ShapeLists.hpp"
 
 #include "geometry/Seeds.hpp"
@@ -18,7 +19,7 @@ using Teuchos::ParameterList;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 
 /// Volume, centroid and second moments about the centroid.
 template <int D>

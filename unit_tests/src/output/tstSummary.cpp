@@ -53,7 +53,6 @@ TEST(Summary, HasTheKeysThatScriptsRead)
   facts.wallSeconds = 2.0e-3;
   facts.peakMemory = {3.0e6, 2.0e6};
   facts.stages = {{"Scatter", 1.0e-3}};
-  facts.status = "finished";
   const json summary =
       makeSummary(facts, {{"energy", {{"kinetic", 1.0}}}, {"cracks", {{{"name", "Notch"}}}}});
   for (const char* key : {"scene",
@@ -75,8 +74,7 @@ TEST(Summary, HasTheKeysThatScriptsRead)
                           "energy",
                           "cracks",
                           "settled",
-                          "references",
-                          "status"})
+                          "references"})
     EXPECT_TRUE(summary.contains(key)) << key;
   EXPECT_DOUBLE_EQ(summary["ns_per_particle_step"].get<double>(), 2000.0);
   EXPECT_EQ(summary["cracks"][0]["name"], "Notch");

@@ -20,7 +20,7 @@ using nlohmann::json;
 
 json finished(int warnings)
 {
-  json summary = {{"status", "finished"}, {"time", 4e-3}, {"steps", 120}};
+  json summary = {{"end", "finished"}, {"status", "finished"}, {"time", 4e-3}, {"steps", 120}};
   for (int k = 0; k < warnings; ++k)
     summary["warnings"].push_back("number " + std::to_string(k));
   return summary;

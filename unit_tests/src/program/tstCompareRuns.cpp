@@ -1,6 +1,7 @@
 /// How far answers move from one run to another, on made-up results.
 
 #include "program/CompareRuns.hpp"
+#include "program/RunEnd.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,16 @@ namespace
 
 using nlohmann::json;
 
-RunResults atRest(double release)
+RunResults ended()
 {
   RunResults run;
+  writeEnd(RunEnd::Finished, "", run.summary);
+  return run;
+}
+
+RunResults atRest(double release)
+{
+  RunResults run = ended();
   run.summary["cells"]["smallest"] = 0.01;
   json crack = {{"name", "Notch"}, {"length", 0.1}};
   crack["fronts"].push_back({{"G_J", release}, {"K_I", 2.0}, {"K_II", 1e-6}});
@@ -189,20 +197,36 @@ TEST(CompareRuns, NothingIsResolvedBeforeTheEnd)
 {
   RunResults one = atRest(10.4), other = atRest(10.2);
   for (RunResults* run : {&one, &other})
-    run->summary["status"] = "finished";
+    writeEnd(RunEnd::Finished, "", run->summary);
   EXPECT_TRUE(compareRuns(one, other)["resolved"].get<bool>());
-  one.summary["ended_before_settled"] = true;
+  writeEnd(RunEnd::NotAtRest, "", one.summary);
   const json moving = compareRuns(one, other);
   EXPECT_FALSE(moving["resolved"].get<bool>());
   EXPECT_FALSE(answer(moving, "G_J of Notch.0").contains("extrapolated"));
   EXPECT_EQ(answer(moving, "end of the run")["as_is"], "not at rest");
   EXPECT_NE(comparisonAsText(moving).find("As it is: finished before the bodies were at rest"),
             std::string::npos);
-  one.summary["ended_before_settled"] = false;
-  other.summary["status"] = "finished at Time > Maximum Steps";
+  writeEnd(RunEnd::Finished, "", one.summary);
+  writeEnd(RunEnd::CutOff, "", other.summary);
   const json cut = compareRuns(one, other);
   EXPECT_FALSE(cut["resolved"].get<bool>());
   EXPECT_NE(cut["verdict"].get<std::string>().find("raise Time > Maximum Steps"), std::string::npos);
+}
+
+/// The worse end decides what is advised: what stops a run comes before what cuts the other off.
+TEST(CompareRuns, AdvisesByTheWorseEnd)
+{
+  RunResults stopped = atRest(10.4), cut = atRest(10.2);
+  writeEnd(RunEnd::Stopped, "the run stopped at t = 1 ms, step 7: a particle left the domain",
+           stopped.summary);
+  writeEnd(RunEnd::CutOff, "", cut.summary);
+  const auto verdict = [](const RunResults& asIs, const RunResults& half)
+  { return compareRuns(asIs, half)["verdict"].get<std::string>(); };
+  EXPECT_NE(verdict(stopped, cut).find("see why the run stops with the cells of the scene"),
+            std::string::npos);
+  EXPECT_NE(verdict(cut, stopped).find("see why the run stops with half the cell size"), std::string::npos);
+  EXPECT_NE(verdict(stopped, stopped).find("see why the runs stopped"), std::string::npos);
+  EXPECT_NE(verdict(cut, cut).find("raise Time > Maximum Steps"), std::string::npos);
 }
 
 /// A front that the cells stop in both runs, which both go on to their end: what it has then is no answer.
@@ -225,9 +249,10 @@ TEST(CompareRuns, NothingIsResolvedWhereTheCellsStopAFront)
 TEST(CompareRuns, ComparesRunsThatStop)
 {
   RunResults stopped = atRest(10.4), finished = atRest(10.2);
-  stopped.summary["status"] = "the run stopped at t = 1 ms, step 7: crack Notch, front 0 stopped";
+  writeEnd(RunEnd::Stopped, "the run stopped at t = 1 ms, step 7: crack Notch, front 0 stopped",
+           stopped.summary);
   stopped.summary["time"] = 1e-3;
-  finished.summary["status"] = "finished";
+  writeEnd(RunEnd::Finished, "", finished.summary);
   finished.summary["time"] = 2e-3;
   const json better = compareRuns(stopped, finished);
   EXPECT_EQ(answer(better, "end of the run")["as_is"], "stopped");
@@ -249,7 +274,7 @@ TEST(CompareRuns, ComparesRunsThatStop)
 /// An error of the second order: 100 - 4, 100 - 1.
 TEST(CompareRuns, ExtrapolatesAPeakOfTemperature)
 {
-  RunResults one, other;
+  RunResults one = ended(), other = ended();
   one.summary["temperature"]["peak_rise"] = 96.0;
   other.summary["temperature"]["peak_rise"] = 99.0;
   const json comparison = compareRuns(one, other);
@@ -265,7 +290,7 @@ TEST(CompareRuns, MissesNothing)
   RunResults lost = atRest(10.0);
   lost.summary["cracks"][0]["fronts"][0]["G_J"] = nullptr;
   EXPECT_FALSE(answer(compareRuns(atRest(10.0), lost), "G_J of Notch.0")["resolved"].get<bool>());
-  EXPECT_FALSE(compareRuns({}, {})["resolved"].get<bool>());
+  EXPECT_FALSE(compareRuns(ended(), ended())["resolved"].get<bool>());
 }
 
 /// Nothing is resolved by runs in which nothing happens; a zero next to other answers says nothing of them.

@@ -92,6 +92,37 @@ TEST(Forecast, EndsAtMaximumSteps)
   EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.05 + 0.01) + 0.01, 2e-3);
 }
 
+/// Each takes 50 ms: ten in a run of 1 s with one every 0.1 s; four with 0.3 s, whose last one is at the end.
+TEST(Forecast, AddsWhatCheckpointsCost)
+{
+  StepRates r = rates();
+  r.checkpoint = 0.05;
+  r.checkpointBytes = 2e6;
+  const auto with = [](const char* name, double value, bool wanted = true)
+  {
+    Teuchos::ParameterList list = scene();
+    list.sublist("Output").set("Checkpoints", wanted).set(name, value);
+    return list;
+  };
+  const double without = forecastOf(r, scene(), 0.0).seconds;
+  const auto more = [&](const Teuchos::ParameterList& list)
+  { return forecastOf(r, list, 0.0).seconds - without; };
+  EXPECT_NEAR(more(with("Checkpoint Interval", 0.1)), 0.5, 1e-9);
+  EXPECT_NEAR(more(with("Checkpoint Interval", 0.3)), 0.2, 1e-9);
+  EXPECT_NEAR(more(with("Checkpoint Interval", 5.0)), 0.05, 1e-9);
+  EXPECT_NEAR(more(with("Checkpoint Interval", 1e-9)), 0.05 * 100, 1e-9); // at most one a step
+  EXPECT_EQ(more(with("Checkpoint Interval", 0.1, false)), 0.0);
+  // 0.642 s in parts of 0.12 s.
+  EXPECT_NEAR(more(with("Checkpoint Minutes", 0.002)), 5 * 0.05, 1e-9);
+  EXPECT_EQ(more(with("Checkpoint Minutes", 1.0)), 0.0);
+  Teuchos::ParameterList half = with("Checkpoint Interval", 0.1);
+  half.sublist("Time").set("Maximum Steps", 50);
+  EXPECT_EQ(forecastOf(r, half, 0.0).checkpoints, 5.0);
+  EXPECT_EQ(forecastOf(r, with("Checkpoint Interval", 0.2), 0.5).checkpoints, 3.0); // 0.6, 0.8 and 1 s
+  const std::string text = asText(forecastOf(r, with("Checkpoint Interval", 0.1), 0.0));
+  EXPECT_NE(text.find(", 10 checkpoints of 2 MB (0.5 s)"), std::string::npos) << text;
+}
+
 /// A run that goes on at half of its time has half of its steps before it.
 TEST(Forecast, OfARunThatGoesOn) { EXPECT_NEAR(forecastOf(rates(), scene(), 0.5).steps, 50.0, 1.0); }
 

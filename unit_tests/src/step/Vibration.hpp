@@ -2,6 +2,7 @@
 /// A bar that vibrates freely, for tests of what steps make of its energy and of its period.
 
 #include "Bodies.hpp"
+#include "Pi.hpp"
 #include "state/EnergySums.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace Test
 {
 
 /// The bar lies along x from 0 with cells of 1 m, waves of 1 m/s and free ends.
-constexpr double pi = 3.14159265358979323846;
+using Rhegma::Test::pi;
 constexpr int barCells = 16;
 constexpr double barAmplitude = 1e-5; ///< of its velocity [m/s]
 

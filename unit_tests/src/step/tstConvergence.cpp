@@ -25,6 +25,7 @@
 /// worse than order 2 with GIMP too.
 
 #include "Bodies.hpp"
+#include "Pi.hpp"
 
 #include <array>
 #include <cmath>
@@ -38,7 +39,7 @@ namespace Test
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
+using Rhegma::Test::pi;
 constexpr double poisson = 0.3, lambda = poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)),
                  shear = 0.5 / (1.0 + poisson);
 

@@ -1,6 +1,7 @@
 /// A full turn leaves no stress.
 
 #include "Bodies.hpp"
+#include "Pi.hpp"
 
 #include "state/EnergySums.hpp"
 #include "step/CoreStep.hpp"
@@ -17,7 +18,7 @@ namespace Test
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
+using Rhegma::Test::pi;
 
 /// A square or cube that turns about an axis through the middle of the domain.
 template <int D>

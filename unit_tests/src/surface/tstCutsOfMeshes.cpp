@@ -1,5 +1,6 @@
 /// Particles of bodies that cracks divide: the mass on each side of a crack is exact.
 
+#include "Pi.hpp"
 #include "geometry/Seeds.hpp"
 #include "geometry/Slivers.hpp"
 #include "surface/CutsOfMeshes.hpp"
@@ -18,7 +19,7 @@ using surface::CrackMesh;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 
 std::mt19937 seededEngine()
 {

@@ -1,3 +1,4 @@
+#include "Pi.hpp"
 #include "StlFileOf.hpp"
 
 #include "geometry/Cross.hpp"
@@ -19,7 +20,7 @@ using namespace Rhegma::surface::test;
 namespace
 {
 
-const double pi = std::acos(-1.0);
+using Rhegma::Test::pi;
 
 SurfaceMesh square()
 {
