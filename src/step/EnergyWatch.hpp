@@ -71,6 +71,23 @@ public:
     return {};
   }
 
+  /// The same for an analysis of equilibrium, of any number of steps: their work is taken as if forces rose
+  /// in proportion to displacements. \param grown whether cracks have grown under given loads
+  std::string warningInEquilibrium(bool grown) const
+  {
+    if (!(std::fabs(residual_) > noticeable * given_))
+      return {};
+    return "energy.residual: the energy balance of this analysis of equilibrium is open by " +
+           readableEnergy(residual_) + ", " + percent(std::fabs(residual_)) +
+           " % of the energy supplied to the bodies: " +
+           (grown ? "where G rises above the toughness in a load step, what is released above it is not "
+                    "dissipated by the crack, and would become motion; if growth is stable (propagation > "
+                    "unstable_from in summary.json is null), more Time > Load Steps reduce it"
+                  : "in a load step forces are taken to rise in proportion to displacements, which does not "
+                    "hold "
+                    "for plastic flow or large strain; use more Time > Load Steps");
+  }
+
 private:
   static constexpr double burst = 10.0;     ///< times the energy that was given: an unstable run
   static constexpr int burstsInARow = 3;    ///< because the energy balance of the very first steps is rough
