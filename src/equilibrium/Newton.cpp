@@ -15,6 +15,11 @@ constexpr double roundingOfForces = 1e-6;
 
 constexpr int mostHalvings = 6;
 
+/// Slope, times the edge of the cells, from which on a particle holds a node: its square is the part of a
+/// cell's stiffness. Of a box that reaches over a row of nodes by a few percent of its width, slopes are
+/// less.
+constexpr double leastSlopeOfMaterial = 0.1;
+
 /// The first iteration of a body on its yield surface takes it as elastic, and may increase the residual.
 constexpr double mostRiseAtFirst = 4.0;
 
@@ -73,7 +78,7 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
   if (state.cracks.growth.area > 0.0)
   {
     RowGraph solid = graph_;
-    connect(state, groups, Couplings::WithoutPenalty, solid);
+    connect(state, groups, Couplings::OfMaterial, solid);
     std::tie(solid_, solidPieces_) = findPieces(solid, owners_);
   }
   position_ = rowPositions(state, graph_);
@@ -103,12 +108,13 @@ void NewtonStep<D>::connect(const State<D>& state, const std::vector<Groups>& gr
                             RowGraph& graph) const
 {
   Groups all;
-  for (std::size_t k = 0; k < jumps_.size() && couplings != Couplings::WithoutPenalty; ++k)
+  for (std::size_t k = 0; k < jumps_.size() && couplings != Couplings::OfMaterial; ++k)
     all.push_back(jumps_[k].row);
   for (std::size_t k = 0; k < forces_.size(); ++k)
     if (couplings != Couplings::WithoutJoins || !forces_[k]->joinsPieces())
       all.insert(all.end(), groups[k].begin(), groups[k].end());
-  connectRows(state, all, boxes_, owners_, graph);
+  connectRows(state, all, boxes_, owners_, graph,
+              couplings == Couplings::OfMaterial ? leastSlopeOfMaterial : 0.0);
 }
 
 template <int D>

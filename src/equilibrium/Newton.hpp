@@ -37,8 +37,8 @@ struct StepReport
 enum class Couplings
 {
   All,
-  WithoutJoins,  ///< of forces of the step that join pieces
-  WithoutPenalty ///< what only the ghost penalty couples hangs together by a thousandth of the stiffness
+  WithoutJoins, ///< of forces of the step that join pieces
+  OfMaterial    ///< that bears loads: neither by the ghost penalty nor by particles that hardly reach a node
 };
 
 /// Whose stiffness is assembled.
@@ -97,7 +97,7 @@ private:
   /// Couples the rows of ghost penalty and forces.
   void connect(const State<D>& state, const std::vector<Groups>& groups, Couplings couplings,
                RowGraph& graph) const;
-  /// The pieces that can move freely once cracks have grown, also where the ghost penalty holds them.
+  /// The pieces that can move freely, once cracks have grown also those that no material holds.
   /// \param converged whether the displacement is an equilibrium
   std::vector<FreePiece> freePieces(const State<D>& state, bool converged) const;
   void findFreeMotions();
@@ -156,8 +156,7 @@ private:
   std::vector<int>
       apart_; ///< piece of each row, without the forces that join pieces; empty if there are none
   int piecesApart_ = 0;
-  std::vector<int>
-      solid_; ///< piece of each row without the ghost penalty, once cracks have grown; else empty
+  std::vector<int> solid_; ///< piece of each row by Couplings::OfMaterial, once cracks have grown; else empty
   int solidPieces_ = 0;
   bool symmetric_ = true; ///< the stiffness
   std::shared_ptr<LinearSystem<D>> system_;

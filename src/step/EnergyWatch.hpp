@@ -21,8 +21,8 @@ public:
   /// To be called with every sample of a run.
   void sample(const EnergyBalance& energy)
   {
-    given_ = std::max(given_, energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) +
-                                  std::fabs(energy.heat) + energy.roundOff);
+    given_ = std::max(given_, std::fabs(energy.start) + std::fabs(energy.externalWork) +
+                                  std::fabs(energy.combustion) + std::fabs(energy.heat) + energy.roundOff);
     residual_ = energy.residual();
     largest_ = std::max(largest_, residual_);
     bursts_ = residual_ > burst * given_ ? bursts_ + 1 : 0;
