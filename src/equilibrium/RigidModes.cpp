@@ -19,6 +19,9 @@ namespace
 /// thousandth of the body's size away from the axis still holds a rotation.
 constexpr double leastHold = 1e-9;
 
+/// Motion of a node, of a motion of length one, that is rounding: loads on an axis have no moment about it.
+constexpr double roundingOfArm = 1e-6;
+
 /// Fraction of a piece's heaviest node from which a node may hold the piece.
 constexpr double leastHeldMass = 0.1;
 
@@ -148,14 +151,12 @@ struct ModesOfPiece
     std::copy_n(left.values(), n, acceleration);
   }
 
-  /// Inertia force of the modes that count, on a mass at a position [N].
-  template <class Counts>
-  Vector<D> inertia(const Vector<D>& at, double mass, const Counts& counts) const
+  /// Inertia force on a mass at a position [N].
+  Vector<D> inertia(const Vector<D>& at, double mass) const
   {
     Vector<D> sum{};
     for (std::size_t a = first; a < last; ++a)
-      if (counts(modes[a]))
-        sum = sum + (mass * acceleration[a - first]) * modes[a].at(at);
+      sum = sum + (mass * acceleration[a - first]) * modes[a].at(at);
     return sum;
   }
 
@@ -251,7 +252,7 @@ void removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<
     for (std::size_t r = 0; r < pieceOf.size(); ++r)
       if (pieceOf[r] == modes[first].piece)
       {
-        const Vector<D> taken = of.inertia(position[r], mass[r], [](const RigidMode<D>&) { return true; });
+        const Vector<D> taken = of.inertia(position[r], mass[r]);
         for (int d = 0; d < D; ++d)
           force(D * r + d) -= taken[d];
       }
@@ -268,26 +269,27 @@ std::vector<Imbalance> findImbalances(const std::vector<RigidMode<D>>& modes, co
   for (std::size_t first = 0; first < modes.size();)
   {
     const ModesOfPiece<D> of(modes, first, pieceOf, position, mass, owners, force);
-    double sums[] = {0.0, 0.0, 0.0}; // of components: moving inertia forces, turning ones, loads
+    double most[ModesOfPiece<D>::most] = {};
     for (std::size_t r = 0; r < pieceOf.size(); ++r)
       if (pieceOf[r] == modes[first].piece && owners.owns(static_cast<int>(r)))
-        for (const bool turns : {false, true})
+        for (std::size_t a = first; a < of.last; ++a)
         {
-          const Vector<D> part = of.inertia(
-              position[r], mass[r], [turns](const RigidMode<D>& mode) { return mode.turns() == turns; });
+          double square = 0.0;
           for (int d = 0; d < D; ++d)
-          {
-            sums[turns ? 1 : 0] += std::fabs(part[d]);
-            sums[2] += turns ? 0.0 : std::fabs(force(D * r + d));
-          }
+            square += force(D * r + d) * force(D * r + d);
+          most[a - first] += std::sqrt(square) * (norm(modes[a].at(position[r])) + roundingOfArm);
         }
-    owners.ranks().sum(sums, 3);
+    owners.ranks().sum(most, ModesOfPiece<D>::most);
     Imbalance one;
     one.piece = modes[first].piece;
     one.force = of.resultantOf(false);
     one.moment = of.resultantOf(true);
-    one.fractionOfForce = sums[2] > 0.0 ? sums[0] / sums[2] : 0.0;
-    one.fractionOfMoment = sums[2] > 0.0 ? sums[1] / sums[2] : 0.0;
+    for (std::size_t a = first; a < of.last; ++a)
+    {
+      double& fraction = modes[a].turns() ? one.fractionOfMoment : one.fractionOfForce;
+      if (most[a - first] > 0.0)
+        fraction = std::max(fraction, std::fabs(of.resultant[a - first]) / most[a - first]);
+    }
     all.push_back(one);
     first = of.last;
   }

@@ -72,8 +72,9 @@ void removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<
                       const std::vector<Vector<D>>& position, const std::vector<double>& mass,
                       const RowOwners& owners, const View<double*>& force);
 
-/// What of the loads on a free piece does not balance: the resultants that accelerate it. Fractions are those
-/// of the inertia forces that balance them, in the sum of the loads' components at all nodes of the piece.
+/// What of the loads on a free piece does not balance: the resultants that accelerate it. Fractions are the
+/// largest of those of each free motion: the work of the loads on it over the sum of |load| |motion|, with
+/// which none of them would balance another.
 struct Imbalance
 {
   int piece = 0;

@@ -87,6 +87,7 @@ void testCouple()
     EXPECT_NEAR(found.force, 0.0, 1e-10);
     EXPECT_LT(found.fractionOfForce, 1e-10);
     EXPECT_GT(found.fractionOfMoment, 0.01);
+    EXPECT_LE(found.fractionOfMoment, 1.0);
     const std::string text = found.asText(0.01);
     EXPECT_EQ(text.find("force"), std::string::npos) << text;
     EXPECT_NE(text.find("a moment of "), std::string::npos) << text;
@@ -110,7 +111,7 @@ void testWeight()
     }
     const Imbalance found = nodes.imbalance();
     EXPECT_NEAR(found.force, weight, 1e-10 * weight) << "seed " << seed;
-    EXPECT_NEAR(found.fractionOfForce, 1.0, 1e-10);
+    EXPECT_NEAR(found.fractionOfForce, 1.0, 2e-6); // less the motion that counts as rounding, 1e-6
     EXPECT_NEAR(found.moment, 0.0, 1e-9 * weight);
     const std::string text = found.asText(0.01);
     EXPECT_NE(text.find("a force of "), std::string::npos) << text;
