@@ -84,8 +84,12 @@ public:
     nlohmann::json summary = nlohmann::json::object();
     const State<D>& state = run_->state();
     summary["warnings"] = state.warnings;
-    const std::string ofEnergy = run_->energyWatch().warning(state.method.picFraction > 0.0, state.clock.step,
-                                                             state.mesh.subcycledLevels);
+    const EnergyWatch& watch = run_->energyWatch();
+    const bool grown = state.cracks.growth.area > 0.0 && state.method.analysis == Analysis::QuasiStatic;
+    const std::string ofEnergy =
+        state.method.equilibrium()
+            ? watch.warningInEquilibrium(grown)
+            : watch.warning(state.method.picFraction > 0.0, state.clock.step, state.mesh.subcycledLevels);
     if (!ofEnergy.empty() && state.failure.empty())
       summary["warnings"].push_back(ofEnergy);
     coreReport(state, summary);

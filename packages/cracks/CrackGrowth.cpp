@@ -121,6 +121,21 @@ void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
     }
 }
 
+/// Mean advance along a front [m]. The mean of its nodes, and not the sum of new area over the length of the
+/// front at each time: where parts of a front have landed, that sum counts the advance of the rest as one of
+/// the whole front, and exceeds the largest advance.
+template <int D>
+double meanAdvance(const CrackFront<D>& front)
+{
+  double sum = 0.0, along = 0.0;
+  for (const FrontNode<D>& node : front.nodes)
+  {
+    sum += node.tributaryLength * node.advance;
+    along += node.tributaryLength;
+  }
+  return along > 0.0 ? sum / along : 0.0;
+}
+
 /// The end point of each advance, limited by the ligament.
 template <int D>
 std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, const Advancing& f,
@@ -291,9 +306,7 @@ void CrackGrowth<D>::growFront(State<D>& state, std::vector<GrowingCrack<D>>& cr
   front.grown = front.grown || moves;
   if (f.area > 0.0 && f.energy > 0.0)
     lastToughness_[f.number] = f.energy / (f.area * state.method.thickness);
-  // The front as it was before this step, without the parts that have landed.
-  const double along = D == 2 ? 1.0 : front.length;
-  front.extension.mean += along > 0.0 ? f.area / along : 0.0;
+  front.extension.mean = std::max(front.extension.mean, meanAdvance(front));
   evenPieces(f);
   front.extension.area += f.area;
   front.budget.require(f.energy);

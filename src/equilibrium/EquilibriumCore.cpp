@@ -18,7 +18,7 @@ namespace Rhegma::equilibrium
 namespace
 {
 
-/// Fraction of the loads that a uniform acceleration may balance without a warning.
+/// Fraction of the loads on a free body that inertia forces may balance without a warning.
 constexpr double noticeableResultant = 0.01;
 
 /// Fraction of the forces that may act on unsupported pieces without a warning: their weight, at most.
@@ -66,6 +66,8 @@ struct Account
   int unsupportedFields = 0;
   double largestForces = 0.0; ///< of the run: norm of the loads or of the supports' forces [N]
   bool warned = false, warnedOfPieces = false;
+  bool started = false;                    ///< not stored: used in the first step only
+  bool warnedOfCut = false;                ///< not stored: a run that continues says it again
   std::shared_ptr<LinearSystem<D>> system; ///< of the last step
 };
 
@@ -78,6 +80,47 @@ StepReport solveOnce(State<D>& state, Account<D>& account, const LastStep& last,
   step = std::make_unique<NewtonStep<D>>(state, last.inPlace ? account.system : nullptr, boxes);
   account.system = step->system();
   return step->solve(state, account.largestForces, last.trial ? 1 : mostIterations);
+}
+
+/// Why pieces that have come free have no equilibrium; empty if they have one.
+template <class IsNew>
+std::string failureOfFreePieces(const StepReport& report, const IsNew& isNew)
+{
+  for (const FreePiece& piece : report.freePieces)
+    if (isNew(piece) && piece.imbalance.fraction() > noticeableResultant)
+      return piece.name() + " has come off its supports and " + piece.motions +
+             ", and its loads do not balance: " + piece.imbalance.asText(noticeableResultant) +
+             " remains, so there is no equilibrium; support this part (Boundaries), end the run before (Time "
+             "> "
+             "Final Time), or compute its motion with Time > Analysis = Dynamic";
+  return {};
+}
+
+template <int D, class IsNew>
+void warnOfFreePieces(const StepReport& report, const IsNew& isNew, State<D>& state, Account<D>& account)
+{
+  for (const FreePiece& piece : report.freePieces)
+    if (isNew(piece) && !account.warnedOfCut)
+    {
+      account.warnedOfCut = true;
+      state.warnings.push_back(
+          "Time > Analysis: " + piece.name() + " has come off its supports at t = " +
+          readableTime(state.clock.time + state.clock.dt) + " and " + piece.motions +
+          "; its loads balance, so it is in equilibrium wherever it is: what is computed "
+          "of its position has no meaning, its stress and the other parts are right");
+    }
+    else if (!isNew(piece) && piece.imbalance.fraction() > noticeableResultant && !account.warned)
+    {
+      account.warned = true;
+      const bool moves = piece.imbalance.fractionOfForce > noticeableResultant,
+                 turns = piece.imbalance.fractionOfMoment > noticeableResultant;
+      state.warnings.push_back("Time > Rigid Modes: the loads on " + piece.name() +
+                               ", which is free, do not " + "balance: inertia forces of a uniform " +
+                               (turns && !moves ? "angular " : "") + "acceleration balance " +
+                               piece.imbalance.asText(noticeableResultant) + "; check " +
+                               (moves ? "directions and sizes" : "positions and directions") +
+                               " of the loads, or support the body");
+    }
 }
 
 template <int D>
@@ -99,7 +142,11 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   account.linearIterations += report.linearIterations;
   account.unsupportedFields = step.unsupportedFields();
   last.reason = report.reason;
-  if (!report.converged)
+  const auto isNew = [&](const FreePiece& piece)
+  { return last.freePiecesAreNew || (piece.isPart && state.cracks.growth.area > 0.0); };
+  if (!last.trial && state.failure.empty())
+    state.failure = failureOfFreePieces(report, isNew);
+  if (!report.converged || !state.failure.empty())
     return;
   if (!report.freeMotion.empty())
   {
@@ -111,6 +158,14 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   toMotion(step, state);
   last.workOfSupports = step.workOfSupports();
   state.energy.externalWork += last.workOfSupports;
+  // Bodies that begin with stress out of balance, such as a misfit of temperatures, begin with the energy of
+  // their equilibrium.
+  if (state.clock.step == 0 && !last.inPlace && state.method.analysis != Analysis::Preload &&
+      !account.started)
+  {
+    account.started = true;
+    state.energy.start += state.ranks.sum(step.workOfStart());
+  }
   state.energy.stabilised += step.ghostEnergy();
   if (report.unsupportedLoad > noticeableLoad * report.forces && !account.warnedOfPieces)
   {
@@ -122,14 +177,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
                   report.unsupportedLoad, step.unsupportedFields());
     state.warnings.push_back(text);
   }
-  if (report.removedFraction > noticeableResultant && !account.warned)
-  {
-    account.warned = true;
-    state.warnings.push_back("Time > Rigid Modes: the loads on a free body do not balance; inertia forces of "
-                             "a uniform acceleration balance " +
-                             formatReal(std::round(1e3 * report.removedFraction) / 10.0) +
-                             " % of them; check directions and sizes of the loads, or support the body");
-  }
+  warnOfFreePieces(report, isNew, state, account);
 }
 
 template <int D>
@@ -186,7 +234,8 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
                               {"iterations", account->iterations},
                               {"linear_iterations", account->linearIterations},
                               {"residuals", last->residuals},
-                              {"unsupported_fields", account->unsupportedFields}};
+                              {"unsupported_fields", account->unsupportedFields},
+                              {"last_step_complete", state.failure.empty()}};
   };
   return core;
 }
@@ -197,7 +246,8 @@ void inspect(const Teuchos::ParameterList& scene, const State<D>& state, LastSte
   const NewtonStep<D> step(state);
   last.unknowns = step.unknowns();
   last.matrixBytes = bytesPerEntry * step.matrixEntries(); // before the particles are divided: of all ranks
-  if (scene.sublist("Time").get<std::string>("Rigid Modes") == "Refuse")
+  last.freePiecesAreNew = scene.sublist("Time").get<std::string>("Rigid Modes") == "Refuse";
+  if (last.freePiecesAreNew)
   {
     std::string wrong;
     std::set<std::string> named;

@@ -14,7 +14,8 @@ namespace Rhegma::equilibrium
 struct LastStep
 {
   bool inPlace = false; ///< set by the loop: the step adds no load to the one before, whose matrix serves it
-  bool trial = false;   ///< set by the loop: one iteration is done, to learn what it costs
+  bool freePiecesAreNew = false; ///< whether all pieces that are free were held or joined when the run began
+  bool trial = false;            ///< set by the loop: one iteration is done, to learn what it costs
   bool converged = false;
   int iterations = 0;
   std::vector<double> residuals; ///< fractions of the forces, before each iteration and after the last

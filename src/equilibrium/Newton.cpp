@@ -15,6 +15,11 @@ constexpr double roundingOfForces = 1e-6;
 
 constexpr int mostHalvings = 6;
 
+/// Slope, times the edge of the cells, from which on a particle holds a node: its square is the part of a
+/// cell's stiffness. Of a box that reaches over a row of nodes by a few percent of its width, slopes are
+/// less.
+constexpr double leastSlopeOfMaterial = 0.1;
+
 /// The first iteration of a body on its yield surface takes it as elastic, and may increase the residual.
 constexpr double mostRiseAtFirst = 4.0;
 
@@ -63,12 +68,18 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
     groups.push_back(force->begin(state, graph_.rowOf));
     joins = joins || force->joinsPieces();
   }
-  connect(state, groups, true, graph_);
+  connect(state, groups, Couplings::All, graph_);
   if (joins)
   {
     RowGraph apart = graph_;
-    connect(state, groups, false, apart);
+    connect(state, groups, Couplings::WithoutJoins, apart);
     std::tie(apart_, piecesApart_) = findPieces(apart, owners_);
+  }
+  if (state.cracks.growth.area > 0.0)
+  {
+    RowGraph solid = graph_;
+    connect(state, groups, Couplings::OfMaterial, solid);
+    std::tie(solid_, solidPieces_) = findPieces(solid, owners_);
   }
   position_ = rowPositions(state, graph_);
   mass_ = rowMasses(state, graph_);
@@ -93,16 +104,17 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
 }
 
 template <int D>
-void NewtonStep<D>::connect(const State<D>& state, const std::vector<Groups>& groups, bool joining,
+void NewtonStep<D>::connect(const State<D>& state, const std::vector<Groups>& groups, Couplings couplings,
                             RowGraph& graph) const
 {
   Groups all;
-  for (const SlopeJump& jump : jumps_)
-    all.push_back(jump.row);
+  for (std::size_t k = 0; k < jumps_.size() && couplings != Couplings::OfMaterial; ++k)
+    all.push_back(jumps_[k].row);
   for (std::size_t k = 0; k < forces_.size(); ++k)
-    if (joining || !forces_[k]->joinsPieces())
+    if (couplings != Couplings::WithoutJoins || !forces_[k]->joinsPieces())
       all.insert(all.end(), groups[k].begin(), groups[k].end());
-  connectRows(state, all, boxes_, owners_, graph);
+  connectRows(state, all, boxes_, owners_, graph,
+              couplings == Couplings::OfMaterial ? leastSlopeOfMaterial : 0.0);
 }
 
 template <int D>
@@ -152,29 +164,14 @@ std::vector<int> NewtonStep<D>::sizesOf(const std::vector<int>& pieceOf, int pie
 }
 
 template <int D>
-std::string NewtonStep<D>::bodyOf(const State<D>& state, const std::vector<int>& pieceOf, int piece) const
+std::string NewtonStep<D>::nameOfBody(const State<D>& state, const std::vector<int>& pieceOf, int piece) const
 {
-  const Grid<D>& grid = state.mesh.grid;
-  const auto position = state.particles.template real<D>(fields::position);
-  const auto body = state.particles.integer(fields::body);
-  std::vector<double> count(state.bodies.info.size(), 0.0);
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    int node = 0;
-    for (int d = 0; d < D; ++d)
-      node += grid.stride[d] * static_cast<int>(grid.inCells(position(p, d), d));
-    const int row = graph_.rowOf(node);
-    if (row >= 0 && pieceOf[row] == piece)
-      count[body(p)] += 1.0;
-  }
-  owners_.ranks().sum(count.data(), static_cast<int>(count.size()));
-  const auto most = std::max_element(count.begin(), count.end());
-  return most == count.end() || *most == 0.0 ? "a part of a body"
-                                             : state.bodies.info[most - count.begin()].name;
+  const int body = bodyOfPiece(state, graph_, owners_, pieceOf, piece);
+  return body < 0 ? "a part of a body" : state.bodies.info[body].name;
 }
 
 template <int D>
-bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Values& r, double& removed) const
+bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Values& r) const
 {
   Kokkos::deep_copy(r, load_);
   std::vector<Vector<D>> now = position_;
@@ -182,7 +179,7 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
   {
     for (int k = 0; k < D * graph_.rows; ++k)
       now[k / D][k % D] += u(k);
-    removed = removeResultants(modes_, pieceOf_, now, mass_, owners_, r);
+    removeResultants(modes_, pieceOf_, now, mass_, owners_, r);
   }
   for (int k = 0; k < D * graph_.rows; ++k) // loads count once
     r(k) = owners_.owns(k / D) ? r(k) : 0.0;
@@ -240,13 +237,13 @@ bool NewtonStep<D>::assemble(const State<D>& state)
 }
 
 template <int D>
-void NewtonStep<D>::updateForces(const State<D>& state, double& removed)
+void NewtonStep<D>::updateForces(const State<D>& state)
 {
   bool changed = false;
   for (const auto& force : forces_)
     changed = force->update() || changed;
   if (owners_.ranks().max(changed ? 1.0 : 0.0) > 0.0)
-    residual(state, displacement_, residual_, removed);
+    residual(state, displacement_, residual_);
 }
 
 template <int D>
@@ -276,7 +273,7 @@ std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
   for (const RigidMode<D>& mode :
        freeModes<D>(apart_, piecesApart_, position_, mass_, held_, owners_, resisted))
     if (size[mode.piece] > (1 << D) && whole[mode.piece] == 0)
-      lines.insert("a part of " + bodyOf(state, apart_, mode.piece) + " " + mode.asText());
+      lines.insert("a part of " + nameOfBody(state, apart_, mode.piece) + " " + mode.asText());
   std::string all;
   for (const std::string& line : lines)
     all += (all.empty() ? "" : "; ") + line;
@@ -309,8 +306,7 @@ double NewtonStep<D>::norm(const Values& r, bool held) const
 }
 
 template <int D>
-bool NewtonStep<D>::search(const State<D>& state, const Values& change, double before, double enough,
-                           double& removed)
+bool NewtonStep<D>::search(const State<D>& state, const Values& change, double before, double enough)
 {
   const Values start("rhegma::equilibrium::start", displacement_.extent(0));
   Kokkos::deep_copy(start, displacement_);
@@ -319,7 +315,7 @@ bool NewtonStep<D>::search(const State<D>& state, const Values& change, double b
   {
     for (std::size_t i = 0; i < start.extent(0); ++i)
       displacement_(i) = start(i) + fraction * change(i);
-    if (!residual(state, displacement_, residual_, removed))
+    if (!residual(state, displacement_, residual_))
       continue;
     const double now = norm(residual_, false);
     if (now < before || now <= enough)
@@ -391,7 +387,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   const int n = D * graph_.rows;
   report.unsupportedLoad = takeLoads(state);
   Kokkos::deep_copy(displacement_, 0.0);
-  if (!residual(state, displacement_, residual_, report.removedFraction))
+  if (!residual(state, displacement_, residual_))
     return report;
   Values atStart("rhegma::equilibrium::atStart", n), change("rhegma::equilibrium::change", n);
   Kokkos::deep_copy(atStart, residual_);
@@ -422,7 +418,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     report.negativeEigenvalues = answer.negativeEigenvalues;
     // Before the supports have moved there is no residual to compare with.
     const double bound = moved ? std::numeric_limits<double>::infinity() : mostResidual(state, k, now);
-    if (!answer.solved || !search(state, change, bound, forceTolerance * forces, report.removedFraction))
+    if (!answer.solved || !search(state, change, bound, forceTolerance * forces))
     {
       report.converged = answer.solved && !moved && now <= roundingOfForces * forces;
       break;
@@ -430,17 +426,59 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     keeps = keepsStiffness(moved ? forces : now, norm(residual_, false), forces);
     moved = !supportsAreInPlace();
     keeps = keeps && !moved;
-    updateForces(state, report.removedFraction);
+    updateForces(state);
   }
   explain(state, report);
-  workOfSupports_ = 0.0;
-  for (int k = 0; k < n; ++k)
-  {
-    reaction_(k) = held_.is[k] != 0 ? -residual_(k) : 0.0;
-    workOfSupports_ -=
-        held_.is[k] != 0 && owners_.owns(k / D) ? 0.5 * (residual_(k) + atStart(k)) * displacement_(k) : 0.0;
-  }
+  report.freePieces = freePieces(state, report.converged);
+  findWork(atStart, forcesOfStart(state, atStart));
   return report;
+}
+
+template <int D>
+std::vector<FreePiece> NewtonStep<D>::freePieces(const State<D>& state, bool converged) const
+{
+  std::vector<Vector<D>> now = position_;
+  for (int k = 0; k < D * graph_.rows && converged; ++k)
+    now[k / D][k % D] += displacement_(k);
+  if (solidPieces_ == 0)
+    return findFreePieces(state, graph_, owners_, pieceOf_, modes_, now, mass_, load_);
+  const auto modes = freeModes<D>(solid_, solidPieces_, position_, mass_, held_, owners_);
+  return findFreePieces(state, graph_, owners_, solid_, modes, now, mass_, load_);
+}
+
+template <int D>
+Values NewtonStep<D>::forcesOfStart(const State<D>& state, const Values& atStart) const
+{
+  const Values minusStored("rhegma::equilibrium::stored", D * graph_.rows);
+  if (state.materials.thermo.empty())
+    return minusStored;
+  const Values none("rhegma::equilibrium::none", D * graph_.rows),
+      minusLaw("rhegma::equilibrium::law", D * graph_.rows);
+  subtractStoredForce(state, graph_, minusStored);
+  subtractInternalForce(state, graph_, none, minusLaw);
+  addOverRanks(state, graph_, minusStored);
+  addOverRanks(state, graph_, minusLaw);
+  for (int k = 0; k < D * graph_.rows; ++k)
+  {
+    atStart(k) += minusStored(k) - minusLaw(k);
+    minusStored(k) = -minusStored(k);
+  }
+  return minusStored;
+}
+
+template <int D>
+void NewtonStep<D>::findWork(const Values& atStart, const Values& ofStress)
+{
+  workOfSupports_ = workOfStart_ = 0.0;
+  for (int k = 0; k < D * graph_.rows; ++k)
+  {
+    const bool held = held_.is[k] != 0;
+    reaction_(k) = held ? -residual_(k) : 0.0;
+    if (!owners_.owns(k / D))
+      continue;
+    workOfSupports_ -= held ? 0.5 * (residual_(k) + atStart(k)) * displacement_(k) : 0.0;
+    workOfStart_ += held ? 0.0 : 0.5 * ofStress(k) * displacement_(k);
+  }
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 #pragma once
 /// Newton's method for the displacement of a step of equilibrium.
 
+#include "equilibrium/FreePieces.hpp"
 #include "equilibrium/GhostPenalty.hpp"
 #include "equilibrium/LinearSystem.hpp"
 #include "equilibrium/RigidModes.hpp"
@@ -21,15 +22,23 @@ constexpr int mostIterations = 20;
 struct StepReport
 {
   bool converged = false;
-  std::vector<double> residuals; ///< before each iteration and after the last, as fractions of the forces
-  int linearIterations = 0;      ///< of all linear solves
-  int negativeEigenvalues = 0;   ///< of the last matrix, where it was factorised
-  double removedFraction = 0.0;  ///< of the loads, balanced by uniform acceleration
+  std::vector<double> residuals;     ///< before each iteration and after the last, as fractions of the forces
+  int linearIterations = 0;          ///< of all linear solves
+  int negativeEigenvalues = 0;       ///< of the last matrix, where it was factorised
+  std::vector<FreePiece> freePieces; ///< whose loads inertia forces have balanced, if they do not balance
   double forces = 0.0; ///< largest norm so far of loads, forces of supports or forces out of balance at the
                        ///< start of a step [N]
   double unsupportedLoad = 0.0; ///< sum of the loads on pieces that are held as nothing supports them [N]
   std::string freeMotion;       ///< of pieces that only forces of the step hold; else empty
   std::string reason;           ///< what keeps it from equilibrium, where that is known; else empty
+};
+
+/// What couples rows.
+enum class Couplings
+{
+  All,
+  WithoutJoins, ///< of forces of the step that join pieces
+  OfMaterial    ///< that bears loads: neither by the ghost penalty nor by particles that hardly reach a node
 };
 
 /// Whose stiffness is assembled.
@@ -61,7 +70,7 @@ public:
   double matrixEntries() const { return static_cast<double>(D) * D * graph_.column.extent(0); }
   const std::vector<RigidMode<D>>& freeMotions() const { return modes_; }
   /// Name of the body that has most of a piece.
-  std::string bodyOf(const State<D>& state, int piece) const { return bodyOf(state, pieceOf_, piece); }
+  std::string bodyOf(const State<D>& state, int piece) const { return nameOfBody(state, pieceOf_, piece); }
   /// Fields of all ranks that hang on nothing, and stay where they are.
   int unsupportedFields() const { return unsupportedFields_; }
 
@@ -76,23 +85,37 @@ public:
   /// Work of the supports over the step [J], and energy of the ghost penalty: this rank's part.
   double workOfSupports() const { return workOfSupports_; }
   double ghostEnergy() const;
+  /// Half of the work that forces of the stress at the start of a step with heat do on all that is not held
+  /// [J]: this rank's part. In the first step that is what a body whose stress is out of balance, such as
+  /// that of a misfit of temperatures, releases (negative) until it is in equilibrium: all of it where forces
+  /// rise in proportion to displacements.
+  double workOfStart() const { return workOfStart_; }
   const RowGraph& graph() const { return graph_; }
 
 private:
-  std::string bodyOf(const State<D>& state, const std::vector<int>& pieceOf, int piece) const;
-  /// Couples the rows of ghost penalty and forces. \param joining whether forces that join pieces count
-  void connect(const State<D>& state, const std::vector<Groups>& groups, bool joining, RowGraph& graph) const;
+  std::string nameOfBody(const State<D>& state, const std::vector<int>& pieceOf, int piece) const;
+  /// Couples the rows of ghost penalty and forces.
+  void connect(const State<D>& state, const std::vector<Groups>& groups, Couplings couplings,
+               RowGraph& graph) const;
+  /// The pieces that can move freely, once cracks have grown also those that no material holds.
+  /// \param converged whether the displacement is an equilibrium
+  std::vector<FreePiece> freePieces(const State<D>& state, bool converged) const;
   void findFreeMotions();
   std::vector<char> piecesThatResistRotation(int pieces) const;
   /// Forces minus resistance at a trial displacement. \return false, on all ranks, where a particle is
   /// inverted
-  bool residual(const State<D>& state, const Values& u, const Values& r, double& removed) const;
+  bool residual(const State<D>& state, const Values& u, const Values& r) const;
   /// \return whether the stiffness is that of a trial displacement that exists, on all ranks
   bool assemble(const State<D>& state);
+  /// Forces of the stress at the start of the step; zero without heat. \param atStart residual there, which
+  /// becomes that with this stress: the temperatures of a step change during the step, not before it
+  Values forcesOfStart(const State<D>& state, const Values& atStart) const;
+  /// Reactions and work of supports. \param ofStress as from `forcesOfStart`
+  void findWork(const Values& atStart, const Values& ofStress);
   /// Takes the nodal forces of the state as loads. \return sum of those on unsupported pieces [N]
   double takeLoads(const State<D>& state);
   /// Lets the step's forces learn from an accepted displacement, and finds the residual that then remains.
-  void updateForces(const State<D>& state, double& removed);
+  void updateForces(const State<D>& state);
   /// Which pieces are no larger with the forces of the step that join pieces.
   std::vector<int> piecesThatStayWhole() const;
   /// Free motions of pieces that forces of the step join, as they are now, as a message; empty if none. Free
@@ -115,7 +138,7 @@ private:
   /// Part of a residual on unknowns of all ranks that are held (true) or free (false), as 2-norm.
   double norm(const Values& r, bool held) const;
   /// Moves along the change, halving it until the residual falls. \return false where it does not
-  bool search(const State<D>& state, const Values& change, double before, double enough, double& removed);
+  bool search(const State<D>& state, const Values& change, double before, double enough);
 
   RowGraph graph_;
   RowOwners owners_;
@@ -133,11 +156,13 @@ private:
   std::vector<int>
       apart_; ///< piece of each row, without the forces that join pieces; empty if there are none
   int piecesApart_ = 0;
+  std::vector<int> solid_; ///< piece of each row by Couplings::OfMaterial, once cracks have grown; else empty
+  int solidPieces_ = 0;
   bool symmetric_ = true; ///< the stiffness
   std::shared_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;
   Values load_, displacement_, residual_, reaction_;
-  double workOfSupports_ = 0.0;
+  double workOfSupports_ = 0.0, workOfStart_ = 0.0;
 };
 
 } // namespace Rhegma::equilibrium

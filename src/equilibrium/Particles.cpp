@@ -129,6 +129,33 @@ struct ForceBlock
 };
 
 template <int D, class Connect>
+struct StoredForceBlock
+{
+  Connect connect;
+  ParticleData<D> data; ///< without a displacement
+  BorrowedView<double * [symmetricSize<D>]> stress;
+  Values force;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    for (int p = begin; p < end; ++p)
+    {
+      RowsOfParticle<D, typename Connect::Slopes> rows;
+      double G[D * D];
+      data.see(connect, p, rows, G);
+      for (int a = 0; a < rows.count; ++a)
+        for (int i = 0; i < D; ++i)
+        {
+          double f = 0.0;
+          for (int j = 0; j < D; ++j)
+            f += stress(p, symmetricIndex<D>(i, j)) * rows.slopes(a)(i, j);
+          force(D * rows.row[a] + i) -= data.volume(p) * f;
+        }
+    }
+  }
+};
+
+template <int D, class Connect>
 struct StiffnessBlock
 {
   Connect connect;
@@ -212,6 +239,22 @@ bool addStiffness(const State<D>& state, const RowGraph& graph, const Values& di
   return onHost(data.bad)() == 0;
 }
 
+template <int D>
+void subtractStoredForce(const State<D>& state, const RowGraph& graph, const Values& force)
+{
+  const ParticleData<D> data(state, graph, Values("rhegma::equilibrium::none", D * graph.rows));
+  const auto stress = state.particles.template real<symmetricSize<D>>(fields::stress);
+  withStraining(state,
+                [&](const auto& connect)
+                {
+                  using Connect = std::decay_t<decltype(connect)>;
+                  forEachBlock("rhegma::equilibrium::storedForce", state.mesh.blocks,
+                               StoredForceBlock<D, Connect>{connect, data, stress, force});
+                });
+}
+
+template void subtractStoredForce(const State<2>&, const RowGraph&, const Values&);
+template void subtractStoredForce(const State<3>&, const RowGraph&, const Values&);
 template bool subtractInternalForce(const State<2>&, const RowGraph&, const Values&, const Values&);
 template bool subtractInternalForce(const State<3>&, const RowGraph&, const Values&, const Values&);
 template bool addStiffness(const State<2>&, const RowGraph&, const Values&, const ClippedBoxes<2>&,

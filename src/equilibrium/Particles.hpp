@@ -15,6 +15,11 @@ template <int D>
 bool subtractInternalForce(const State<D>& state, const RowGraph& graph, const Values& displacement,
                            const Values& force);
 
+/// force -= internal forces of the stress that the particles have before the step [N], which is not that of
+/// the law where temperatures have changed since.
+template <int D>
+void subtractStoredForce(const State<D>& state, const RowGraph& graph, const Values& force);
+
 /// Blocks of D x D numbers for each entry of RowGraph::column: the derivative of the internal forces [N/m].
 using StiffnessBlocks = View<double*>;
 

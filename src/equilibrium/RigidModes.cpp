@@ -1,5 +1,7 @@
 #include "equilibrium/RigidModes.hpp"
 
+#include "base/ShortNumber.hpp"
+
 #include <Teuchos_LAPACK.hpp>
 #include <Teuchos_SerialDenseMatrix.hpp>
 #include <Teuchos_SerialDenseSolver.hpp>
@@ -16,6 +18,9 @@ namespace
 /// Part of the largest eigenvalue of the supports' matrix below which a motion counts as free: a support one
 /// thousandth of the body's size away from the axis still holds a rotation.
 constexpr double leastHold = 1e-9;
+
+/// Motion of a node, of a motion of length one, that is rounding: loads on an axis have no moment about it.
+constexpr double roundingOfArm = 1e-6;
 
 /// Fraction of a piece's heaviest node from which a node may hold the piece.
 constexpr double leastHeldMass = 0.1;
@@ -104,6 +109,74 @@ UnknownAt<D> largestOfRanks(const Ranks& ranks, double value, const UnknownAt<D>
   return all;
 }
 
+/// The free motions of one piece, what forces do on them, and the accelerations that follow.
+template <int D>
+struct ModesOfPiece
+{
+  static constexpr int most = rigidMotions<D>;
+  const std::vector<RigidMode<D>>& modes;
+  std::size_t first, last;
+  double resultant[most] = {}, acceleration[most] = {};
+
+  /// Collective. \param from index of the first mode of the piece
+  ModesOfPiece(const std::vector<RigidMode<D>>& all, std::size_t from, const std::vector<int>& pieceOf,
+               const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+               const RowOwners& owners, const View<double*>& force)
+      : modes(all), first(from), last(from)
+  {
+    while (last < modes.size() && modes[last].piece == modes[first].piece)
+      ++last;
+    const int n = static_cast<int>(last - first);
+    double sums[most * most + most] = {}; // inertia, resultant
+    for (std::size_t r = 0; r < pieceOf.size(); ++r)
+      for (int a = 0; a < n && pieceOf[r] == modes[first].piece && owners.owns(static_cast<int>(r)); ++a)
+      {
+        const Vector<D> u = modes[first + a].at(position[r]);
+        for (int b = 0; b < n; ++b)
+          sums[most * a + b] += mass[r] * dot(u, modes[first + b].at(position[r]));
+        for (int d = 0; d < D; ++d)
+          sums[most * most + a] += u[d] * force(D * r + d);
+      }
+    owners.ranks().sum(sums, most * most + most);
+    Teuchos::SerialDenseMatrix<int, double> inertia(n, n), right(n, 1), left(n, 1);
+    for (int k = 0; k < n * n; ++k)
+      inertia(k / n, k % n) = sums[most * (k / n) + k % n];
+    std::copy_n(sums + most * most, n, resultant);
+    std::copy_n(resultant, n, right.values());
+    Teuchos::SerialDenseSolver<int, double> solver;
+    solver.setMatrix(Teuchos::rcpFromRef(inertia));
+    solver.setVectors(Teuchos::rcpFromRef(left), Teuchos::rcpFromRef(right));
+    solver.factorWithEquilibration(true); // masses and moments of inertia are of different size
+    solver.solve();
+    std::copy_n(left.values(), n, acceleration);
+  }
+
+  /// Inertia force on a mass at a position [N].
+  Vector<D> inertia(const Vector<D>& at, double mass) const
+  {
+    Vector<D> sum{};
+    for (std::size_t a = first; a < last; ++a)
+      sum = sum + (mass * acceleration[a - first]) * modes[a].at(at);
+    return sum;
+  }
+
+  /// Force along the translations [N], or moment about the axes of the other modes [N m]: a mode does work on
+  /// it by its rotation, the norm of its coefficients over the size of the piece.
+  double resultantOf(bool turning) const
+  {
+    double square = 0.0;
+    for (std::size_t a = first; a < last; ++a)
+      if (modes[a].turns() == turning)
+      {
+        const double* const c = modes[a].coefficient + (turning ? D : 0);
+        const double rate = std::sqrt(std::inner_product(c, c + (turning ? most - D : D), c, 0.0)) /
+                            (turning ? modes[a].size : 1.0);
+        square += std::pow(resultant[a - first] / rate, 2);
+      }
+    return std::sqrt(square);
+  }
+};
+
 } // namespace
 
 template <int D>
@@ -169,69 +242,73 @@ std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
 }
 
 template <int D>
-double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
-                        const std::vector<Vector<D>>& position, const std::vector<double>& mass,
-                        const RowOwners& owners, const View<double*>& force)
+void removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
+                      const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                      const RowOwners& owners, const View<double*>& force)
 {
-  double largest = 0.0;
   for (std::size_t first = 0; first < modes.size();)
   {
-    std::size_t last = first;
-    while (last < modes.size() && modes[last].piece == modes[first].piece)
-      ++last;
-    const int n = static_cast<int>(last - first);
-    Teuchos::SerialDenseMatrix<int, double> inertia(n, n), resultant(n, 1), acceleration(n, 1);
-    constexpr int most = rigidMotions<D>, sizeAt = most * most + most;
-    double sums[sizeAt + 1] = {}; // inertia, resultant, size
-    const auto forRows = [&](const auto& use)
-    {
-      for (std::size_t r = 0; r < pieceOf.size(); ++r)
-        if (pieceOf[r] == modes[first].piece)
-          use(r, owners.owns(static_cast<int>(r)));
-    };
-    forRows(
-        [&](std::size_t r, bool own)
-        {
-          for (int a = 0; a < n && own; ++a)
-          {
-            const Vector<D> u = modes[first + a].at(position[r]);
-            for (int b = 0; b < n; ++b)
-              sums[most * a + b] += mass[r] * dot(u, modes[first + b].at(position[r]));
-            for (int d = 0; d < D; ++d)
-              sums[most * most + a] += u[d] * force(D * r + d);
-          }
-          for (int d = 0; d < D && own; ++d)
-            sums[sizeAt] += std::fabs(force(D * r + d));
-        });
-    owners.ranks().sum(sums, sizeAt + 1);
-    for (int k = 0; k < n * n; ++k)
-      inertia(k / n, k % n) = sums[most * (k / n) + k % n];
-    std::copy_n(sums + most * most, n, resultant.values());
-    Teuchos::SerialDenseSolver<int, double> solver;
-    solver.setMatrix(Teuchos::rcpFromRef(inertia));
-    solver.setVectors(Teuchos::rcpFromRef(acceleration), Teuchos::rcpFromRef(resultant));
-    solver.factorWithEquilibration(true); // masses and moments of inertia are of different size
-    solver.solve();
-    double taken = 0.0;
-    forRows(
-        [&](std::size_t r, bool own)
-        {
-          for (int a = 0; a < n; ++a)
-          {
-            const Vector<D> u = modes[first + a].at(position[r]);
-            for (int d = 0; d < D; ++d)
-            {
-              const double part = mass[r] * acceleration(a, 0) * u[d];
-              force(D * r + d) -= part;
-              taken += own ? std::fabs(part) : 0.0;
-            }
-          }
-        });
-    taken = owners.ranks().sum(taken);
-    largest = sums[sizeAt] > 0.0 ? std::max(largest, taken / sums[sizeAt]) : largest;
-    first = last;
+    const ModesOfPiece<D> of(modes, first, pieceOf, position, mass, owners, force);
+    for (std::size_t r = 0; r < pieceOf.size(); ++r)
+      if (pieceOf[r] == modes[first].piece)
+      {
+        const Vector<D> taken = of.inertia(position[r], mass[r]);
+        for (int d = 0; d < D; ++d)
+          force(D * r + d) -= taken[d];
+      }
+    first = of.last;
   }
-  return largest;
+}
+
+template <int D>
+std::vector<Imbalance> findImbalances(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
+                                      const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                                      const RowOwners& owners, const View<double*>& force)
+{
+  std::vector<Imbalance> all;
+  for (std::size_t first = 0; first < modes.size();)
+  {
+    const ModesOfPiece<D> of(modes, first, pieceOf, position, mass, owners, force);
+    double most[ModesOfPiece<D>::most] = {};
+    for (std::size_t r = 0; r < pieceOf.size(); ++r)
+      if (pieceOf[r] == modes[first].piece && owners.owns(static_cast<int>(r)))
+        for (std::size_t a = first; a < of.last; ++a)
+        {
+          double square = 0.0;
+          for (int d = 0; d < D; ++d)
+            square += force(D * r + d) * force(D * r + d);
+          most[a - first] += std::sqrt(square) * (norm(modes[a].at(position[r])) + roundingOfArm);
+        }
+    owners.ranks().sum(most, ModesOfPiece<D>::most);
+    Imbalance one;
+    one.piece = modes[first].piece;
+    one.force = of.resultantOf(false);
+    one.moment = of.resultantOf(true);
+    for (std::size_t a = first; a < of.last; ++a)
+    {
+      double& fraction = modes[a].turns() ? one.fractionOfMoment : one.fractionOfForce;
+      if (most[a - first] > 0.0)
+        fraction = std::max(fraction, std::fabs(of.resultant[a - first]) / most[a - first]);
+    }
+    all.push_back(one);
+    first = of.last;
+  }
+  return all;
+}
+
+std::string Imbalance::asText(double least) const
+{
+  const auto part = [](const char* what, double size, const char* unit, double fraction)
+  {
+    return std::string(what) + formatShort(size) + unit + " (" + formatShort(100.0 * fraction) +
+           " % of the loads)";
+  };
+  std::string text;
+  if (fractionOfForce >= least)
+    text = part("a force of ", force, " N", fractionOfForce);
+  if (fractionOfMoment >= least)
+    text += (text.empty() ? "" : " and ") + part("a moment of ", moment, " N m", fractionOfMoment);
+  return text;
 }
 
 template struct RigidMode<2>;
@@ -282,13 +359,19 @@ template std::vector<RigidMode<2>> freeModes(const std::vector<int>&, int, const
 template std::vector<RigidMode<3>> freeModes(const std::vector<int>&, int, const std::vector<Vector<3>>&,
                                              const std::vector<double>&, const Held&, const RowOwners&,
                                              const std::vector<HeldDirection<3>>&);
-template double removeResultants(const std::vector<RigidMode<2>>&, const std::vector<int>&,
-                                 const std::vector<Vector<2>>&, const std::vector<double>&, const RowOwners&,
-                                 const View<double*>&);
-template double removeResultants(const std::vector<RigidMode<3>>&, const std::vector<int>&,
-                                 const std::vector<Vector<3>>&, const std::vector<double>&, const RowOwners&,
-                                 const View<double*>&);
+template void removeResultants(const std::vector<RigidMode<2>>&, const std::vector<int>&,
+                               const std::vector<Vector<2>>&, const std::vector<double>&, const RowOwners&,
+                               const View<double*>&);
+template void removeResultants(const std::vector<RigidMode<3>>&, const std::vector<int>&,
+                               const std::vector<Vector<3>>&, const std::vector<double>&, const RowOwners&,
+                               const View<double*>&);
 
+template std::vector<Imbalance> findImbalances(const std::vector<RigidMode<2>>&, const std::vector<int>&,
+                                               const std::vector<Vector<2>>&, const std::vector<double>&,
+                                               const RowOwners&, const View<double*>&);
+template std::vector<Imbalance> findImbalances(const std::vector<RigidMode<3>>&, const std::vector<int>&,
+                                               const std::vector<Vector<3>>&, const std::vector<double>&,
+                                               const RowOwners&, const View<double*>&);
 template std::vector<int> unknownsOfMotions(const std::vector<RigidMode<2>>&, const std::vector<int>&,
                                             const std::vector<Vector<2>>&, const std::vector<double>&,
                                             const RowOwners&);

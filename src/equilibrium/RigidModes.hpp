@@ -4,6 +4,7 @@
 #include "equilibrium/RowOwners.hpp"
 #include "state/StepForce.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace Rhegma::equilibrium
@@ -65,12 +66,33 @@ std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
                                     const std::vector<HeldDirection<D>>& resisted = {});
 
 /// Takes from forces what would accelerate free pieces: f -= M R (R^T M R)^-1 R^T f, R the modes at the
-/// current positions. Collective. \param force on all rows, the same on all ranks that have one \return the
-/// largest fraction of a force that was taken
+/// current positions. Collective. \param force on all rows, the same on all ranks that have one
 template <int D>
-double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
-                        const std::vector<Vector<D>>& position, const std::vector<double>& mass,
-                        const RowOwners& owners, const View<double*>& force);
+void removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
+                      const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                      const RowOwners& owners, const View<double*>& force);
+
+/// What of the loads on a free piece does not balance: the resultants that accelerate it. Fractions are the
+/// largest of those of each free motion: the work of the loads on it over the sum of |load| |motion|, with
+/// which none of them would balance another.
+struct Imbalance
+{
+  int piece = 0;
+  double force = 0.0;  ///< along the free translations [N]
+  double moment = 0.0; ///< about the axes of the free rotations [N m]
+  double fractionOfForce = 0.0, fractionOfMoment = 0.0;
+
+  double fraction() const { return std::max(fractionOfForce, fractionOfMoment); }
+  /// Such as "a moment of 3 N m (12 % of the loads)". \param least fraction from which one is named
+  std::string asText(double least) const;
+};
+
+/// Imbalance of the loads on each piece that has a free motion. Collective. \param force as for
+/// `removeResultants`
+template <int D>
+std::vector<Imbalance> findImbalances(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
+                                      const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                                      const RowOwners& owners, const View<double*>& force);
 
 /// As many unknowns (D * row + axis) as there are modes, which prevent the motions of their pieces when held.
 /// Nodes that a piece hardly touches are not among them. Collective. \return those that this rank has

@@ -14,9 +14,9 @@ namespace
 {
 
 /// Calls use(rows) with the sorted rows of each particle's nodes, where they differ from those of the
-/// particles just before it.
+/// particles just before it. \param least slope, as for `connectRows`
 template <int D, class Use>
-void forEachStencil(const State<D>& state, const ClippedBoxes<D>& boxes, const Use& use)
+void forEachStencil(const State<D>& state, const ClippedBoxes<D>& boxes, double least, const Use& use)
 {
   constexpr int remembered = 8;
   withStraining(state,
@@ -28,13 +28,14 @@ void forEachStencil(const State<D>& state, const ClippedBoxes<D>& boxes, const U
                   for (int p = 0; p < state.particles.size(); ++p)
                   {
                     nodes.clear();
-                    connect.visitStraining(
-                        p,
-                        [&](int node, double weight, const auto& slopes)
-                        {
-                          if (counts(weight, slopes.of, slopes.size, state.mesh.grid.spacing))
-                            nodes.push_back(node);
-                        });
+                    connect.visitStraining(p,
+                                           [&](int node, double weight, const auto& slopes)
+                                           {
+                                             const double edge = state.mesh.grid.spacing;
+                                             if (counts(weight, slopes.of, slopes.size, edge) &&
+                                                 largestSlope(slopes.of, slopes.size, edge) >= least)
+                                               nodes.push_back(node);
+                                           });
                     std::sort(nodes.begin(), nodes.end());
                     if (std::find(last, last + remembered, nodes) != last + remembered)
                       continue;
@@ -68,7 +69,7 @@ RowGraph numberRows(const State<D>& state)
   const int nodes = static_cast<int>(state.mesh.nodes.sums.extent(0));
   graph.rowOf = View<int*>("rhegma::rowOfNode", nodes);
   const View<double*> used("rhegma::usedNodes", nodes);
-  forEachStencil(state, ClippedBoxes<D>(),
+  forEachStencil(state, ClippedBoxes<D>(), 0.0,
                  [&](const std::vector<int>& of)
                  {
                    for (const int n : of)
@@ -88,11 +89,11 @@ RowGraph numberRows(const State<D>& state)
 
 template <int D>
 void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes,
-                 const RowOwners& owners, RowGraph& graph)
+                 const RowOwners& owners, RowGraph& graph, double least)
 {
   std::vector<std::vector<int>> coupled(graph.rows);
   std::vector<int> rows;
-  forEachStencil(state, boxes,
+  forEachStencil(state, boxes, least,
                  [&](const std::vector<int>& nodes)
                  {
                    rows.clear();
@@ -185,10 +186,10 @@ Held findHeld(const State<D>& state, const RowGraph& graph)
 
 template RowGraph numberRows(const State<2>&);
 template RowGraph numberRows(const State<3>&);
-template void connectRows(const State<2>&, const Groups&, const ClippedBoxes<2>&, const RowOwners&,
-                          RowGraph&);
-template void connectRows(const State<3>&, const Groups&, const ClippedBoxes<3>&, const RowOwners&,
-                          RowGraph&);
+template void connectRows(const State<2>&, const Groups&, const ClippedBoxes<2>&, const RowOwners&, RowGraph&,
+                          double);
+template void connectRows(const State<3>&, const Groups&, const ClippedBoxes<3>&, const RowOwners&, RowGraph&,
+                          double);
 template std::vector<Vector<2>> rowPositions(const State<2>&, const RowGraph&);
 template std::vector<Vector<3>> rowPositions(const State<3>&, const RowGraph&);
 template std::vector<double> rowMasses(const State<2>&, const RowGraph&);

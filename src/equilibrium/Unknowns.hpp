@@ -23,6 +23,15 @@ KOKKOS_INLINE_FUNCTION bool counts(double weight, const double* slopes, int numS
   return found;
 }
 
+/// Largest slope of a node in a particle's stencil, times the edge of the cells [-].
+KOKKOS_INLINE_FUNCTION double largestSlope(const double* slopes, int numSlopes, double spacing)
+{
+  double largest = 0.0;
+  for (int k = 0; k < numSlopes; ++k)
+    largest = std::fmax(largest, std::fabs(slopes[k]) * spacing);
+  return largest;
+}
+
 /// Rows, one for each field of a node that some particle sees, in the order of the nodes' numbers; and which
 /// rows are coupled.
 struct RowGraph
@@ -61,10 +70,11 @@ RowGraph numberRows(const State<D>& state);
 
 /// Finds the coupled rows: those of all ranks for rows of this rank, for others those of this rank's
 /// particles and groups. Collective. \param groups further ones \param boxes in place of those of the
-/// particles, if any
+/// particles, if any \param least slope of a particle's node, times the edge of the cells, from which on the
+/// particle couples its row
 template <int D>
 void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes,
-                 const RowOwners& owners, RowGraph& graph);
+                 const RowOwners& owners, RowGraph& graph, double least = 0.0);
 
 /// Pieces: rows of all ranks that are coupled directly or through others. Collective. \return the piece of
 /// each row, and their number

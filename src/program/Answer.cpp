@@ -82,12 +82,22 @@ std::string otherEnergies(const nlohmann::json& energy, double given)
   return text;
 }
 
+/// Whether cracks have grown unstably under given loads in equilibrium.
+bool isUnstableGrowth(const nlohmann::json& summary)
+{
+  const nlohmann::json growth = summary.value("propagation", nlohmann::json::object());
+  const nlohmann::json from = growth.value("unstable_from", nlohmann::json());
+  return from.is_object() && !from.contains("load_factor");
+}
+
 /// What the energy balance does not account for, of its largest term.
 std::string energyBalance(const nlohmann::json& summary)
 {
   const nlohmann::json energy = summary.value("energy", nlohmann::json::object());
   if (!energy.contains("residual"))
     return {};
+  if (!summary.value("equilibrium", nlohmann::json::object()).value("last_step_complete", true))
+    return "energy balance: not given, as the run stopped within a load step, which has no equilibrium";
   double given = 0.0;
   for (const auto& [name, value] : energy.items())
     if (isEnergy(name, value) && name != "residual")
@@ -105,7 +115,10 @@ std::string energyBalance(const nlohmann::json& summary)
          readableEnergy(numberOrZero(energy, "fracture")) + otherEnergies(energy, given) +
          (start > rounding * given ? ", stored at the start " + readableEnergy(start) : std::string()) +
          "; not accounted for " + readableEnergy(residual) + " (" +
-         formatShort(100.0 * std::fabs(residual) / given) + " % of the largest of these)";
+         formatShort(100.0 * std::fabs(residual) / given) + " % of the largest of these)" +
+         (isUnstableGrowth(summary) ? "; this includes what unstable growth of cracks under given loads "
+                                      "releases above the toughness; it would become motion"
+                                    : "");
 }
 
 /// Warnings that are named, and the longest name [characters].

@@ -52,6 +52,12 @@ std::vector<Point> pathOf(const HistoryColumns& history, const std::string& fron
     for (std::size_t k = 0; k < path.size(); ++k)
       path[k].push_back(column->second[k]);
   }
+  // Rows of a history may lack a position.
+  path.erase(
+      std::remove_if(path.begin(), path.end(),
+                     [](const Point& x)
+                     { return !std::all_of(x.begin(), x.end(), [](double c) { return std::isfinite(c); }); }),
+      path.end());
   return path;
 }
 
@@ -251,7 +257,8 @@ std::string orderText(const json& answer)
 
 std::string cellText(const json& value)
 {
-  if (value.is_number())
+  if (value.is_number() &&
+      std::isfinite(value.get<double>())) // a run may have too few increments for an answer
     return formatShort(value.get<double>());
   return value.is_string() ? value.get<std::string>() : "-";
 }

@@ -8,10 +8,11 @@ namespace Rhegma
 /// heat + damped + plastic + contact + fracture + merged + stabilised - combustion.
 struct EnergyBalance
 {
-  double kinetic = 0.0;      ///< of the motion, now
-  double strain = 0.0;       ///< stored elastically, now
-  double start = 0.0;        ///< kinetic + strain + plastic when the run began
-  double thermal = 0.0;      ///< heat in the bodies, less that at the start
+  double kinetic = 0.0; ///< of the motion, now
+  double strain = 0.0;  ///< stored elastically, now
+  double start = 0.0;   ///< kinetic + strain + plastic when the run began; in equilibrium less what stress
+                        ///< out of balance then releases in the first load step
+  double thermal = 0.0; ///< heat in the bodies, less that at the start
   double thermalStart = 0.0; ///< heat in the bodies when the run began
   double heat = 0.0;         ///< supplied through the surface, by sources or by crack fronts
   double roundOff = 0.0;     ///< estimated rounding error of the largest energies

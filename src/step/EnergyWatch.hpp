@@ -21,8 +21,8 @@ public:
   /// To be called with every sample of a run.
   void sample(const EnergyBalance& energy)
   {
-    given_ = std::max(given_, energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) +
-                                  std::fabs(energy.heat) + energy.roundOff);
+    given_ = std::max(given_, std::fabs(energy.start) + std::fabs(energy.externalWork) +
+                                  std::fabs(energy.combustion) + std::fabs(energy.heat) + energy.roundOff);
     residual_ = energy.residual();
     largest_ = std::max(largest_, residual_);
     bursts_ = residual_ > burst * given_ ? bursts_ + 1 : 0;
@@ -69,6 +69,23 @@ public:
       return "energy.residual: the run lost " + percent(-residual_) +
              " % of the energy supplied to the bodies; use smaller cells";
     return {};
+  }
+
+  /// The same for an analysis of equilibrium, of any number of steps: their work is taken as if forces rose
+  /// in proportion to displacements. \param grown whether cracks have grown under given loads
+  std::string warningInEquilibrium(bool grown) const
+  {
+    if (!(std::fabs(residual_) > noticeable * given_))
+      return {};
+    return "energy.residual: the energy balance of this analysis of equilibrium is open by " +
+           readableEnergy(residual_) + ", " + percent(std::fabs(residual_)) +
+           " % of the energy supplied to the bodies: " +
+           (grown ? "where G rises above the toughness in a load step, what is released above it is not "
+                    "dissipated by the crack, and would become motion; if growth is stable (propagation > "
+                    "unstable_from in summary.json is null), more Time > Load Steps reduce it"
+                  : "in a load step forces are taken to rise in proportion to displacements, which does not "
+                    "hold "
+                    "for plastic flow or large strain; use more Time > Load Steps");
   }
 
 private:

@@ -61,6 +61,32 @@ TEST(Answer, NamesAllTermsOfTheEnergyBalance)
             "these)");
 }
 
+/// Of a load step that is not in equilibrium the energies mean nothing.
+TEST(Answer, GivesNoEnergyBalanceOfALoadStepWithoutEquilibrium)
+{
+  json summary = finished(0);
+  summary["status"] = "the run stopped at t = 1 s";
+  summary["energy"] = {{"external_work", 4e3}, {"strain", 2.0}, {"kinetic", 0.0}, {"residual", -4e3}};
+  summary["equilibrium"] = {{"last_step_complete", false}};
+  EXPECT_EQ(answersOf(summary)[1],
+            "energy balance: not given, as the run stopped within a load step, which has no equilibrium");
+  summary["equilibrium"] = {{"last_step_complete", true}};
+  EXPECT_NE(answersOf(summary)[1].find("not accounted for -4 kJ"), std::string::npos);
+}
+
+/// Under given loads unstable growth releases more than the toughness takes; under a factor it does not.
+TEST(Answer, SaysWhatUnstableGrowthLeavesInTheEnergyBalance)
+{
+  json summary = finished(0);
+  summary["energy"] = {{"external_work", 4.0}, {"strain", 2.0}, {"kinetic", 0.0}, {"residual", -2.0}};
+  const std::string reason = "unstable growth of cracks under given loads";
+  EXPECT_EQ(answersOf(summary)[1].find(reason), std::string::npos);
+  summary["propagation"]["unstable_from"] = {{"new_area", 0.1}, {"time", 1.0}, {"load_factor", 0.5}};
+  EXPECT_EQ(answersOf(summary)[1].find(reason), std::string::npos);
+  summary["propagation"]["unstable_from"] = {{"new_area", 0.1}, {"time", 1.0}};
+  EXPECT_NE(answersOf(summary)[1].find(reason), std::string::npos);
+}
+
 /// Fronts that the cells have stopped come before what effects say; of a front with several nodes, how many
 /// of these.
 TEST(Answer, NamesFrontsThatTheCellsStopped)

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <unistd.h>
 
 namespace Rhegma::program
@@ -89,6 +90,26 @@ TEST(CompareRuns, DoesNotExtrapolateFromCellsThatAreTooLarge)
   EXPECT_NE(comparisonAsText(comparison)
                 .find("Verdict: not resolved: G_J of Notch.0 (moves by 33.33 %); use smaller cells\n"),
             std::string::npos);
+}
+
+/// A run of few increments has no speed, and rows of its history may have no position: neither is printed as
+/// a number.
+TEST(CompareRuns, AnswersThatARunDoesNotHaveAreNoNumbers)
+{
+  for (const bool isFirst : {true, false})
+  {
+    RunResults few = running(0.0, 0.1);
+    few.summary["cracks"][0]["fronts"][0]["settled_speed"] = nullptr;
+    for (const char* column : {"Notch.0.x", "Notch.0.y"})
+      few.history[column][3] = std::numeric_limits<double>::quiet_NaN();
+    const RunResults usual = running(0.0, 0.1);
+    const json comparison = isFirst ? compareRuns(few, usual) : compareRuns(usual, few);
+    const std::string text = comparisonAsText(comparison);
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    EXPECT_EQ(text.find("inf"), std::string::npos) << text;
+    EXPECT_NEAR(answer(comparison, "path of Notch.0")["cells"].get<double>(), 0.0, 1e-9);
+    EXPECT_FALSE(answer(comparison, "speed of Notch.0")["resolved"].get<bool>());
+  }
 }
 
 /// Over 0.1 m a path that rises by 0.32 of x ends 0.0305 m from the axis's direction, 3.05 cells; the axis

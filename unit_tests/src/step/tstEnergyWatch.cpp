@@ -84,6 +84,21 @@ TEST(EnergyWatch, IsSilentOnAFewSteps)
   EXPECT_EQ(watch.warning(false, 3), "");
 }
 
+/// A single load step that does too little work: 0.5 + 1.5 J were given.
+TEST(EnergyWatch, WarnsOfEquilibriaOfAnyNumberOfSteps)
+{
+  EnergyWatch open;
+  open.sample(holding(2.5));
+  EXPECT_NE(open.warningInEquilibrium(false).find("open by 500 mJ, 25 % of"), std::string::npos)
+      << open.warningInEquilibrium(false);
+  EXPECT_NE(open.warningInEquilibrium(false).find("more Time > Load Steps"), std::string::npos);
+  EXPECT_NE(open.warningInEquilibrium(true).find("above the toughness"), std::string::npos);
+  EnergyWatch closed;
+  closed.sample(holding(2.5));
+  closed.sample(holding(1.85));
+  EXPECT_EQ(closed.warningInEquilibrium(false), "") << "the last state counts";
+}
+
 /// Work that was done and recovered still counts for the comparison.
 TEST(EnergyWatch, RemembersTheMostThatWasGiven)
 {
