@@ -63,6 +63,15 @@ Messages judgeGrips(const JudgedScene<D>& judged);
 /// Supports that are faster than waves, and forces that a cell cannot bear.
 template <int D>
 Messages judgeFirstSteps(const JudgedScene<D>& judged);
+/// Supports that hold both faces of a crack.
+template <int D>
+Messages judgeMouths(const JudgedScene<D>& judged);
+/// Bodies that cracks cut in pieces at the start of a dynamic run, one of which no support holds.
+template <int D>
+Messages judgeSevered(const JudgedScene<D>& judged);
+/// Supports that move both ends of a body alike, and values along axes that a support leaves free.
+template <int D>
+Messages judgeCarried(const JudgedScene<D>& judged);
 /// Bodies that fly away under a load that nothing balances.
 template <int D>
 Messages judgeFlight(const JudgedScene<D>& judged);
