@@ -61,7 +61,7 @@ Messages judgePieces(const JudgedScene<D>& judged)
   if (std::count(wanted.begin(), wanted.end(), 1) == 0)
     return messages;
   const std::vector<BoundaryRegion> supports = supportRegions(judged.scene);
-  const std::vector<Grains<D>> grains = grainsOf(judged.state, wanted, false);
+  const std::vector<Grains<D>> grains = grainsOf(judged.state, wanted);
   const double cell = judged.state.mesh.grid.spacing;
   for (std::size_t b = 0; b < grains.size(); ++b)
   {

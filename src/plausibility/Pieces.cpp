@@ -10,13 +10,12 @@ namespace Rhegma
 {
 
 template <int D>
-std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& wanted, bool sides)
+std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& wanted)
 {
   const auto body = onHost(state.particles.integer(fields::body));
   const auto x = onHost(state.particles.template real<D>(fields::position));
   const auto edge = onHost(state.particles.template real<D>(fields::edge));
   const auto mass = onHost(state.particles.scalar(fields::mass));
-  const auto side = onHost(state.particles.integer(sides ? fields::side : fields::body));
   std::vector<Grains<D>> grains(wanted.size());
   for (int p = 0; p < state.particles.size(); ++p)
   {
@@ -32,18 +31,16 @@ std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& 
     own.position.push_back(at);
     own.box.push_back(box);
     own.mass.push_back(mass(p));
-    if (sides)
-      own.side.push_back(side(p));
   }
   return grains;
 }
 
 template <int D>
-Pieces<D>::Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach)
+Pieces<D>::Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach, const CrackWalls<D>* walls)
     : reach_(reach), edge_(body.edge)
 {
-  place(grains, body);
-  fill();
+  place(grains, body, walls);
+  fill(grains, walls);
   for (std::size_t p = 0; p < grains.position.size(); ++p)
   {
     Piece<D>& piece = all_[of(p)];
@@ -61,8 +58,19 @@ const Piece<D>& Pieces<D>::smallest() const
 }
 
 template <int D>
-void Pieces<D>::place(const Grains<D>& grains, const BodyInfo<D>& body)
+std::set<int> Pieces<D>::cutters() const
 {
+  std::set<int> cracks;
+  for (const Wall& wall : walls_)
+    if (group_[wall.one].piece != group_[wall.other].piece)
+      cracks.insert(wall.crack);
+  return cracks;
+}
+
+template <int D>
+void Pieces<D>::place(const Grains<D>& grains, const BodyInfo<D>& body, const CrackWalls<D>* walls)
+{
+  const double near = 2.0 * reach_ * *std::max_element(edge_.c, edge_.c + D);
   std::vector<std::array<long long, D>> cells(grains.position.size());
   std::array<long long, D> low, high;
   low.fill(std::numeric_limits<long long>::max());
@@ -90,50 +98,60 @@ void Pieces<D>::place(const Grains<D>& grains, const BodyInfo<D>& body)
     long long cell = 0;
     for (int d = D - 1; d >= 0; --d)
       cell = cell * count_[d] + cells[p][d] - low[d];
-    addToCell(cell, grains.side.empty() ? 0 : grains.side[p]);
+    addToCell(cell, walls != nullptr && walls->isNear(grains.position[p], near) ? static_cast<int>(p) : -1);
   }
 }
 
 template <int D>
-void Pieces<D>::addToCell(long long cell, int side)
+void Pieces<D>::addToCell(long long cell, int particle)
 {
   int group = first_[cell];
-  while (group >= 0 && group_[group].side != side)
+  while (group >= 0 && group_[group].particle != particle)
     group = group_[group].next;
   if (group < 0)
   {
     group = static_cast<int>(group_.size());
-    group_.push_back({side, -1, first_[cell], cell});
+    group_.push_back({particle, -1, first_[cell], cell});
     first_[cell] = group;
   }
   groupOf_.push_back(group);
 }
 
 template <int D>
-void Pieces<D>::fill()
+void Pieces<D>::fill(const Grains<D>& grains, const CrackWalls<D>* walls)
 {
+  const auto crackBetween = [&](const Group& one, const Group& other)
+  {
+    return one.particle < 0 || other.particle < 0
+               ? -1
+               : walls->between(grains.position[one.particle], grains.position[other.particle]);
+  };
   for (std::size_t g = 0; g < group_.size(); ++g)
   {
     if (group_[g].piece >= 0)
       continue;
     const int piece = static_cast<int>(all_.size());
-    group_[g].piece = piece;
     all_.emplace_back();
+    group_[g].piece = piece;
     std::vector<int> pending{static_cast<int>(g)};
     while (!pending.empty())
     {
-      const Group from = group_[pending.back()];
+      const int from = pending.back();
       pending.pop_back();
-      forEachNear(from.cell,
+      forEachNear(group_[from].cell,
                   [&](long long cell)
                   {
-                    for (int other = first_[cell]; other >= 0; other = group_[other].next)
+                    for (int to = first_[cell]; to >= 0; to = group_[to].next)
                     {
-                      const bool apart = from.side != 0 && group_[other].side == -from.side;
-                      if (group_[other].piece >= 0 || apart)
+                      if (group_[to].piece == piece)
                         continue;
-                      group_[other].piece = piece;
-                      pending.push_back(other);
+                      if (const int crack = crackBetween(group_[from], group_[to]); crack >= 0)
+                        walls_.push_back({from, to, crack});
+                      else if (group_[to].piece < 0)
+                      {
+                        group_[to].piece = piece;
+                        pending.push_back(to);
+                      }
                     }
                   });
     }
@@ -192,8 +210,8 @@ bool anyUnsupported(const std::vector<BoundaryRegion>& supports, const std::vect
 
 template class Pieces<2>;
 template class Pieces<3>;
-template std::vector<Grains<2>> grainsOf(const State<2>&, const std::vector<char>&, bool);
-template std::vector<Grains<3>> grainsOf(const State<3>&, const std::vector<char>&, bool);
+template std::vector<Grains<2>> grainsOf(const State<2>&, const std::vector<char>&);
+template std::vector<Grains<3>> grainsOf(const State<3>&, const std::vector<char>&);
 template bool anyUnsupported(const std::vector<BoundaryRegion>&, const std::vector<Piece<2>>&, double);
 template bool anyUnsupported(const std::vector<BoundaryRegion>&, const std::vector<Piece<3>>&, double);
 

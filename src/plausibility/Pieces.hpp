@@ -3,9 +3,11 @@
 
 #include "geometry/Frame.hpp"
 #include "plan/BoundaryType.hpp"
+#include "plausibility/CrackWalls.hpp"
 #include "state/State.hpp"
 
 #include <array>
+#include <set>
 #include <vector>
 
 namespace Rhegma
@@ -17,13 +19,11 @@ struct Grains
 {
   std::vector<Vector<D>> position, box; ///< [m]
   std::vector<double> mass;             ///< [kg]
-  std::vector<int> side;                ///< of cracks (CrackSet); empty: cracks divide nothing
 };
 
-/// The particles of some bodies, by body. \param wanted of each body \param sides whether to read those of
-/// cracks, with the effect that has them
+/// The particles of some bodies, by body. \param wanted of each body
 template <int D>
-std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& wanted, bool sides);
+std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& wanted);
 
 /// A part of a body that touches no other part of it.
 template <int D>
@@ -35,14 +35,17 @@ struct Piece
 };
 
 /// Sorts the particles of a body by its pieces: those are connected whose cells in its lattice are no more
-/// than a reach apart along each axis, unless they lie on opposite sides of a crack. Cells are those of
-/// particles that are not split.
+/// than a reach apart along each axis, unless a crack lies between them. Cells are those of particles that
+/// are not split.
 template <int D>
 class Pieces
 {
 public:
-  /// \param grains one or more \param reach [cells]
-  Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach);
+  /// \param grains one or more \param reach [cells] \param walls none: cracks divide nothing
+  Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach, const CrackWalls<D>* walls = nullptr);
+
+  /// Indices of the cracks that lie between particles of different pieces.
+  std::set<int> cutters() const;
 
   const std::vector<Piece<D>>& all() const { return all_; }
   int of(std::size_t particle) const { return group_[groupOf_[particle]].piece; }
@@ -51,16 +54,21 @@ public:
   const Piece<D>& smallest() const;
 
 private:
-  /// Particles of a cell on the same side of a crack.
+  /// Particles of a cell: one that is near a crack, or all others.
   struct Group
   {
-    int side, piece, next; ///< next of the cell, or -1
+    int particle, piece, next; ///< that near a crack, or -1; next group of the cell, or -1
     long long cell;
   };
+  /// A crack between two groups.
+  struct Wall
+  {
+    int one, other, crack;
+  };
 
-  void place(const Grains<D>& grains, const BodyInfo<D>& body);
-  void addToCell(long long cell, int side);
-  void fill();
+  void place(const Grains<D>& grains, const BodyInfo<D>& body, const CrackWalls<D>* walls);
+  void addToCell(long long cell, int particle);
+  void fill(const Grains<D>& grains, const CrackWalls<D>* walls);
   template <class Visit>
   void forEachNear(long long cell, const Visit& visit) const;
 
@@ -70,6 +78,7 @@ private:
   std::vector<int> first_;           ///< group of each cell, or -1
   std::vector<Group> group_;
   std::vector<int> groupOf_; ///< of each particle
+  std::vector<Wall> walls_;
   std::vector<Piece<D>> all_;
 };
 
