@@ -36,8 +36,8 @@ Reach reachOf(const BoundaryRegion& load, const std::vector<FrontSegment<D>>& fr
 /// boxes of held nodes (BoundaryType::region).
 std::vector<BoundaryRegion> readLoads(const Teuchos::ParameterList& scene);
 
-/// Warns, once, of each load that acts in the ring (2D) or tube (3D) round a front, a cell more on both
-/// sides, and of each box of held nodes that reaches into it; with the positions of the start. Supports that
+/// Warns, once, of each load that acts in the ring (2D) or tube (3D) round a front, a cell more on the inner
+/// side, and of each box of held nodes that reaches into it; with the positions of the start. Supports that
 /// prescribe motion along a straight front only, as in plane strain, do no work on its virtual advance.
 ///
 /// What a load does inside of the ring is in the integral (docs/theory.md), but in the ring the stress next

@@ -69,6 +69,15 @@ std::vector<CrackPoint<D>> pointsOfCracks(const State<D>& state)
   return points;
 }
 
+/// "x, y" of "xy".
+std::string listed(const std::string& axes)
+{
+  std::string text;
+  for (const char axis : axes)
+    text += (text.empty() ? "" : ", ") + std::string(1, axis);
+  return text;
+}
+
 /// A support, and where it holds both faces of a crack.
 template <int D>
 struct Shut
@@ -104,8 +113,9 @@ public:
       const std::string part = formatShort(100.0 * shut.size / sizes_[crack]) + " %";
       messages.push_back(
           "Boundaries > " + supports_[support].name + ": it prescribes the same motion along " +
-          supports_[support].axes + " for both faces of Cracks > " + state_.cracks.cracks[crack].name +
-          ", over " + (shut.size > 0.0 ? part + " of the crack" : std::string("a node")) +
+          listed(supports_[support].axes) + " for both faces of Cracks > " +
+          state_.cracks.cracks[crack].name + ", over " +
+          (shut.size > 0.0 ? part + " of the crack" : std::string("a node")) +
           (shut.mouth ? " at its mouth, " : ", such as ") +
           formatPoint(shut.mouth ? *shut.mouth : *shut.any) +
           ", so that the crack can't open there; end the region before the crack (Lower Corner, Upper "
@@ -168,11 +178,8 @@ private:
   bool holdsBoth(const BoundaryRegion& support, const CrackPoint<D>& point, double cell) const
   {
     const double slack = 1e-6 * cell;
-    int all = 1;
-    for (int d = 0; d < D; ++d)
-      all *= 2;
     bool below = false, above = false;
-    for (int k = 0; k < all; ++k)
+    for (int k = 0; k < 1 << D; ++k)
     {
       Vector<D> node;
       bool touched = true, inside = true, strictly = true;

@@ -44,8 +44,8 @@ template <int D>
 Messages judgeSevered(const JudgedScene<D>& judged)
 {
   const State<D>& state = judged.state;
-  // Faces that touch hold pieces together.
-  if (!state.method.mechanics || state.method.equilibrium() || state.cracks.empty() ||
+  // Faces that touch hold pieces together; gas and pressure part them on purpose.
+  if (judged.driven || !state.method.mechanics || state.method.equilibrium() || state.cracks.empty() ||
       state.cracks.contactEnergy || state.cracks.simplex.extent(0) == 0)
     return {};
   Messages messages;

@@ -6,14 +6,17 @@ from file_scene import where
 from physics_of_bodies import cracked_box
 
 
+# Sections that move bodies, or hold pieces of them together.
+DRIVEN = ("Thermal", "Combustion", "Face Pressure", "Contact")
+
+
 def alone(scene):
     """The corners of the only body of a scene of one box that only its boundaries move, or None."""
     names = scene.boxes()
-    driven = ("Thermal", "Combustion", "Face Pressure", "Contact")
     if scene.lists("Bodies") != names or len(names) != 1 or not scene.moves() or not scene.cell:
         return None
     thrown = any(any(scene.get(f"Bodies > {names[0]} > {m}", [0.0])) for m in ("Velocity", "Angular Velocity"))
-    return None if thrown or any(scene.has(s) for s in driven) else scene.corners(names[0])
+    return None if thrown or any(scene.has(s) for s in DRIVEN) else scene.corners(names[0])
 
 
 def add_boundary(scene, name, values):
@@ -113,7 +116,7 @@ def pin_in_the_contour(scene, rng):
 def crack_from_side_to_side(scene, rng):
     """a crack cuts a free body in two at the start"""
     found = cracked_box(scene, 12)
-    if found is None or not scene.moves() or scene.has("Contact") or scene.boundaries("Velocity", "Symmetry"):
+    if found is None or not scene.moves() or any(scene.has(s) for s in DRIVEN) or scene.boundaries("Velocity", "Symmetry"):
         return None
     name, low, high = found
     along = rng.randrange(2)
