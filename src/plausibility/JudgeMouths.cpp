@@ -231,7 +231,13 @@ Messages judgeMouths(const JudgedScene<D>& judged)
   if (!judged.state.method.mechanics || judged.state.cracks.empty() ||
       judged.state.cracks.simplex.extent(0) == 0)
     return {};
-  return ShutCracks<D>(judged).messages();
+  const std::vector<BoundaryRegion> regions = boundaryRegions(judged.scene);
+  const bool held = std::any_of(regions.begin(), regions.end(),
+                                [](const BoundaryRegion& region) {
+                                  return region.kind == BoundaryRegion::Kind::Held ||
+                                         region.kind == BoundaryRegion::Kind::HeldOutside;
+                                });
+  return held ? ShutCracks<D>(judged).messages() : Messages{};
 }
 
 template Messages judgeMouths(const JudgedScene<2>&);

@@ -1,9 +1,11 @@
+#include "base/FacetEnds.hpp"
 #include "base/PointText.hpp"
 #include "base/ShortNumber.hpp"
 #include "plausibility/CrackBounds.hpp"
 #include "plausibility/Judges.hpp"
 #include "plausibility/Pieces.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace Rhegma
@@ -38,6 +40,41 @@ std::string namesOf(const std::set<int>& cracks, const State<D>& state)
   return names;
 }
 
+/// Whether some crack meets a surface: without that none cuts a piece off, unless cracks cross each other.
+template <int D>
+bool anyMeetsSurface(const State<D>& state)
+{
+  const auto neighbour = onHost(state.cracks.neighbour);
+  for (std::size_t s = 0; s < neighbour.extent(0); ++s)
+    for (int i = 0; i < D; ++i)
+      if (neighbour(s, i) == facet::surfaceBreaking || neighbour(s, i) == facet::joined)
+        return true;
+  return false;
+}
+
+/// The axis nearest to the mean normal of some cracks, along which pieces part.
+template <int D>
+char axisAcross(const std::set<int>& cracks, const State<D>& state)
+{
+  const auto normal = onHost(state.cracks.normal);
+  const auto crackOf = onHost(state.cracks.crackOf);
+  Vector<D> sizes{};
+  for (std::size_t s = 0; s < crackOf.extent(0); ++s)
+    for (int d = 0; d < D && cracks.count(crackOf(s)) > 0; ++d)
+      sizes[d] += normal(s, d) * normal(s, d);
+  return static_cast<char>('x' + (std::max_element(sizes.c, sizes.c + D) - sizes.c));
+}
+
+/// The supports that hold an axis.
+std::vector<BoundaryRegion> holding(char axis, std::vector<BoundaryRegion> supports)
+{
+  supports.erase(std::remove_if(supports.begin(), supports.end(),
+                                [axis](const BoundaryRegion& support)
+                                { return support.axes.find(axis) == std::string::npos; }),
+                 supports.end());
+  return supports;
+}
+
 } // namespace
 
 template <int D>
@@ -46,7 +83,7 @@ Messages judgeSevered(const JudgedScene<D>& judged)
   const State<D>& state = judged.state;
   // Faces that touch hold pieces together; gas and pressure part them on purpose.
   if (judged.driven || !state.method.mechanics || state.method.equilibrium() || state.cracks.empty() ||
-      state.cracks.contactEnergy || state.cracks.simplex.extent(0) == 0)
+      state.cracks.contactEnergy || !anyMeetsSurface(state))
     return {};
   Messages messages;
   const CrackWalls<D> walls(state);
@@ -59,14 +96,18 @@ Messages judgeSevered(const JudgedScene<D>& judged)
     const BodyInfo<D>& body = state.bodies.info[b];
     const Pieces<D> pieces(grains[b], body, 1, &walls);
     const std::set<int> cutters = pieces.cutters();
-    if (cutters.empty() || !anyUnsupported(supports, pieces.all(), state.mesh.grid.spacing))
+    if (cutters.empty())
+      continue;
+    const char axis = axisAcross(cutters, state);
+    if (!anyUnsupported(holding(axis, supports), pieces.all(), state.mesh.grid.spacing))
       continue;
     const Piece<D>& smallest = pieces.smallest();
     messages.push_back(namesOf(cutters, state) + ": at the start Bodies > " + judged.bodies[b].name +
                        " is cut in " + std::to_string(pieces.all().size()) + " pieces, the smallest of " +
                        formatShort(smallest.mass) + " kg of " + formatShort(judged.bodies[b].mass) +
                        " kg, such as at " + formatPoint(smallest.at) +
-                       "; no support holds one of them, so it moves freely and without strain: end the "
+                       "; no support holds one of them along " + std::string(1, axis) +
+                       ", so it moves freely and is not strained: end the "
                        "crack inside the body, hold each piece (Velocity, Symmetry), or add Contact if its "
                        "faces press on each other");
   }
