@@ -65,7 +65,7 @@ template <int D>
 Messages judgeFirstSteps(const JudgedScene<D>& judged);
 /// Supports that hold both faces of a crack.
 template <int D>
-Messages judgeMouths(const JudgedScene<D>& judged);
+Messages judgeShutCracks(const JudgedScene<D>& judged);
 /// Bodies that cracks cut in pieces at the start of a dynamic run, one of which no support holds.
 template <int D>
 Messages judgeSevered(const JudgedScene<D>& judged);

@@ -24,7 +24,7 @@ def add_boundary(scene, name, values):
 
 
 def support_across_a_crack(scene, rng):
-    """a support lies across the mouth of a crack"""
+    """a support lies across a crack where it meets the surface"""
     found = cracked_box(scene, 12)
     if found is None or not scene.moves() or scene.boundaries("Velocity", "Symmetry"):
         return None

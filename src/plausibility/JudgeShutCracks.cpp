@@ -25,7 +25,8 @@ using Geometry::Bounds;
 /// Component of a crack's normal along held axes from which a support restrains its opening: 45 degrees.
 constexpr double opens = 0.7;
 
-/// A point of a crack, and the length or area of crack that it represents; none of a point at its mouth.
+/// A point of a crack, and the length or area of crack that it represents; none of a point where it meets a
+/// surface.
 template <int D>
 struct CrackPoint
 {
@@ -82,8 +83,8 @@ std::string listed(const std::string& axes)
 template <int D>
 struct Shut
 {
-  double size = 0.0;                   ///< of the crack that is held [m, m2]
-  std::optional<Vector<D>> mouth, any; ///< points where it is
+  double size = 0.0;                       ///< of the crack that is held [m, m2]
+  std::optional<Vector<D>> atSurface, any; ///< points where it is
 };
 
 /// The supports that hold both faces of cracks.
@@ -116,8 +117,8 @@ public:
           listed(supports_[support].axes) + " for both faces of Cracks > " +
           state_.cracks.cracks[crack].name + ", over " +
           (shut.size > 0.0 ? part + " of the crack" : std::string("a node")) +
-          (shut.mouth ? " at its mouth, " : ", such as ") +
-          formatPoint(shut.mouth ? *shut.mouth : *shut.any) +
+          (shut.atSurface ? " where it meets the surface, " : ", such as ") +
+          formatPoint(shut.atSurface ? *shut.atSurface : *shut.any) +
           ", so that the crack can't open there; end the region before the crack (Lower Corner, Upper "
           "Corner), or write one support for each side of it");
     }
@@ -161,7 +162,7 @@ private:
       {
         Shut<D>& shut = found_[{k, point.crack}];
         shut.size += point.size;
-        (point.size > 0.0 ? shut.any : shut.mouth) = point.at;
+        (point.size > 0.0 ? shut.any : shut.atSurface) = point.at;
       }
   }
 
@@ -226,7 +227,7 @@ private:
 } // namespace
 
 template <int D>
-Messages judgeMouths(const JudgedScene<D>& judged)
+Messages judgeShutCracks(const JudgedScene<D>& judged)
 {
   if (!judged.state.method.mechanics || judged.state.cracks.empty() ||
       judged.state.cracks.simplex.extent(0) == 0)
@@ -240,7 +241,7 @@ Messages judgeMouths(const JudgedScene<D>& judged)
   return held ? ShutCracks<D>(judged).messages() : Messages{};
 }
 
-template Messages judgeMouths(const JudgedScene<2>&);
-template Messages judgeMouths(const JudgedScene<3>&);
+template Messages judgeShutCracks(const JudgedScene<2>&);
+template Messages judgeShutCracks(const JudgedScene<3>&);
 
 } // namespace Rhegma
