@@ -5,6 +5,7 @@
 #include "combustion/BurnStep.hpp"
 #include "combustion/GasReport.hpp"
 #include "combustion/GasStep.hpp"
+#include "combustion/JudgeBurning.hpp"
 #include "combustion/Passages.hpp"
 #include "plan/LastStage.hpp"
 
@@ -80,6 +81,13 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       warnOfRunaway(state, name, list.sublist(name));
     }
     burn->startMass = massOfParticles(state);
+  };
+  effect.judge = [burn, all = Teuchos::ParameterList(scene)](State<D>& state)
+  {
+    const double end = all.sublist("Time").get<double>("Final Time");
+    for (const Burning<D>& b : burn->cracks)
+      judgeBurning(state, b, all.sublist("Combustion").sublist(state.cracks.cracks[b.crack].name), end,
+                   state.warnings);
   };
   effect.call(Stage::BeforeSolve, "push of gas", {quantity::nodalMass, quantity::crackGeometry}, {},
               {quantity::nodalForce, quantity::facePressure},

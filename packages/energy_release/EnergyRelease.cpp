@@ -41,7 +41,7 @@ struct Samples
   std::vector<FrontSample<D>> last;
   double time = 0.0;                 ///< of these [s]
   LargestRelease largest;            ///< of all samples
-  std::vector<LoadRegion> loads;     ///< that may act near fronts (2D)
+  std::vector<BoundaryRegion> loads; ///< that may act near fronts
   FrontSet inclined;                 ///< fronts that did not start along the grid: without crack closure (2D)
   FrontSet warned;                   ///< fronts whose tube has left the body during the run
   FrontSet unclosed;                 ///< fronts that had no crack closure at some time (2D)
@@ -189,8 +189,7 @@ void integrateAll(State<D>& state, const Options& options, Samples<D>& samples, 
       continue;
     s.tube = fittingTube(state, s.front, options.radii);
     warnOfTube(state, s.front, s.tube.radii, options, samples);
-    if constexpr (D == 2)
-      warnOfLoads(state, s.front, s.tube.radii, samples.loads);
+    warnOfLoads(state, s.front, s.tube.radii, samples.loads);
     ranges.push_back(rangeOf(state, s));
   }
   work.acceleration.renew();
@@ -251,14 +250,15 @@ void start(State<D>& state, const Options& options, Samples<D>& samples)
   {
     FrontSample<D> s(front, notYet);
     if (isMeasured(front, options))
+    {
       s.tube = fittingTube(state, front, options.radii);
+      warnOfLoads(state, front, s.tube.radii, samples.loads);
+    }
     if constexpr (D == 2)
     {
       if (!runsAlongGrid(front))
         samples.inclined.insert({front.crack, front.number});
       s.closed = wantsClosure(state, options, samples, front);
-      if (options.contour)
-        warnOfLoads(state, front, s.tube.radii, samples.loads);
     }
     samples.last.push_back(s);
   }
@@ -317,8 +317,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
   const Options options = readOptions(scene, run);
   const auto samples = std::make_shared<Samples<D>>();
-  if constexpr (D == 2)
-    samples->loads = readLoads(scene);
+  samples->loads = readLoads(scene);
   const auto driving = std::make_shared<DrivingForces<D>>();
   const auto work = std::make_shared<SampleWork<D>>();
   Effect<D> effect;

@@ -5,6 +5,7 @@
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "boundary/TouchedNodes.hpp"
+#include "material/TemperatureTable.hpp"
 #include "plausibility/IdleLoads.hpp"
 #include "thermal/Conduction.hpp"
 #include "thermal/JudgeHistories.hpp"
@@ -78,6 +79,34 @@ void judgeSourcesAndProbes(const Teuchos::ParameterList& list, double end, doubl
   }
 }
 
+/// Warns of materials that conduct heat as no solid does. Pyrolytic graphite and diamond conduct best (1.2e-3
+/// m2/s), polymers worst (5e-8 m2/s). Of a table its first value counts. \param materials section Materials
+inline void judgeDiffusivities(const Teuchos::ParameterList& materials, std::vector<std::string>& warnings)
+{
+  constexpr double least = 1e-9, most = 2e-3; // [m2/s]
+  const auto firstOf = [](const Teuchos::ParameterList& list, const char* name)
+  {
+    return list.isType<double>(name) ? list.get<double>(name)
+           : list.isType<std::string>(name)
+               ? TemperatureTable::parse(list.get<std::string>(name)).value.front()
+               : 0.0;
+  };
+  for (const std::string& name : sublistNames(materials))
+  {
+    const Teuchos::ParameterList& list = materials.sublist(name);
+    const double conductivity = firstOf(list, "Conductivity"), heat = firstOf(list, "Specific Heat");
+    const double diffusivity = conductivity / (list.get<double>("Density") * heat);
+    if (!(conductivity > 0.0) || !(heat > 0.0) || (diffusivity >= least && diffusivity <= most))
+      continue;
+    warnings.push_back("Materials > " + name + ": its thermal diffusivity, Conductivity over Density and " +
+                       "Specific Heat, is " + formatShort(diffusivity) + " m2/s, " +
+                       (diffusivity > most ? "more than of any solid (graphite 1.2e-3)"
+                                           : "less than of any solid (polymers 5e-8)") +
+                       "; check units (W/(m K), kg/m3, J/(kg K)), or write a Conductivity of zero if it "
+                       "does not matter");
+  }
+}
+
 /// Warns of held temperatures and sources that no body touches, of temperatures no solid has, of a run too
 /// short for heat to leave a particle, and of a diffusivity that no solid has.
 /// \param scene its core and Thermal \param end of the run [s]
@@ -115,13 +144,8 @@ void judgeHeat(const Teuchos::ParameterList& scene, const Conduction<D>& conduct
     if (const double nearest = distanceOf(source, end, nodes); nearest > cell)
       state.warnings.push_back("Thermal > Sources > " + source.name + ": no body comes closer than " +
                                readableLength(nearest) + ", so it heats nothing; move it to the body");
-  // Graphite conducts best (1e-3 m2/s), foams and polymers worst (1e-8); gold leaf and gases lie in between.
+  judgeDiffusivities(scene.sublist("Materials"), state.warnings);
   const double diffusivity = conduction.diffusivity;
-  if (diffusivity > 0.1 || (diffusivity > 0.0 && diffusivity < 1e-11))
-    state.warnings.push_back(
-        "Materials: conductivity over density and specific heat is " + formatShort(diffusivity) + " m2/s, " +
-        (diffusivity > 0.1 ? "more than of graphite (1e-3)" : "less than of foams (1e-8)") +
-        "; check units (W/(m K), kg/m3, J/(kg K))");
   const double reach = std::sqrt(diffusivity * end);
   if (!state.method.mechanics && diffusivity > 0.0 && reach < 0.1 * state.mesh.smallestSpacing())
     state.warnings.push_back(

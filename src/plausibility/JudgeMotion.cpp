@@ -26,7 +26,7 @@ bool drives(const ParameterList& boundary)
   return type != "Symmetry";
 }
 
-bool moves(const ParameterList& body)
+bool startsMoving(const ParameterList& body)
 {
   for (const char* const motion : {"Velocity", "Angular Velocity"})
     for (const double v : *valueIf<Teuchos::Array<double>>(body, motion))
@@ -43,7 +43,7 @@ bool isDriven(const ParameterList& scene)
       if (drives<D>(scene.sublist("Boundaries").sublist(name)))
         return true;
   for (const auto& entry : scene.sublist("Bodies"))
-    if (const auto* const body = valueIf<ParameterList>(entry.second); body != nullptr && moves(*body))
+    if (const auto* const body = valueIf<ParameterList>(entry.second); body != nullptr && startsMoving(*body))
       return true;
   return false;
 }

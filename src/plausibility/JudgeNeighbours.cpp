@@ -1,15 +1,65 @@
+#include "base/Numbers.hpp"
 #include "base/PointText.hpp"
 #include "plausibility/Bonds.hpp"
 #include "plausibility/Judges.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <unordered_map>
 
 namespace Rhegma
 {
 
 namespace
 {
+
+/// Calls see(node, position) for nodes within so many cells of x along each axis.
+template <int D, class See>
+void forEachNode(const Grid<D>& grid, const Vector<D>& x, double cells, const See& see)
+{
+  int first[D], count[D], all = 1;
+  for (int d = 0; d < D; ++d)
+  {
+    first[d] = std::max(0, static_cast<int>(std::ceil(grid.inCells(x[d], d) - cells)));
+    count[d] =
+        std::min(grid.cells[d], static_cast<int>(std::floor(grid.inCells(x[d], d) + cells))) - first[d] + 1;
+    all *= std::max(0, count[d]);
+  }
+  for (int k = 0; k < all; ++k)
+  {
+    int at[D], rest = k;
+    for (int d = 0; d < D; ++d)
+    {
+      at[d] = first[d] + rest % count[d];
+      rest /= count[d];
+    }
+    see(grid.nodeIndex(at), grid.positionOf(at));
+  }
+}
+
+/// Calls see(body, node, position) for each node of the lattice that a particle touches.
+template <int D, class See>
+void forEachTouch(const State<D>& state, const See& see)
+{
+  const Grid<D>& grid = state.mesh.grid;
+  const auto body = onHost(state.particles.integer(fields::body));
+  const auto position = onHost(state.particles.template real<D>(fields::position));
+  const auto edge = onHost(state.particles.template real<D>(fields::edge));
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    Vector<D> x;
+    double half = 0.0;
+    for (int d = 0; d < D; ++d)
+    {
+      x[d] = position(p, d);
+      half = std::max(half, 0.5 * edge(p, d));
+    }
+    forEachNode(grid, x, (1.0 + half * grid.inverse) * (1.0 - 1e-9),
+                [&](int node, const Vector<D>& at) { see(body(p), node, at); });
+  }
+}
 
 /// Nodes of the lattice, and which body's particles touch each first.
 template <int D>
@@ -24,7 +74,7 @@ public:
       Vector<D> x;
       for (int d = 0; d < D; ++d)
         x[d] = vertices(v, d);
-      forEachNode(x, 3.0, [&](int node, const Vector<D>&) { owner_[node] = nearCrack; });
+      forEachNode(grid_, x, 3.0, [&](int node, const Vector<D>&) { owner_[node] = nearCrack; });
     }
   }
 
@@ -32,62 +82,71 @@ public:
   template <class Meet>
   void forEachMeeting(const Meet& meet)
   {
-    const auto host = [](const auto& view)
-    { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-    const auto body = host(state_.particles.integer(fields::body));
-    const auto position = host(state_.particles.template real<D>(fields::position));
-    const auto edge = host(state_.particles.template real<D>(fields::edge));
-    for (int p = 0; p < state_.particles.size(); ++p)
-    {
-      Vector<D> x;
-      double half = 0.0;
-      for (int d = 0; d < D; ++d)
-      {
-        x[d] = position(p, d);
-        half = std::max(half, 0.5 * edge(p, d));
-      }
-      forEachNode(x, (1.0 + half * grid_.inverse) * (1.0 - 1e-9),
-                  [&](int node, const Vector<D>& at)
-                  {
-                    if (owner_[node] == -1)
-                      owner_[node] = body(p);
-                    else if (owner_[node] != nearCrack && owner_[node] != body(p))
-                      meet(owner_[node], body(p), at);
-                  });
-    }
+    forEachTouch(state_,
+                 [&](int body, int node, const Vector<D>& at)
+                 {
+                   if (owner_[node] == -1)
+                     owner_[node] = body;
+                   else if (owner_[node] != nearCrack && owner_[node] != body)
+                     meet(owner_[node], body, at);
+                 });
   }
 
 private:
   static constexpr int nearCrack = -2; ///< a crack may part the bodies there
 
-  /// Nodes within so many cells of x along each axis.
-  template <class See>
-  void forEachNode(const Vector<D>& x, double cells, const See& see) const
-  {
-    int first[D], count[D], all = 1;
-    for (int d = 0; d < D; ++d)
-    {
-      first[d] = std::max(0, static_cast<int>(std::ceil(grid_.inCells(x[d], d) - cells)));
-      count[d] = std::min(grid_.cells[d], static_cast<int>(std::floor(grid_.inCells(x[d], d) + cells))) -
-                 first[d] + 1;
-      all *= std::max(0, count[d]);
-    }
-    for (int k = 0; k < all; ++k)
-    {
-      int at[D], rest = k;
-      for (int d = 0; d < D; ++d)
-      {
-        at[d] = first[d] + rest % count[d];
-        rest /= count[d];
-      }
-      see(grid_.nodeIndex(at), grid_.positionOf(at));
-    }
-  }
-
   const State<D>& state_;
   const Grid<D>& grid_;
   std::vector<int> owner_;
 };
+
+/// Of the pairs of bodies that the scene bonds those that have no node in common, in the order of numbers.
+template <int D>
+std::set<std::pair<int, int>> bondedApart(const JudgedScene<D>& judged,
+                                          const std::set<std::pair<std::string, std::string>>& bonded)
+{
+  std::unordered_map<std::string, int> numbers;
+  for (const BodyMeasure<D>& body : judged.bodies)
+    numbers.emplace(body.name, static_cast<int>(numbers.size()));
+  std::set<std::pair<int, int>> apart;
+  std::vector<char> wanted(judged.bodies.size(), 0);
+  for (const auto& [one, other] : bonded)
+    if (numbers.count(one) > 0 && numbers.count(other) > 0)
+    {
+      apart.insert(std::minmax(numbers.at(one), numbers.at(other)));
+      wanted[numbers.at(one)] = wanted[numbers.at(other)] = 1;
+    }
+  std::vector<std::pair<int, int>> touched; // nodes and bodies
+  if (!apart.empty())
+    forEachTouch(judged.state,
+                 [&](int body, int node, const Vector<D>&)
+                 {
+                   if (wanted[body] != 0)
+                     touched.emplace_back(node, body);
+                 });
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (auto first = touched.begin(); first != touched.end();)
+  {
+    const auto end =
+        std::find_if(first, touched.end(), [&](const auto& t) { return t.first != first->first; });
+    for (auto a = first; a != end; ++a)
+      for (auto b = a + 1; b != end; ++b)
+        apart.erase({a->second, b->second});
+    first = end;
+  }
+  return apart;
+}
+
+/// Distance between the bounds of two bodies [m]; zero where they overlap.
+template <int D>
+double gapBetween(const BodyMeasure<D>& one, const BodyMeasure<D>& other)
+{
+  Vector<D> gap;
+  for (int d = 0; d < D; ++d)
+    gap[d] = std::max({0.0, one.lower[d] - other.upper[d], other.lower[d] - one.upper[d]});
+  return norm(gap);
+}
 
 } // namespace
 
@@ -111,6 +170,20 @@ Messages judgeNeighbours(const JudgedScene<D>& judged)
                          ", so both share one motion there, as if bonded; leave two cells between them, or "
                          "write Bonded To = " +
                          one + " if that is meant");
+  }
+  if (bonded.empty())
+    return messages;
+  for (const auto& pair : bondedApart(judged, bonded))
+  {
+    const BodyMeasure<D>&one = judged.bodies[pair.first], &other = judged.bodies[pair.second];
+    const bool far = gapBetween(one, other) > 0.0;
+    messages.push_back("Bodies > " + other.name + ": it and Bodies > " + one.name +
+                       " are to be bonded (Bonded To), but have no node in common" +
+                       (far ? " and are " + readableLength(gapBetween(one, other)) + " or more apart"
+                            : ", though their bounds overlap") +
+                       ", so each moves on its own; bodies are bonded where at most one to two cells of " +
+                       readableLength(judged.state.mesh.grid.spacing) +
+                       " lie between them: move one to the other, or leave Bonded To out");
   }
   return messages;
 }

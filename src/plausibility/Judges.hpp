@@ -33,7 +33,7 @@ Messages judgeTimes(const JudgedScene<D>& judged);
 /// (JudgeWalls.hpp); cuts that meet no material. \param state has its cells; particles are not looked at
 template <int D>
 Messages judgeThickness(const Teuchos::ParameterList& scene, const State<D>& state);
-/// Bodies that share nodes.
+/// Bodies that share nodes, and bonded ones that do not.
 template <int D>
 Messages judgeNeighbours(const JudgedScene<D>& judged);
 /// Bodies that meet in the course of the run.
@@ -63,6 +63,18 @@ Messages judgeGrips(const JudgedScene<D>& judged);
 /// Supports that are faster than waves, and forces that a cell cannot bear.
 template <int D>
 Messages judgeFirstSteps(const JudgedScene<D>& judged);
+/// Supports that hold both faces of a crack.
+template <int D>
+Messages judgeShutCracks(const JudgedScene<D>& judged);
+/// Bodies that cracks cut in pieces at the start of a dynamic run, one of which no support holds.
+template <int D>
+Messages judgeSevered(const JudgedScene<D>& judged);
+/// Supports that move both ends of a body alike, and values along axes that a support leaves free.
+template <int D>
+Messages judgeCarried(const JudgedScene<D>& judged);
+/// Damping by PIC that takes a tenth of the energy of waves.
+template <int D>
+Messages judgePic(const JudgedScene<D>& judged);
 /// Bodies that fly away under a load that nothing balances.
 template <int D>
 Messages judgeFlight(const JudgedScene<D>& judged);

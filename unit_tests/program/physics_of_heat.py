@@ -78,3 +78,39 @@ def strained_by_heat(scene, rng):
         return None
     scene.set(place, 1e3 * scene.get(place))
     return re.escape(place)
+
+
+def conductivity_of_nothing(scene, rng):
+    """a conductivity is in other units"""
+    name = heated_material(scene, rng)
+    place = f"Materials > {name}"
+    values = [scene.get(f"{place} > {p}") for p in ("Conductivity", "Specific Heat", "Density")] if name else [None]
+    if not all(isinstance(v, float) and v > 0.0 for v in values):
+        return None
+    scene.set(place + " > Conductivity", values[1] * values[2] * 10 ** rng.uniform(-13.0, -9.5))
+    return re.escape(place) + ": its thermal diffusivity"
+
+
+def burning(scene, rng):
+    """Path of a crack that burns, or None."""
+    names = scene.lists("Combustion")
+    return f"Combustion > {rng.choice(names)}" if names else None
+
+
+def burns_at_once(scene, rng):
+    """the burn coefficient is in mm/s and MPa"""
+    place = burning(scene, rng)
+    if place is None or scene.get(place + " > Burn Law", "Vieille") != "Vieille":
+        return None
+    scene.set(place + " > Burn Exponent", rng.uniform(0.7, 0.95)).set(place + " > Burn Coefficient", rng.uniform(1.0, 10.0))
+    scene.set(place + " > Initial Pressure", 10 ** rng.uniform(5.0, 7.0))
+    return re.escape(place) + ": its faces burn at"
+
+
+def impossible_flame(scene, rng):
+    """the flame is hotter or colder than any"""
+    place = burning(scene, rng)
+    if place is None:
+        return None
+    scene.set(place + " > Flame Temperature", rng.choice([rng.uniform(20.0, 390.0), 10 ** rng.uniform(4.0, 6.0)]))
+    return re.escape(place + " > Flame Temperature")

@@ -77,3 +77,11 @@ def senseless_number(scene, rng):
     old = value_of(element)
     scene.put(element, [value for x in old] if isinstance(old, list) else value)
     return re.escape(element.get("name")) + "|" + re.escape(section)
+
+
+def damping_by_pic(scene, rng):
+    """PIC damps waves"""
+    if not scene.moves() or scene.has("Mass Matrix"):
+        return None
+    scene.set("Time > PIC Fraction", rng.uniform(0.5, 1.0))
+    return where("Time", "PIC Fraction")

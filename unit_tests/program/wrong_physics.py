@@ -18,13 +18,18 @@ from physics_of_units import (
     toughness_in_megajoule, toughness_in_pascal, toughness_in_megapascal,
 )
 from physics_of_numbers import (
-    no_step, endless, heavy_damping, damping_that_never_settles, senseless_number, rare_samples,
+    no_step, endless, heavy_damping, damping_that_never_settles, senseless_number, rare_samples, damping_by_pic,
 )
 from physics_of_cracks import (
     limit_above_waves, limit_below_a_cell, speeds_in_kilometres, no_pressure, late_pressure,
 )
 from physics_of_heat import (
     source_of_nothing, source_too_strong, probe_away, reference_in_celsius, table_in_celsius, strained_by_heat,
+    conductivity_of_nothing, burns_at_once, impossible_flame,
+)
+from physics_of_supports import (
+    support_across_a_crack, value_along_a_free_axis, grips_that_move_alike, pin_in_the_contour, crack_from_side_to_side,
+    bonded_from_afar,
 )
 
 # A seed draws by the position in this list.
@@ -38,7 +43,9 @@ TEMPLATES = [support_away, mirror_away, load_away, no_load, late_load, thin_body
              thin_wall, thin_ring, cut_apart, crack_below_a_surface, crack_that_comes_back,
              mirror_in_material, wrong_side, held_everywhere, fast_support, rare_samples, limit_above_waves,
              limit_below_a_cell, speeds_in_kilometres, no_pressure, late_pressure, source_of_nothing, source_too_strong,
-             probe_away, reference_in_celsius, table_in_celsius, strained_by_heat, held_at_the_load, nearly_incompressible]
+             probe_away, reference_in_celsius, table_in_celsius, strained_by_heat, held_at_the_load, nearly_incompressible,
+             support_across_a_crack, value_along_a_free_axis, grips_that_move_alike, pin_in_the_contour,
+             crack_from_side_to_side, bonded_from_afar, conductivity_of_nothing, burns_at_once, impossible_flame, damping_by_pic]
 
 TOO_STRAINED = "strains the body by about .* (linear law|more than a solid withstands)"
 
@@ -76,7 +83,7 @@ REASONS = {
     yield_in_megapascal: "so that it yields as a whole",
     nothing_acts: "so all stays at rest",
     gravity_in_millimetres: "times that of the Earth",
-    opposite_load_forgotten: "no load balances it",
+    opposite_load_forgotten: "no load balances it.* a mean acceleration of .* m/s2",
     damping_that_never_settles: "of an oscillation is left",
     thin_wall: "less than two cells wide",
     thin_ring: "less than two cells wide",
@@ -100,5 +107,15 @@ REASONS = {
     table_in_celsius: "beyond which its last value is used",
     strained_by_heat: "more than of any solid|by thermal expansion|strains",
     held_at_the_load: "the support takes it|both prescribe|prescribes the motion of all",
+    support_across_a_crack: "so that the crack can't open there",
+    value_along_a_free_axis: "has no effect, because Components",
+    grips_that_move_alike: "so that only its inertia strains it",
+    pin_in_the_contour: "prescribes nodes in the domain integral",
+    crack_from_side_to_side: "is cut in 2 pieces, .* moves freely",
+    bonded_from_afar: "have no node in common",
+    conductivity_of_nothing: "less than of any solid",
+    burns_at_once: "faster than any solid",
+    impossible_flame: "than any flame",
+    damping_by_pic: "of the energy of the longest wave",
     nearly_incompressible: "too few cells make bending too stiff",
 }

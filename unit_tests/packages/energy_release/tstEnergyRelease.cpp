@@ -197,16 +197,36 @@ TEST(EnergyRelease, DoesWithoutAContour)
 
 TEST(EnergyRelease, KnowsHowFarLoadsAre)
 {
-  const Vector<2> from{{1.0, 0.0}}, to{{4.0, 4.0}}, x{{1.0, -3.0}};
-  const Reach line = reachOf({"", from, to, LoadRegion::Kind::Line}, x);
+  using Kind = BoundaryRegion::Kind;
+  const Vector<3> from{{1.0, 0.0, 0.0}}, to{{4.0, 4.0, 0.0}};
+  const auto at = [](double x, double y)
+  {
+    const Vector<2> point{{x, y}};
+    return std::vector<FrontSegment<2>>{{point, point}};
+  };
+  const Reach line = reachOf<2>({"", Kind::Force, from, to}, at(1.0, -3.0));
   EXPECT_DOUBLE_EQ(line.nearest, 3.0);
   EXPECT_DOUBLE_EQ(line.furthest, std::hypot(3.0, 7.0));
-  const Reach box = reachOf({"", from, to, LoadRegion::Kind::Box}, {{0.0, 7.0}});
+  const Reach box = reachOf<2>({"", Kind::Held, from, to}, at(0.0, 7.0));
   EXPECT_DOUBLE_EQ(box.nearest, std::hypot(1.0, 3.0));
   EXPECT_DOUBLE_EQ(box.furthest, std::hypot(4.0, 7.0));
-  EXPECT_EQ(reachOf({"", from, to, LoadRegion::Kind::Box}, {{2.0, 1.0}}).nearest, 0.0);
-  EXPECT_EQ(reachOf({"", from, to, LoadRegion::Kind::Outside}, x).nearest, 0.0);
-  EXPECT_DOUBLE_EQ(reachOf({"", from, to, LoadRegion::Kind::Outside}, {{2.5, 1.25}}).nearest, 1.25);
+  EXPECT_EQ(reachOf<2>({"", Kind::Held, from, to}, at(2.0, 1.0)).nearest, 0.0);
+  EXPECT_EQ(reachOf<2>({"", Kind::HeldOutside, from, to}, at(1.0, -3.0)).nearest, 0.0);
+  EXPECT_DOUBLE_EQ(reachOf<2>({"", Kind::HeldOutside, from, to}, at(2.5, 1.25)).nearest, 1.25);
+}
+
+/// A front along the diagonal of x and z, one piece of which passes the edge of a box and the end of a line.
+TEST(EnergyRelease, KnowsHowFarLoadsAreFromAFrontInSpace)
+{
+  using Kind = BoundaryRegion::Kind;
+  const std::vector<FrontSegment<3>> front{{Vector<3>{{-4.0, 0.0, -4.0}}, Vector<3>{{-1.0, 0.0, -1.0}}},
+                                           {Vector<3>{{-1.0, 0.0, -1.0}}, Vector<3>{{7.0, 0.0, 7.0}}}};
+  const Reach box = reachOf<3>({"", Kind::Held, {{2.0, 3.0, -9.0}}, {{9.0, 5.0, 0.0}}}, front);
+  EXPECT_NEAR(box.nearest, std::sqrt(9.0 + 2.0), 1e-9);          // the edge (2, 3, 0) from (1, 0, 1)
+  EXPECT_NEAR(box.furthest, std::sqrt(25.0 + 2.0 * 81.0), 1e-9); // the corner (9, 5, -9) from the origin
+  const Reach line = reachOf<3>({"", Kind::Force, {{3.0, 1.0, 3.0}}, {{3.0, 6.0, 3.0}}}, front);
+  EXPECT_NEAR(line.nearest, 1.0, 1e-9);
+  EXPECT_NEAR(line.furthest, 6.0, 1e-9);
 }
 
 /// The ring is from 2 to 3 mm round a front that runs from 6 to 2.5 mm before a load.

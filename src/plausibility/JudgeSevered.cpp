@@ -1,0 +1,120 @@
+#include "base/FacetEnds.hpp"
+#include "base/PointText.hpp"
+#include "base/ShortNumber.hpp"
+#include "plausibility/CrackBounds.hpp"
+#include "plausibility/Judges.hpp"
+#include "plausibility/Pieces.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// Bodies whose bounds those of a crack meet.
+template <int D>
+std::vector<char> crackedOnes(const std::vector<BodyMeasure<D>>& bodies, const State<D>& state)
+{
+  std::vector<Geometry::Bounds<D>> bounds;
+  for (const BodyMeasure<D>& body : bodies)
+    bounds.push_back({body.lower, body.upper});
+  const Geometry::NearBoxes<D> boxes(bounds);
+  const auto vertex = onHost(state.cracks.vertex);
+  std::vector<char> cracked(bodies.size(), 0);
+  for (const Crack<D>& crack : state.cracks.cracks)
+    for (const int body : boxes.near(boundsOfCrack(crack, vertex), 0.0))
+      cracked[body] = 1;
+  return cracked;
+}
+
+/// Names of cracks: "Cracks > A, B".
+template <int D>
+std::string namesOf(const std::set<int>& cracks, const State<D>& state)
+{
+  std::string names;
+  for (const int crack : cracks)
+    names += (names.empty() ? "Cracks > " : ", ") + state.cracks.cracks[crack].name;
+  return names;
+}
+
+/// Whether some crack meets a surface: without that none cuts a piece off, unless cracks cross each other.
+template <int D>
+bool anyMeetsSurface(const State<D>& state)
+{
+  const auto neighbour = onHost(state.cracks.neighbour);
+  for (std::size_t s = 0; s < neighbour.extent(0); ++s)
+    for (int i = 0; i < D; ++i)
+      if (neighbour(s, i) == facet::surfaceBreaking || neighbour(s, i) == facet::joined)
+        return true;
+  return false;
+}
+
+/// The axis nearest to the mean normal of some cracks, along which pieces part.
+template <int D>
+char axisAcross(const std::set<int>& cracks, const State<D>& state)
+{
+  const auto normal = onHost(state.cracks.normal);
+  const auto crackOf = onHost(state.cracks.crackOf);
+  Vector<D> sizes{};
+  for (std::size_t s = 0; s < crackOf.extent(0); ++s)
+    for (int d = 0; d < D && cracks.count(crackOf(s)) > 0; ++d)
+      sizes[d] += normal(s, d) * normal(s, d);
+  return static_cast<char>('x' + (std::max_element(sizes.c, sizes.c + D) - sizes.c));
+}
+
+/// The supports that hold an axis.
+std::vector<BoundaryRegion> holding(char axis, std::vector<BoundaryRegion> supports)
+{
+  supports.erase(std::remove_if(supports.begin(), supports.end(),
+                                [axis](const BoundaryRegion& support)
+                                { return support.axes.find(axis) == std::string::npos; }),
+                 supports.end());
+  return supports;
+}
+
+} // namespace
+
+template <int D>
+Messages judgeSevered(const JudgedScene<D>& judged)
+{
+  const State<D>& state = judged.state;
+  // Faces that touch hold pieces together; gas and pressure part them on purpose.
+  if (judged.driven || !state.method.mechanics || state.method.equilibrium() || state.cracks.empty() ||
+      state.cracks.contactEnergy || !anyMeetsSurface(state))
+    return {};
+  Messages messages;
+  const CrackWalls<D> walls(state);
+  const std::vector<BoundaryRegion> supports = supportRegions(judged.scene);
+  const std::vector<Grains<D>> grains = grainsOf(state, crackedOnes(judged.bodies, state));
+  for (std::size_t b = 0; b < grains.size(); ++b)
+  {
+    if (grains[b].position.empty())
+      continue;
+    const BodyInfo<D>& body = state.bodies.info[b];
+    const Pieces<D> pieces(grains[b], body, 1, &walls);
+    const std::set<int> cutters = pieces.cutters();
+    if (cutters.empty())
+      continue;
+    const char axis = axisAcross(cutters, state);
+    if (!anyUnsupported(holding(axis, supports), pieces.all(), state.mesh.grid.spacing))
+      continue;
+    const Piece<D>& smallest = pieces.smallest();
+    messages.push_back(namesOf(cutters, state) + ": at the start Bodies > " + judged.bodies[b].name +
+                       " is cut in " + std::to_string(pieces.all().size()) + " pieces, the smallest of " +
+                       formatShort(smallest.mass) + " kg of " + formatShort(judged.bodies[b].mass) +
+                       " kg, such as at " + formatPoint(smallest.at) +
+                       "; no support holds one of them along " + std::string(1, axis) +
+                       ", so it moves freely and is not strained: end the "
+                       "crack inside the body, hold each piece (Velocity, Symmetry), or add Contact if its "
+                       "faces press on each other");
+  }
+  return messages;
+}
+
+template Messages judgeSevered(const JudgedScene<2>&);
+template Messages judgeSevered(const JudgedScene<3>&);
+
+} // namespace Rhegma
