@@ -64,8 +64,8 @@ struct FrontNode
 struct FrontExtension
 {
   double largest = 0.0; ///< of the node that advanced most [m]
-  double mean = 0.0;    ///< along the front, the most that it was: parts of a front that land are left out [m]
-  double area = 0.0;    ///< of its new faces [m2]; in 2D their length [m]
+  double mean = 0.0; ///< along the front, the most that it was: parts of a front that land are left out [m]
+  double area = 0.0; ///< of its new faces [m2]; in 2D their length [m]
 };
 
 /// An end of a crack inside the body: a vertex of a polyline (2D), a line of edges along the border of a
