@@ -58,22 +58,24 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
 template <class Work>
 double heatNearFront(const Work& work, const double* sums, int mode)
 {
-  return work.nearFront.near(sums + Work::heatAt + 3 * (1 + mode), mode == 0 ? 0.5 : 0.0);
+  return work.nearFront.near(sums + Work::heatAt + 3 * (1 + mode), mode == 0 ? 0.5 : 1.0);
 }
 
 /// What corrects that of J [J] (HeatNearFront.hpp).
 template <class Work>
 double heatOfRelease(const Work& work, const double* sums, double modeI, double modeII)
 {
+  constexpr int count = HeatNearFront::numSums;
   const double* ofJ = sums + Work::heatAt;
-  double near = -ofJ[0], moment = ofJ[1];
+  double near = -ofJ[0], remainder[count] = {0.0, ofJ[1], ofJ[2]};
   for (int mode = 0; mode < 2; ++mode)
   {
     const double intensity = mode == 0 ? modeI : modeII;
     near += intensity * heatNearFront(work, sums, mode);
-    moment -= intensity * ofJ[3 * (1 + mode) + 1];
+    for (int k = 1; k < count; ++k)
+      remainder[k] -= intensity * ofJ[count * (1 + mode) + k];
   }
-  return near + work.nearFront.nearOfRegular(moment);
+  return near + work.nearFront.near(remainder, 1.0);
 }
 
 /// Intensities by Williams' field about the tip of the crack in the cells. Each iteration finds the remaining
@@ -136,6 +138,16 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
   }
 }
 
+/// Whether the stress of some material depends on temperature.
+bool strainsByHeat(const State<D>& state)
+{
+  const auto materials = onHost(state.materials.thermo.material);
+  for (std::size_t m = 0; m < materials.extent(0); ++m)
+    if (materials(m).coupled)
+      return true;
+  return false;
+}
+
 /// What is integrated over particles, but for the values of nodes and what the disk and the front are.
 template <ShapeKind S, bool Stored>
 domainIntegrand::Integrand<S, Stored> integrandOf(const State<D>& state,
@@ -179,7 +191,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
                      work.positive = front.crack + 1;
                      work.negative = -front.crack - 1;
                      work.bent = path.count > 0;
-                     if (!work.heat.tables.empty())
+                     if (!work.bent && strainsByHeat(state))
                        work.nearFront =
                            HeatNearFront(spacingAt(state, front.position), radii.inner, radii.outer);
                      // What closed faces press with follows from their opening (integrateAboutTip).

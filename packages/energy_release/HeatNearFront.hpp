@@ -10,18 +10,21 @@ namespace Rhegma::energy_release
 
 /// Corrects the integrals of f = dW/dT T,1 and of its like for intensities over the cells at the front.
 ///
-/// At the front of an insulating crack the gradient of temperature is singular as the stress is, so that each
-/// unit of r contributes as much to the integral as any other; particles within a cell of the front do not
-/// resolve that. Their part is replaced by a fit to a ring around them. By symmetry the mean of r f over a
-/// circle has the terms r^(1/2) and r^(3/2) with the stress of mode I, of which only the symmetric part of
-/// T,1 remains (uniform, then linear); with that of mode II it has 1 and r, of the antisymmetric part
-/// (singular, then r^(1/2)). Two moments over the ring give both coefficients. With w = 1 within `within`,
-/// falling linearly to 0 at `until`,
+/// At the front of an insulating crack, or of one whose faces are held at a temperature, the gradient of
+/// temperature is singular as the stress is, so that each unit of r contributes as much to the integral as
+/// any other; particles within a cell of the front do not resolve that. Their part is replaced by a fit to a
+/// ring around them. With the stress of mode I only the part of T,1 remains that is even about the crack:
+/// singular where faces are held, then uniform, so that the mean of r f over a circle has the terms 1 and
+/// r^(1/2). With that of mode II it is the odd part: singular where faces insulate, then of order r^(1/2),
+/// which gives 1 and r. Two moments over the ring give both coefficients. With w = 1 within `within`, falling
+/// linearly to 0 at `until`,
 ///
-///     sum V f q  becomes  sum V f q (1 - w) + int w (c0 r^p + c1 r^(p+1)) dr,   p = 1/2, 0.
+///     sum V f q  becomes  sum V f q (1 - w) + int w (c0 + c1 r^p) dr,   p = 1/2, 1.
 ///
-/// f of J is K_I times that of mode I plus K_II times that of mode II plus a remainder without singularity,
-/// of which r f has the mean c r.
+/// f of J is K_I times that of mode I plus K_II times that of mode II plus a remainder, of which r f has the
+/// terms 1 (energy of a singular stress in a gradient of the moduli) and r (regular stress).
+///
+/// For cracks that are straight within the ring.
 struct HeatNearFront
 {
   static constexpr int numSums = 3; ///< of w f q, and both moments of f
@@ -35,7 +38,8 @@ struct HeatNearFront
   /// weight is 1 [m] \param most outer radius of the disk [m]
   HeatNearFront(double cell, double inner, double most)
   {
-    if (inner < 2.0 * cell || most < 3.0 * cell)
+    constexpr double rounding = 1.0 - 1e-9;
+    if (inner < 2.0 * cell * rounding || most < 3.0 * cell * rounding)
       return;
     within = cell;
     until = 2.0 * cell;
@@ -64,18 +68,15 @@ struct HeatNearFront
     sums[2] += ofRing(r) * r * f;
   }
 
-  /// The integral of w f by the fit c0 r^power + c1 r^(power + 1). \param sums of all particles
+  /// The integral of w f by the fit c0 + c1 r^power. \param sums of all particles
   double near(const double* sums, double power) const
   {
-    const double a = ringIntegral(power), b = ringIntegral(power + 1.0), c = ringIntegral(power + 2.0);
-    const double det = a * c - b * b;
-    return ((sums[1] * c - sums[2] * b) * nearIntegral(power) +
-            (sums[2] * a - sums[1] * b) * nearIntegral(power + 1.0)) /
-           det;
+    const double a = ringIntegral(0.0), b = ringIntegral(power), c = ringIntegral(1.0),
+                 d = ringIntegral(power + 1.0);
+    return ((sums[1] * d - sums[2] * b) * nearIntegral(0.0) +
+            (sums[2] * a - sums[1] * c) * nearIntegral(power)) /
+           (a * d - b * c);
   }
-
-  /// The integral of w f of a remainder with the mean c r. \param moment its first
-  double nearOfRegular(double moment) const { return moment / ringIntegral(1.0) * nearIntegral(1.0); }
 
 private:
   /// Of ofRing r^p.

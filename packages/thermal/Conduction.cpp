@@ -41,13 +41,12 @@ void Conduction<D>::measure(const State<D>& state)
   const auto materials = onHost(state.materials.thermo.material);
   const auto knots = onHost(state.materials.thermo.knot);
   diffusivity = 0.0;
-  leastCapacity = leastDiffusivity = conductivity = std::numeric_limits<double>::infinity();
+  leastCapacity = leastDiffusivity = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < materials.extent(0); ++m)
   {
-    double ratio = 0.0, least = 1e300, product = 1.0;
+    double ratio = 0.0, least = 1e300;
     for (int d = 0; d < D; ++d)
     {
-      product *= materials(m).ratio[d];
       ratio = std::max(ratio, materials(m).ratio[d]);
       least = std::min(least, materials(m).ratio[d]);
     }
@@ -58,16 +57,12 @@ void Conduction<D>::measure(const State<D>& state)
       if (knots(k).conductivity > 0.0 || materials.extent(0) == 1)
         leastDiffusivity = std::min(leastDiffusivity, least * knots(k).conductivity / knots(k).capacity);
       leastCapacity = std::min(leastCapacity, knots(k).capacity);
-      if (knots(k).conductivity > 0.0)
-        conductivity = std::min(conductivity, std::pow(product, 1.0 / D) * knots(k).conductivity);
     }
   }
   several = materials.extent(0) > 1 && diffusivity > 0.0;
   expands = state.method.mechanics && anyExpands(state.materials.thermo);
   if (!std::isfinite(leastDiffusivity))
     leastDiffusivity = 0.0;
-  if (!std::isfinite(conductivity))
-    conductivity = 0.0;
 }
 
 template <int D>
@@ -160,7 +155,7 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
   sumOverRanks(state, nodes.sums.data(), HeatNodes<D>::sumWidth, 0, HeatNodes<D>::momentAt + D);
   findTemperature(state, nodes);
   if (!facesKnown)
-    faces.update(state, nodes, conductivity);
+    faces.update(state, nodes);
   facesKnown = true;
   faces.merge(state, nodes, join);
   if (several)

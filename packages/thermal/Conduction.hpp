@@ -26,7 +26,6 @@ struct Conduction
   int waited = 0;                       ///< steps since then
   double diffusivity = 0.0;             ///< largest of the materials [m2/s]
   double leastDiffusivity = 0.0;        ///< least of the materials that conduct [m2/s]
-  double conductivity = 0.0;            ///< least of them [W/(m K)]
   bool several = false;                 ///< materials may meet, and some conduct
   bool expands = false;                 ///< temperature strains some material
   double leastCapacity = 0.0;           ///< least of the materials [J/(m3 K)]

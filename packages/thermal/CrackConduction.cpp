@@ -46,6 +46,39 @@ struct EndsBlock
   }
 };
 
+/// Adds volume, and volume times conductivity, of the particles near cracks to their nodes: of those on an
+/// enriched field these are all. That of a material with axes is the mean that a circle of flux sees.
+template <int D>
+struct ConductivityBlock
+{
+  View<double* [2]> around;
+  View<int*> row;
+  StencilTable<D> table;
+  ThermoTables thermo;
+  BorrowedView<double*> volume, temperature;
+  BorrowedView<int*> material;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    for (int p = begin; p < end; ++p)
+    {
+      const int r = row(p);
+      if (r < 0)
+        continue;
+      double conductivity = ThermoPoint(thermo, material(p), temperature(p)).conductivity();
+      if constexpr (D == 2)
+        conductivity *=
+            std::sqrt(thermo.material(material(p)).ratio[0] * thermo.material(material(p)).ratio[1]);
+      for (int k = 0; k < table.count(r); ++k)
+      {
+        const double part = table.weight(r, k) * volume(p);
+        around(table.node(r, k), 0) += part;
+        around(table.node(r, k), 1) += part * conductivity;
+      }
+    }
+  }
+};
+
 } // namespace
 
 template <int D>
@@ -74,7 +107,7 @@ void CrackConduction<D>::read(const Teuchos::ParameterList& list, const State<D>
 }
 
 template <int D>
-void CrackConduction<D>::update(const State<D>& state, const HeatNodes<D>& nodes, double conductivity)
+void CrackConduction<D>::update(const State<D>& state, const HeatNodes<D>& nodes)
 {
   const bool atFronts = state.cracks.frontConductance.extent(0) > 0;
   if ((!conducts_ && !atFronts) || state.cracks.simplex.extent(0) == 0 ||
@@ -85,10 +118,8 @@ void CrackConduction<D>::update(const State<D>& state, const HeatNodes<D>& nodes
     conductance_ = View<double*>("rhegma::thermal::conductance", rows);
   if (conducts_)
     ofFaces(state);
-  else
-    Kokkos::deep_copy(conductance_, 0.0);
   if (atFronts)
-    ofFronts(state, nodes, conductivity);
+    ofFronts(state, nodes);
 }
 
 /// Conductance of nodes whose fields pass heat through faces.
@@ -121,21 +152,46 @@ void CrackConduction<D>::ofFaces(const State<D>& state)
   findConductance(state);
 }
 
-/// Adds the conductance of nodes that are not cut in full.
+/// Conductance of nodes that are not cut in full, in addition to that of faces.
 template <int D>
-void CrackConduction<D>::ofFronts(const State<D>& state, const HeatNodes<D>& heat, double conductivity)
+void CrackConduction<D>::ofFronts(const State<D>& state, const HeatNodes<D>& heat)
 {
   const Nodes<D> nodes = state.mesh.nodes;
+  if (aroundNode_.extent(0) < conductance_.extent(0))
+    aroundNode_ = View<double* [2]>("rhegma::thermal::conductivityAroundNode", conductance_.extent(0));
+  const View<double* [2]> around = aroundNode_;
+  Kokkos::parallel_for(
+      "rhegma::thermal::clearConductivity", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        around(n, 0) = around(n, 1) = 0.0;
+      });
+  const FieldTable& table = state.particles;
+  const ConductivityBlock<D> block{around,
+                                   state.stored.row,
+                                   state.stored.table,
+                                   state.materials.thermo,
+                                   table.scalar(fields::volume),
+                                   table.scalar(fields::temperature),
+                                   table.integer(fields::material)};
+  if (state.stored.count > 0)
+    forEachBlock("rhegma::thermal::conductivityAtFronts", state.mesh.blocks, block);
+  sumOverRanks(state, around.data(), 2, 0, 2);
   const View<double*> ofFront = state.cracks.frontConductance, conductance = conductance_;
-  const double width = conductivity * state.method.thickness;
+  const double thickness = state.method.thickness;
+  const bool faces = conducts_;
   Kokkos::parallel_for(
       "rhegma::thermal::conductanceAtFronts", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
       KOKKOS_LAMBDA(const int i) {
         const int one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
         const double C2 = heat.sums(nodes.numLattice + i, HeatNodes<D>::capacityAt);
-        if (C1 > 0.0 && C2 > 0.0)
-          conductance(one) += width * openingFraction(C1, C2) * ofFront(one);
+        const int two = nodes.numLattice + i;
+        const double volume = around(one, 0) + around(two, 0);
+        const double k = volume > 0.0 ? (around(one, 1) + around(two, 1)) / volume : 0.0;
+        const double here =
+            C1 > 0.0 && C2 > 0.0 ? k * thickness * openingFraction(C1, C2) * ofFront(one) : 0.0;
+        conductance(one) = here + (faces ? conductance(one) : 0.0);
       });
 }
 

@@ -32,8 +32,9 @@ struct FaceLaw
 /// is conduction without a crack. Heat is conserved to round-off.
 ///
 /// Nodes just ahead of a front and behind it, whose fields springs join (FrontSprings.hpp), pass heat as far
-/// as the cells there are not cut: the conductance is k b times CrackSet::frontConductance, b the thickness
-/// times the fraction of the lesser field, so that the insulating crack of the cells ends at the front.
+/// as the cells there are not cut: the conductance is k b times CrackSet::frontConductance, k the mean
+/// conductivity around the node and b the thickness times the fraction of the lesser field, so that the
+/// insulating crack of the cells ends at the front.
 template <int D>
 class CrackConduction
 {
@@ -42,8 +43,7 @@ public:
   void read(const Teuchos::ParameterList& list, const State<D>& state);
 
   /// Finds the conductance of the nodes as the faces are now; needs the capacities of the nodes. Collective.
-  /// \param conductivity of what lies at fronts [W/(m K)]
-  void update(const State<D>& state, const HeatNodes<D>& nodes, double conductivity);
+  void update(const State<D>& state, const HeatNodes<D>& nodes);
 
   /// Gives the two fields of a node in perfect contact the one temperature that the node would have without a
   /// crack: if the temperatures met during the step instead, particles that already have the temperature of
@@ -74,7 +74,7 @@ public:
   void addFaces(const State<D>& state);
   void findConductance(const State<D>& state);
   void ofFaces(const State<D>& state);
-  void ofFronts(const State<D>& state, const HeatNodes<D>& nodes, double conductivity);
+  void ofFronts(const State<D>& state, const HeatNodes<D>& nodes);
 
 private:
   bool conducts_ = false, perfectContact_ = false;
@@ -86,6 +86,7 @@ private:
   /// its material ends [m2], in the last columns.
   View<double * [D + 2]> faces_;
   View<double*> conductance_;
+  View<double* [2]> aroundNode_; ///< of a node: volume, and volume times conductivity, of what lies around it
 };
 
 } // namespace Rhegma::thermal

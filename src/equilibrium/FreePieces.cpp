@@ -10,7 +10,7 @@ namespace Rhegma::equilibrium
 namespace
 {
 
-/// Mass of a piece that counts, in masses of the heaviest node, which has about that of a cell.
+/// Mass of a piece that counts, in masses of its heaviest node, which has about that of a cell.
 constexpr double leastCells = 2.0;
 
 /// Mass of a body on all ranks [kg].
@@ -83,16 +83,16 @@ std::vector<FreePiece> findFreePieces(const State<D>& state, const RowGraph& gra
   std::vector<FreePiece> pieces;
   if (modes.empty())
     return pieces;
-  double heaviest = 0.0;
-  for (std::size_t r = 0; r < pieceOf.size(); ++r)
-    heaviest = std::max(heaviest, mass[r]);
-  heaviest = owners.ranks().max(heaviest);
   for (const Imbalance& imbalance : findImbalances(modes, pieceOf, position, mass, owners, loads))
   {
     FreePiece one;
     one.imbalance = imbalance;
     one.mass = owners.sum(static_cast<int>(pieceOf.size()),
                           [&](int r) { return pieceOf[r] == imbalance.piece ? mass[r] : 0.0; });
+    double heaviest = 0.0;
+    for (std::size_t r = 0; r < pieceOf.size(); ++r)
+      heaviest = pieceOf[r] == imbalance.piece ? std::max(heaviest, mass[r]) : heaviest;
+    heaviest = owners.ranks().max(heaviest);
     if (!(one.mass > leastCells * heaviest))
       continue;
     const int body = bodyOfPiece(state, graph, owners, pieceOf, imbalance.piece);

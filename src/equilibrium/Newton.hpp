@@ -101,7 +101,7 @@ private:
   /// \param converged whether the displacement is an equilibrium
   std::vector<FreePiece> freePieces(const State<D>& state, bool converged) const;
   void findFreeMotions();
-  std::vector<char> piecesThatResistRotation(int pieces) const;
+  std::vector<char> piecesThatResistRotation(const std::vector<int>& pieceOf, int pieces) const;
   /// Forces minus resistance at a trial displacement. \return false, on all ranks, where a particle is
   /// inverted
   bool residual(const State<D>& state, const Values& u, const Values& r) const;

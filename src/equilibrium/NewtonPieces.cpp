@@ -2,19 +2,21 @@
 
 #include "equilibrium/Newton.hpp"
 
+#include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace Rhegma::equilibrium
 {
 
 template <int D>
-std::vector<char> NewtonStep<D>::piecesThatResistRotation(int pieces) const
+std::vector<char> NewtonStep<D>::piecesThatResistRotation(const std::vector<int>& pieceOf, int pieces) const
 {
   std::vector<double> resists(pieces, 0.0);
   for (const auto& force : forces_)
     for (const int row : force->rowsThatResistRotation())
-      resists[pieceOf_[row]] = 1.0;
+      resists[pieceOf[row]] = 1.0;
   owners_.ranks().max(resists.data(), pieces);
   return {resists.begin(), resists.end()};
 }
@@ -25,7 +27,7 @@ void NewtonStep<D>::findFreeMotions()
   std::tie(pieceOf_, pieces_) = findPieces(graph_, owners_);
   const std::vector<int> size = sizesOf(pieceOf_, pieces_);
   std::vector<char> unsupported(pieces_, 0);
-  const std::vector<char> resists = piecesThatResistRotation(pieces_);
+  const std::vector<char> resists = piecesThatResistRotation(pieceOf_, pieces_);
   for (const RigidMode<D>& mode : freeModes<D>(pieceOf_, pieces_, position_, mass_, held_, owners_))
     if (resists[mode.piece] != 0 && mode.turns())
       continue;                            // as if springs held it to the axes of the cells
@@ -101,20 +103,31 @@ std::vector<FreePiece> NewtonStep<D>::freePieces(const State<D>& state, bool con
   std::vector<Vector<D>> now = position_;
   for (int k = 0; k < D * graph_.rows && converged; ++k)
     now[k / D][k % D] += displacement_(k);
+  std::vector<FreePiece> free = findFreePieces(state, graph_, owners_, pieceOf_, modes_, now, mass_, load_);
   if (solidPieces_ == 0)
-    return findFreePieces(state, graph_, owners_, pieceOf_, modes_, now, mass_, load_);
-  const auto modes = freeModes<D>(solid_, solidPieces_, position_, mass_, held_, owners_);
-  return findFreePieces(state, graph_, owners_, solid_, modes, now, mass_, load_);
+    return free;
+  std::vector<RigidMode<D>> modes = freeModes<D>(solid_, solidPieces_, position_, mass_, held_, owners_);
+  const std::vector<char> resists = piecesThatResistRotation(solid_, solidPieces_);
+  modes.erase(std::remove_if(modes.begin(), modes.end(),
+                             [&](const RigidMode<D>& mode)
+                             { return resists[mode.piece] != 0 && mode.turns(); }),
+              modes.end());
+  // A whole body that a support holds only by boxes which reach over a row of nodes was accepted at the
+  // start.
+  for (FreePiece& piece : findFreePieces(state, graph_, owners_, solid_, modes, now, mass_, load_))
+    if (piece.isPart)
+      free.push_back(std::move(piece));
+  return free;
 }
 
-template std::vector<char> NewtonStep<2>::piecesThatResistRotation(int) const;
+template std::vector<char> NewtonStep<2>::piecesThatResistRotation(const std::vector<int>&, int) const;
 template void NewtonStep<2>::findFreeMotions();
 template std::vector<int> NewtonStep<2>::sizesOf(const std::vector<int>&, int) const;
 template std::string NewtonStep<2>::nameOfBody(const State<2>&, const std::vector<int>&, int) const;
 template std::vector<int> NewtonStep<2>::piecesThatStayWhole() const;
 template std::string NewtonStep<2>::motionsBetweenPieces(const State<2>&) const;
 template std::vector<FreePiece> NewtonStep<2>::freePieces(const State<2>&, bool) const;
-template std::vector<char> NewtonStep<3>::piecesThatResistRotation(int) const;
+template std::vector<char> NewtonStep<3>::piecesThatResistRotation(const std::vector<int>&, int) const;
 template void NewtonStep<3>::findFreeMotions();
 template std::vector<int> NewtonStep<3>::sizesOf(const std::vector<int>&, int) const;
 template std::string NewtonStep<3>::nameOfBody(const State<3>&, const std::vector<int>&, int) const;

@@ -5,6 +5,7 @@
 #include "transfer/ParticleViews.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace Rhegma::equilibrium
@@ -12,6 +13,16 @@ namespace Rhegma::equilibrium
 
 namespace
 {
+
+/// Edge of the finest cells at a node [m].
+template <int D>
+double edgeAt(const State<D>& state, int node)
+{
+  if (!state.mesh.tree.refined())
+    return state.mesh.grid.spacing;
+  const Nodes<D>& nodes = state.mesh.nodes;
+  return std::ldexp(state.mesh.grid.spacing, -state.mesh.tree.nodeLevel(latticeNode(nodes, node)));
+}
 
 /// Calls use(rows) with the sorted rows of each particle's nodes, where they differ from those of the
 /// particles just before it. \param least slope, as for `connectRows`
@@ -31,7 +42,7 @@ void forEachStencil(const State<D>& state, const ClippedBoxes<D>& boxes, double 
                     connect.visitStraining(p,
                                            [&](int node, double weight, const auto& slopes)
                                            {
-                                             const double edge = state.mesh.grid.spacing;
+                                             const double edge = edgeAt(state, node);
                                              if (counts(weight, slopes.of, slopes.size, edge) &&
                                                  largestSlope(slopes.of, slopes.size, edge) >= least)
                                                nodes.push_back(node);

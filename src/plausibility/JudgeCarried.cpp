@@ -207,7 +207,9 @@ private:
                        supports_[movers.back()].region->name + " move both ends of Bodies > " +
                        judged_.bodies[group.bodies.front()].name + " the same distance along " + letter +
                        ", " + readableLength(far) + " (Value = " + formatShort(first.value[axis]) +
-                       " m/s for both), so that only its inertia strains it; to pull it, change the sign of "
+                       " m/s for both), so that " +
+                       (judged_.state.method.equilibrium() ? "nothing" : "only its inertia") +
+                       " strains it; to pull it, change the sign of "
                        "one Value, or set one to zero");
     return true;
   }

@@ -95,6 +95,8 @@ Messages judgeSevered(const JudgedScene<D>& judged)
       continue;
     const BodyInfo<D>& body = state.bodies.info[b];
     const Pieces<D> pieces(grains[b], body, 1, &walls);
+    if (pieces.gaveUp())
+      continue;
     const std::set<int> cutters = pieces.cutters();
     if (cutters.empty())
       continue;

@@ -9,6 +9,14 @@
 namespace Rhegma
 {
 
+namespace
+{
+
+/// About a second.
+constexpr double mostPairs = 1e7;
+
+} // namespace
+
 template <int D>
 std::vector<Grains<D>> grainsOf(const State<D>& state, const std::vector<char>& wanted)
 {
@@ -40,6 +48,8 @@ Pieces<D>::Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach, c
     : reach_(reach), edge_(body.edge)
 {
   place(grains, body, walls);
+  if (pairs() > mostPairs)
+    return;
   fill(grains, walls);
   for (std::size_t p = 0; p < grains.position.size(); ++p)
   {
@@ -48,6 +58,19 @@ Pieces<D>::Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach, c
     piece.at = grains.position[p];
     piece.bounds.include(grains.position[p]);
   }
+}
+
+/// Pairs of particles near cracks in neighbouring cells, as if these had as many as the cell itself.
+template <int D>
+double Pieces<D>::pairs() const
+{
+  std::vector<double> count(first_.size(), 0.0);
+  for (const Group& group : group_)
+    count[group.cell] += group.particle >= 0 ? 1.0 : 0.0;
+  double sum = 0.0;
+  for (const double one : count)
+    sum += one * one;
+  return std::pow(2 * reach_ + 1, D) * sum;
 }
 
 template <int D>

@@ -44,6 +44,10 @@ public:
   /// \param grains one or more \param reach [cells] \param walls none: cracks divide nothing
   Pieces(const Grains<D>& grains, const BodyInfo<D>& body, int reach, const CrackWalls<D>* walls = nullptr);
 
+  /// Whether there were more pairs of particles near cracks than are looked at, as where cells much smaller
+  /// than those of the body are refined along them: then there is no piece.
+  bool gaveUp() const { return all_.empty(); }
+
   /// Indices of the cracks that lie between particles of different pieces.
   std::set<int> cutters() const;
 
@@ -68,6 +72,7 @@ private:
 
   void place(const Grains<D>& grains, const BodyInfo<D>& body, const CrackWalls<D>* walls);
   void addToCell(long long cell, int particle);
+  double pairs() const;
   void fill(const Grains<D>& grains, const CrackWalls<D>* walls);
   template <class Visit>
   void forEachNear(long long cell, const Visit& visit) const;

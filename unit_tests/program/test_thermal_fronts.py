@@ -49,6 +49,37 @@ class ThermalFronts(ProgramTest):
         for name in ("G_J", "K_I"):
             self.assertAlmostEqual(warm[name] / cold[name], 1.0, delta=1e-9)
 
+    def jump_errors(self, *replacements):
+        """Of the temperatures of both faces in heat_insulated_crack.xml, after changes of its text."""
+        with open(os.path.join(INPUTS, "verification/heat_insulated_crack.xml"), encoding="utf-8") as file:
+            text = file.read()
+        for old, new in replacements:
+            self.assertEqual(text.count(old), 1, old)
+            text = text.replace(old, new)
+        answer = rhegma(self.write("strip.xml", text), "--output", self.path("out"), "--quiet")
+        self.assertIn(answer.status, (0, 4), answer)
+        with open(self.path("out", "summary.json"), encoding="utf-8") as file:
+            return [reference["relative_error"] for reference in json.load(file)["references"]]
+
+    def test_a_poor_conductor_elsewhere(self):
+        """What conducts at a front is what lies there: neither a pad that touches nothing nor the end of a table that no temperature
+        reaches makes the jump wrong by more than the tolerance of the scene (with the least conductivity of all it was 6 to 13 %)."""
+        plain = self.jump_errors()
+        foam = ('<ParameterList name="Foam"><Parameter name="Model" type="string" value="Rigid"/><Parameter name="Density" type="double" '
+                'value="1000.0"/><Parameter name="Specific Heat" type="double" value="1000.0"/><Parameter name="Conductivity" '
+                'type="double" value="0.02"/></ParameterList>')
+        pad = ('<ParameterList name="Pad"><Parameter name="Material" type="string" value="Foam"/><Parameter name="Shape" type="string" '
+               'value="Box"/><Parameter name="Lower Corner" type="Array(double)" value="{0, -0.00875}"/><Parameter name="Upper Corner" '
+               'type="Array(double)" value="{0.001, -0.0085}"/></ParameterList>')
+        stone, half = '<ParameterList name="Stone">', '<ParameterList name="Half">'
+        conductivity = '<Parameter name="Conductivity" type="double" value="1.0"/>'
+        table = '<Parameter name="Conductivity" type="string" value="100:0.02, 150:1.0, 500:1.0"/>'
+        for name, changed in (("pad", self.jump_errors((stone, foam + stone), (half, pad + half))),
+                              ("table", self.jump_errors((conductivity, table)))):
+            with self.subTest(name):
+                for one, other in zip(plain, changed):
+                    self.assertLess(abs(other), 0.01, f"{one} without")
+
     def errors(self, level, count, numbers):
         """Of K_II of both fronts, over that of a crack right across the flux."""
         all_errors = []
