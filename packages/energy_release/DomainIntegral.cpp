@@ -56,7 +56,7 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
 
 /// The thermal part of an interaction integral near the front. \param sums of the particles
 template <class Work>
-double heatNearFront(const Work& work, const double* sums, int mode)
+double heatOfMode(const Work& work, const double* sums, int mode)
 {
   return work.nearFront.near(sums + Work::heatAt + 3 * (1 + mode), mode == 0 ? 0.5 : 1.0);
 }
@@ -71,11 +71,11 @@ double heatOfRelease(const Work& work, const double* sums, double modeI, double 
   for (int mode = 0; mode < 2; ++mode)
   {
     const double intensity = mode == 0 ? modeI : modeII;
-    near += intensity * heatNearFront(work, sums, mode);
+    near += intensity * heatOfMode(work, sums, mode);
     for (int k = 1; k < count; ++k)
       remainder[k] -= intensity * ofJ[count * (1 + mode) + k];
   }
-  return near + work.nearFront.near(remainder, 1.0);
+  return near + work.nearFront.nearOfRemainder(remainder, work.nearFront.moduliVary);
 }
 
 /// Intensities by Williams' field about the tip of the crack in the cells. Each iteration finds the remaining
@@ -103,7 +103,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     blocks.sum("rhegma::domainIntegral", work, sums);
     sumParts(state, sums, Work::numSums);
     for (int mode = 0; mode < 2 && work.nearFront.corrects(); ++mode)
-      sums[1 + mode] += heatNearFront(work, sums, mode) - sums[Work::heatAt + 3 * (1 + mode)];
+      sums[1 + mode] += heatOfMode(work, sums, mode) - sums[Work::heatAt + 3 * (1 + mode)];
     const FaceTractions::Interaction pressed = pressure.interaction(sum.tipOffset, work.disk.moduli),
                                      touching = contact.interaction(sum.tipOffset, work.disk.moduli);
     // The tractions of closed faces are those with which K_I is that of their opening: the integral over the
@@ -138,14 +138,21 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
   }
 }
 
-/// Whether the stress of some material depends on temperature.
-bool strainsByHeat(const State<D>& state)
+/// Corrects nothing if the stress of no material depends on temperature.
+HeatNearFront heatNearFront(const State<D>& state, const Vector<D>& front, const ContourRadii& radii)
 {
   const auto materials = onHost(state.materials.thermo.material);
+  bool strains = false, tabulated = false;
   for (std::size_t m = 0; m < materials.extent(0); ++m)
-    if (materials(m).coupled)
-      return true;
-  return false;
+  {
+    strains = strains || materials(m).coupled;
+    tabulated = tabulated || (materials(m).coupled && materials(m).count > 1);
+  }
+  if (!strains)
+    return {};
+  HeatNearFront near(spacingAt(state, front), radii.inner, radii.outer);
+  near.moduliVary = tabulated;
+  return near;
 }
 
 /// What is integrated over particles, but for the values of nodes and what the disk and the front are.
@@ -191,9 +198,8 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
                      work.positive = front.crack + 1;
                      work.negative = -front.crack - 1;
                      work.bent = path.count > 0;
-                     if (!work.bent && strainsByHeat(state))
-                       work.nearFront =
-                           HeatNearFront(spacingAt(state, front.position), radii.inner, radii.outer);
+                     if (!work.bent)
+                       work.nearFront = heatNearFront(state, front.position, radii);
                      // What closed faces press with follows from their opening (integrateAboutTip).
                      work.intensities = intensities || state.cracks.tractions || work.nearFront.corrects();
                      kept.blocks.find(state, {boxAround(front.position, work.reach)});

@@ -22,13 +22,15 @@ namespace Rhegma::energy_release
 ///     sum V f q  becomes  sum V f q (1 - w) + int w (c0 + c1 r^p) dr,   p = 1/2, 1.
 ///
 /// f of J is K_I times that of mode I plus K_II times that of mode II plus a remainder, of which r f has the
-/// terms 1 (energy of a singular stress in a gradient of the moduli) and r (regular stress).
+/// term r (regular stress), and where moduli depend on temperature 1 (energy of a singular stress in their
+/// gradient).
 ///
 /// For cracks that are straight within the ring.
 struct HeatNearFront
 {
   static constexpr int numSums = 3; ///< of w f q, and both moments of f
 
+  bool moduliVary = false; ///< with temperature
   double within = 0.0, until = 0.0,
          outer = 0.0; ///< radii of w, and of the ring outside [m]; 0: no correction
 
@@ -76,6 +78,13 @@ struct HeatNearFront
     return ((sums[1] * d - sums[2] * b) * nearIntegral(0.0) +
             (sums[2] * a - sums[1] * c) * nearIntegral(power)) /
            (a * d - b * c);
+  }
+
+  /// The integral of w f of a remainder. \param sums of all particles \param singular whether it has the term
+  /// 1, which costs accuracy
+  double nearOfRemainder(const double* sums, bool singular) const
+  {
+    return singular ? near(sums, 1.0) : sums[1] / ringIntegral(1.0) * nearIntegral(1.0);
   }
 
 private:

@@ -86,6 +86,8 @@ struct ChangeOfNodesBlock
   Correction<D, Connect> correct;
   HeatNodes<D> heat;
   ParticleFlux<D> conducts;
+  BorrowedView<double* [D]> gradient;
+  View<double* [D]> before;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
@@ -93,15 +95,12 @@ struct ChangeOfNodesBlock
     {
       if (correct.expansion(p) == 0.0 || isLeftOut(correct.connect, heat, conducts, p))
         continue;
-      double g[D] = {}, size = 0.0;
-      correct.connect.visit(p,
-                            [&](int node, double, const double* slope)
-                            {
-                              for (int d = 0; d < D; ++d)
-                                g[d] += slope[d] * heat.value(node, 1);
-                            });
+      double g[D], size = 0.0;
       for (int d = 0; d < D; ++d)
+      {
+        g[d] = gradient(p, d) - before(p, d);
         size += std::fabs(g[d]);
+      }
       if (size > 0.0)
         correct(p, g);
     }
@@ -139,14 +138,15 @@ bool anyExpands(const ThermoTables& tables)
 }
 
 template <int D>
-void correctExpansion(State<D>& state, const HeatNodes<D>& nodes)
+void correctExpansion(State<D>& state, const HeatNodes<D>& nodes, const View<double* [D]>& before)
 {
   withStraining(state,
                 [&](const auto& connect)
                 {
                   using Connect = std::decay_t<decltype(connect)>;
-                  const ChangeOfNodesBlock<D, Connect> block{Correction<D, Connect>(state, connect), nodes,
-                                                             particleFlux(state)};
+                  const ChangeOfNodesBlock<D, Connect> block{
+                      Correction<D, Connect>(state, connect), nodes, particleFlux(state),
+                      state.particles.template real<D>(fields::temperatureGradient), before};
                   forEachBlock("rhegma::thermal::correctExpansion", state.mesh.blocks, block);
                 });
 }
@@ -163,8 +163,8 @@ void correctExpansion(State<D>& state, const View<double* [D]>& gradient)
                 });
 }
 
-template void correctExpansion(State<2>&, const HeatNodes<2>&);
-template void correctExpansion(State<3>&, const HeatNodes<3>&);
+template void correctExpansion(State<2>&, const HeatNodes<2>&, const View<double* [2]>&);
+template void correctExpansion(State<3>&, const HeatNodes<3>&, const View<double* [3]>&);
 template void correctExpansion(State<2>&, const View<double* [2]>&);
 template void correctExpansion(State<3>&, const View<double* [3]>&);
 

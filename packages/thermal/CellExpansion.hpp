@@ -19,9 +19,9 @@
 /// cell along axis i, and M_ij + M_ji is the shear strain of a bilinear cell that bends. In refined cells,
 /// for boxes across several cells, and with the nodes of one side of a crack, M is that of the same slopes
 /// which strain the particle. Thus the deformation gradient of a particle changes by -alpha (M + M^T) F / 2
-/// along with every change of the nodes' temperature: when the motion of the nodes has followed, it contains
-/// the thermal strain of the particle itself, and W(F / theta; T) needs no change. The mean over a cell that
-/// is full of particles does not change.
+/// along with every change of the gradient of the nodes' temperature: when the motion of the nodes has
+/// followed, it contains the thermal strain of the particle itself, and W(F / theta; T) needs no change. The
+/// mean over a cell that is full of particles does not change.
 ///
 /// As a change of strain, it is that of the cell in which the particle is at that time. A body that moves
 /// through the cells with a constant temperature is not strained by it.
@@ -52,10 +52,13 @@ KOKKOS_INLINE_FUNCTION double heatOfExpansion(const ThermoPoint& at)
 /// Whether the strain of any material depends on temperature.
 bool anyExpands(const ThermoTables& tables);
 
-/// Corrects the deformation gradients for the change of the nodes' temperature, HeatNodes::value(n, 1).
-/// Particles that do not take part in the conduction of their nodes are left out (Insulators.hpp).
+/// Corrects the deformation gradients for the change of the particles' temperature gradients. The changes of
+/// the nodes' temperatures in the steps have another sum: next to nodes whose temperature is prescribed they
+/// need not fade in a steady state, as the prescribed temperature differs from that of the particles around.
+/// \param before the gradients when it was called last. Particles that do not take part in the conduction of
+/// their nodes are left out (Insulators.hpp).
 template <int D>
-void correctExpansion(State<D>& state, const HeatNodes<D>& nodes);
+void correctExpansion(State<D>& state, const HeatNodes<D>& nodes, const View<double* [D]>& before);
 
 /// Corrects the deformation gradients of particles that nothing has strained yet for the temperature at the
 /// start. \param gradient of the temperature of each particle [K/m]

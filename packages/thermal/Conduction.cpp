@@ -135,6 +135,21 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
   return power;
 }
 
+template <int D>
+void Conduction<D>::keepGradients(const State<D>& state)
+{
+  const int count = state.particles.size();
+  if (static_cast<int>(gradientBefore.extent(0)) < count)
+    gradientBefore = View<double* [D]>("rhegma::thermal::gradientBefore", count + count / 8);
+  const auto gradient = state.particles.template real<D>(fields::temperatureGradient);
+  const View<double* [D]> before = gradientBefore;
+  Kokkos::parallel_for(
+      "rhegma::thermal::keepGradients", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int p) {
+        for (int d = 0; d < D; ++d)
+          before(p, d) = gradient(p, d);
+      });
+}
+
 /// \param dt length of the step \param begin of the time over which functions of time act \param end of it,
 /// at which temperatures are held
 template <int D>
@@ -162,6 +177,8 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
     joinMaterials(state, nodes);
   boundaries.hold(state, nodes, end);
   double heat = dt * boundaries.addFlux(state, nodes, begin, end - begin);
+  if (expands)
+    keepGradients(state);
   fluxToNodes(state, nodes, supplied);
   sumOverRanks(state, nodes.rate.data(), 2, 0, 1);
   if (integrator.method != Method::Explicit)
@@ -175,7 +192,7 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
   ++stepsTaken;
   changeToParticles(state, nodes, fading, supplied, dt);
   if (expands)
-    correctExpansion(state, nodes);
+    correctExpansion(state, nodes, gradientBefore);
   state.energy.heat += heat;
 }
 

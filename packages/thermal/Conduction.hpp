@@ -63,6 +63,10 @@ struct Conduction
   static constexpr double mostSubsteps = 10000.0;
   std::string tooMany(const State<D>& state, double count) const;
 
+  /// Part of `step`; public because compilers for devices want kernels in public functions.
+  void keepGradients(const State<D>& state);
+  View<double* [D]> gradientBefore; ///< of the particles, before a step of conduction [K/m]
+
 private:
   void once(State<D>& state, double dt, double begin, double end, const View<double*>& supplied);
   void solveSteady(State<D>& state);

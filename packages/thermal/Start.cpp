@@ -142,6 +142,14 @@ void correctStart(State<D>& state, const Teuchos::ParameterList& bodies)
     return;
   Kokkos::deep_copy(gradient, g);
   correctExpansion(state, gradient);
+  // The first step corrects for the change from here.
+  const auto kept = state.particles.template real<D>(fields::temperatureGradient);
+  Kokkos::parallel_for(
+      "rhegma::thermal::startGradients", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        for (int d = 0; d < D; ++d)
+          kept(p, d) = gradient(p, d);
+      });
 }
 
 template <int D>

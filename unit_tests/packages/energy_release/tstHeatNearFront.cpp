@@ -62,14 +62,14 @@ std::pair<double, double> worstErrors(double power, const Density& density, doub
 /// Two singular fields: r f = sin^2(theta / 2) (1 + r / 16), as of mode II and the temperature of a crack of
 /// 8 cells. With w = 1 up to r = 1 and 2 - r up to 2: int w = 3/2, int w r = 7/6. The moments are sums over
 /// some 200 particles with weights that vanish quadratically in the cell at both ends of the ring: half a
-/// percent, which the extrapolation to the front multiplies by up to six.
+/// percent, which the extrapolation to the front multiplies by up to ten.
 TEST(HeatNearFront, TwoSingularFields)
 {
   const double exact = halfTurn * (1.5 + 7.0 / 6.0 / 16.0);
   const auto [fitted, summed] = worstErrors(
       1.0, [](double r, double theta) { return std::pow(std::sin(theta / 2.0), 2) * (1.0 + r / 16.0); },
       exact);
-  EXPECT_LT(fitted, 0.03);
+  EXPECT_LT(fitted, 0.05);
   EXPECT_GT(summed, 0.05); // else there would be nothing to correct
 }
 
@@ -81,7 +81,7 @@ TEST(HeatNearFront, ModeIInAUniformGradient)
   const double radial = 2.0 / 3.0 + (8.0 / 3.0 * root - 8.0 / 5.0 * root) - (4.0 / 3.0 - 2.0 / 5.0);
   const auto [fitted, summed] = worstErrors(
       0.5, [](double r, double theta) { return std::sqrt(r) * std::cos(theta / 2.0); }, 4.0 * radial);
-  EXPECT_LT(fitted, 0.03);
+  EXPECT_LT(fitted, 0.05);
   EXPECT_GT(summed, fitted);
 }
 
@@ -96,16 +96,20 @@ TEST(HeatNearFront, ModeIWithHeldFaces)
       [](double r, double theta)
       { return std::pow(std::cos(theta / 2.0), 2) + 0.3 * std::sqrt(r) * std::cos(theta / 2.0); },
       halfTurn * 1.5 + 0.3 * 4.0 * radial);
-  EXPECT_LT(fitted, 0.03);
+  EXPECT_LT(fitted, 0.05);
   EXPECT_GT(summed, 0.05);
 }
 
-/// A uniform integrand of 3 without singularity gives 3 2 pi int w r.
+/// A uniform integrand of 3 without singularity gives 3 2 pi int w r, by the first moment alone too.
 TEST(HeatNearFront, RegularRemainder)
 {
-  const auto [fitted, summed] = worstErrors(
-      1.0, [](double r, double) { return 3.0 * r; }, 3.0 * 2.0 * halfTurn * 7.0 / 6.0);
-  EXPECT_LT(fitted, 0.03);
+  const double exact = 3.0 * 2.0 * halfTurn * 7.0 / 6.0;
+  const Density density = [](double r, double) { return 3.0 * r; };
+  EXPECT_LT(worstErrors(1.0, density, exact).first, 0.05);
+  std::mt19937 random(21);
+  const HeatNearFront near(1.0, 3.0, 6.0);
+  for (int k = 0; k < 20; ++k)
+    EXPECT_NEAR(near.nearOfRemainder(Sums(near, random, density).of, false) / exact, 1.0, 0.02);
 }
 
 TEST(HeatNearFront, SmallContoursAreNotCorrected)
