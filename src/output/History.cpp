@@ -117,7 +117,9 @@ void History::setColumns(const Row& row)
   for (const auto& column : row)
   {
     if (!seen.insert(column.first).second)
-      throw std::logic_error("the history has two columns \"" + column.first + "\"");
+      throw std::invalid_argument(
+          "the history would have two columns \"" + column.first +
+          "\": names of the scene give the same one; rename a probe, a crack or a body");
     columns_.push_back(column.first);
     header += "," + quoted(column.first);
   }

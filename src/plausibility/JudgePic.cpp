@@ -29,7 +29,9 @@ template <int D>
 Messages judgePic(const JudgedScene<D>& judged)
 {
   const Method& method = judged.state.method;
-  if (!method.mechanics || method.equilibrium() || !(method.picFraction > 0.0) || judged.bodies.empty() ||
+  // That of the scene: updates of other names have a fraction of 1, and losses of their own.
+  const double fraction = judged.scene.sublist("Time").template get<double>("PIC Fraction");
+  if (!method.mechanics || method.equilibrium() || !(fraction > 0.0) || judged.bodies.empty() ||
       !(judged.step > 0.0))
     return {};
   constexpr double shortest = 10.0, noticed = 0.1; // cells of a wave, part of its energy
@@ -40,11 +42,11 @@ Messages judgePic(const JudgedScene<D>& judged)
                end = judged.scene.sublist("Time").template get<double>("Final Time");
   const double steps = std::min(end / judged.step, double(judged.state.clock.maximumSteps));
   const double across = std::min(steps, longest->longest / longest->speed / judged.step);
-  const double ofLong = lost(method.picFraction, 2.0 * longest->longest / cell, steps),
-               ofShort = lost(method.picFraction, shortest, across);
+  const double ofLong = lost(fraction, 2.0 * longest->longest / cell, steps),
+               ofShort = lost(fraction, shortest, across);
   if (std::max(ofLong, ofShort) < noticed)
     return {};
-  return {"Time > PIC Fraction is " + formatReal(method.picFraction) + ": it takes about " +
+  return {"Time > PIC Fraction is " + formatReal(fraction) + ": it takes about " +
           formatShort(100.0 * ofLong) + " % of the energy of the longest wave in Bodies > " + longest->name +
           " (" + readableLength(2.0 * longest->longest) + ") up to the end, and " +
           formatShort(100.0 * ofShort) + " % of that of waves of 10 cells (" +

@@ -2,6 +2,7 @@
 
 import csv
 import fcntl
+import io
 import json
 import math
 import multiprocessing
@@ -221,7 +222,7 @@ def check_history(folder, manifest, found):
     if whole != text and ended:
         found.faults.append(f"{path}: its last row is cut off.")
     try:
-        rows = list(csv.reader(whole.decode().splitlines()))
+        rows = list(csv.reader(io.StringIO(whole.decode(), newline="")))
         table = np.array([[float(value) for value in row] for row in rows[1:]])
         if any(len(row) != len(rows[0]) for row in rows):
             raise ValueError("rows of different lengths")
