@@ -100,7 +100,7 @@ inline void judgeDiffusivities(const Teuchos::ParameterList& materials, std::vec
       continue;
     warnings.push_back("Materials > " + name + ": its thermal diffusivity, Conductivity over Density and " +
                        "Specific Heat, is " + formatShort(diffusivity) + " m2/s, " +
-                       (diffusivity > most ? "more than of any solid at room temperature (graphite 1.2e-3)"
+                       (diffusivity > most ? "more than of any solid at 293 K (graphite 1.2e-3)"
                                            : "less than of any solid (polymers 5e-8)") +
                        "; check units (W/(m K), kg/m3, J/(kg K)), or write a Conductivity of zero if it "
                        "does not matter");
