@@ -146,9 +146,14 @@ class OddCracks(ProgramTest):
         self.reports(supported([0.25, 0.5, 0.75, 0.5], 0.02), "0.4 cells", "2.5 %", where="Boundaries > Wall > Position")
 
     def test_cracks_that_the_cells_see(self):
-        for points in ([0.0, 0.5, 0.5, 0.5], [0.0, 0.5, 1.0, 0.5], [-3.0, 0.47, 7.0, 0.49], [0.3, 0.31, 0.6, 0.72]):
+        for points in ([0.0, 0.5, 0.5, 0.5], [0.3, 0.31, 0.6, 0.72]):
             with self.subTest(points=points):
                 self.reports(cracked(points))
+
+    def test_cracks_that_cut_the_plate(self):
+        for points in ([0.0, 0.5, 1.0, 0.5], [-3.0, 0.47, 7.0, 0.49]):
+            with self.subTest(points=points):
+                self.reports(cracked(points), "is cut in 2 pieces")
 
 
 if __name__ == "__main__":
