@@ -17,6 +17,14 @@ namespace Rhegma::cracks
 /// Sign of a node's primary field.
 KOKKOS_INLINE_FUNCTION double signOf(int side) { return side > 0 ? 1.0 : -1.0; }
 
+/// Whether both fields of a node have mass [kg]. A particle that touches the edge of a node's cells gives it
+/// some 1e-14 of the mass of a full cell or nothing, as its position is rounded: on other ranks otherwise.
+KOKKOS_INLINE_FUNCTION bool bothHaveMass(double mass, double other)
+{
+  constexpr double rounding = 1e-12;
+  return std::fmin(mass, other) > rounding * (mass + other);
+}
+
 /// The largest stiffness of a spring between the fields of the i-th node with two that is stable in the step
 /// that this node takes, a substep where it is subcycled [N/m]. Zero where a field has no mass; without limit
 /// in steps of equilibrium.
@@ -50,7 +58,7 @@ struct StableStiffness
     const double most = limit < std::numeric_limits<double>::max()
                             ? std::ldexp(limit, 2 * halvings) * a * b / (a + b)
                             : limit;
-    return a > 0.0 && b > 0.0 ? most : 0.0;
+    return bothHaveMass(a, b) ? most : 0.0;
   }
 };
 

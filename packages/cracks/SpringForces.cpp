@@ -64,7 +64,7 @@ struct StretchSpring
     const bool counts = isOwnedByThisRank(nodes, primary);
     // Where one of the two fields has no mass, their relative motion is no stretch.
     const bool both =
-        nodes.sums(primary, Nodes<D>::massAt) > 0.0 && nodes.sums(enriched, Nodes<D>::massAt) > 0.0;
+        bothHaveMass(nodes.sums(primary, Nodes<D>::massAt), nodes.sums(enriched, Nodes<D>::massAt));
     const NodalSpring<D> node = springs(primary);
     const Vector<D> from = node.opening();
     // Where strain comes first, forces of this step are not known yet, and those of the last are not in
