@@ -58,7 +58,8 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
 template <class Work>
 double heatOfMode(const Work& work, const double* sums, int mode)
 {
-  return work.nearFront.near(sums + Work::heatAt + 3 * (1 + mode), mode == 0 ? 0.5 : 1.0);
+  return work.nearFront.near(sums + Work::heatAt + HeatNearFront::numSums * (1 + mode),
+                             mode == 0 ? 0.5 : 1.0);
 }
 
 /// What corrects that of J [J] (HeatNearFront.hpp).
@@ -103,7 +104,8 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     blocks.sum("rhegma::domainIntegral", work, sums);
     sumParts(state, sums, Work::numSums);
     for (int mode = 0; mode < 2 && work.nearFront.corrects(); ++mode)
-      sums[1 + mode] += heatOfMode(work, sums, mode) - sums[Work::heatAt + 3 * (1 + mode)];
+      sums[1 + mode] +=
+          heatOfMode(work, sums, mode) - sums[Work::heatAt + HeatNearFront::numSums * (1 + mode)];
     const FaceTractions::Interaction pressed = pressure.interaction(sum.tipOffset, work.disk.moduli),
                                      touching = contact.interaction(sum.tipOffset, work.disk.moduli);
     // The tractions of closed faces are those with which K_I is that of their opening: the integral over the

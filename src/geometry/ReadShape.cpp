@@ -75,12 +75,14 @@ std::string text(const ParameterList& list, const std::string& name, const char*
 template <class What>
 const Array& numbers(const ParameterList& list, const std::string& name, const What& what)
 {
-  const ParameterEntry* const entry = find(list, name);
-  if (entry == nullptr)
-    fail(list, name, "is missing; the shape needs " + what() + ".");
-  if (!entry->isType<Array>())
+  const ParameterEntry* const entry = list.getEntryPtr(name);
+  if (entry != nullptr && !entry->isType<Array>())
     fail(list, name, "must be " + what() + ".");
-  const auto& array = Teuchos::getValue<Array>(*entry);
+  // Read once: its type's name is put together each time.
+  const Array* const found = entry == nullptr ? nullptr : &Teuchos::getValue<Array>(*entry);
+  if (found == nullptr || found->size() == 0)
+    fail(list, name, "is missing; the shape needs " + what() + ".");
+  const Array& array = *found;
   for (const double value : array)
     mustBeFinite(list, name, value);
   return array;

@@ -1,7 +1,9 @@
 #include "scene/Utf8.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 
 namespace Rhegma
 {
@@ -29,6 +31,29 @@ std::size_t lengthOfFirst(std::string_view text)
                ? 4
                : 0;
   return 0;
+}
+
+/// The first byte from `at` on that is not ASCII; the text's size where all are. Most scenes are ASCII, and
+/// have megabytes where they have many bodies: eight bytes at once.
+std::size_t skipAscii(std::string_view text, std::size_t at)
+{
+  constexpr std::uint64_t highBits = 0x8080808080808080u;
+  std::uint64_t word = 0;
+  for (; at + sizeof word <= text.size(); at += sizeof word)
+  {
+    std::memcpy(&word, text.data() + at, sizeof word);
+    if ((word & highBits) != 0)
+      break;
+  }
+  while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80)
+    ++at;
+  return at;
+}
+
+/// Whether a text is of ASCII characters without control characters.
+bool isPlain(std::string_view text)
+{
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7f; });
 }
 
 /// Whether a character is a control character (general category Cc), and its code.
@@ -70,7 +95,7 @@ std::string utf8(unsigned long code)
 
 std::size_t firstNotUtf8(std::string_view text)
 {
-  for (std::size_t at = 0; at < text.size();)
+  for (std::size_t at = skipAscii(text, 0); at < text.size(); at = skipAscii(text, at))
   {
     const std::size_t length = lengthOfFirst(text.substr(at, 4));
     if (length == 0)
@@ -89,6 +114,8 @@ std::string foreignByteText(char byte)
 
 std::string mistakeInName(std::string_view name)
 {
+  if (isPlain(name))
+    return {};
   if (const std::size_t at = firstNotUtf8(name); at != std::string_view::npos)
     return foreignByteText(name[at]) + "; write the name in UTF-8.";
   unsigned code = 0;
@@ -104,6 +131,8 @@ std::string mistakeInName(std::string_view name)
 
 std::string printable(std::string_view name)
 {
+  if (isPlain(name))
+    return std::string(name);
   std::string text;
   unsigned code = 0;
   for (std::size_t at = 0, length = 0; at < name.size(); at += length)
