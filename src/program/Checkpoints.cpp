@@ -16,7 +16,7 @@ namespace
 {
 
 /// A copy in memory is made when the time since the last one is this multiple of its cost.
-constexpr int fractionOfCopies = 50;
+constexpr int timeBetweenCopies = static_cast<int>(1.0 / costOfCopies);
 
 } // namespace
 
@@ -43,7 +43,7 @@ void Checkpoints::afterSample()
   copied_ = history_.soFar();
   simulation_.hold(notesOf(copied_));
   const Clock::time_point end = Clock::now();
-  nextHold_ = end + fractionOfCopies * (end - begin);
+  nextHold_ = end + timeBetweenCopies * (end - begin);
   ++cost_.copies;
   cost_.seconds += std::chrono::duration<double>(end - begin).count();
 }

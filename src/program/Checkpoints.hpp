@@ -13,13 +13,16 @@
 namespace Rhegma::program
 {
 
+/// What copies of the state in memory may take of a run [-].
+constexpr double costOfCopies = 1.0 / 250.0;
+
 /// Writes checkpoint.h5 in the output folder: at intervals of simulated time and of the clock (section
 /// Output), where a signal stops the run, before the run ends in failure, and at its end where an interval of
 /// simulated time is given.
 ///
 /// A failure is detected within a step, when the state is inconsistent, and its cause may be much earlier.
-/// Therefore a copy of the state is stored in memory at samples with a sound energy balance, as often as that
-/// takes less than a fiftieth of the run; it is written when the run fails. The history up to a copy is in
+/// Therefore a copy of the state is stored in memory at samples with a sound energy balance, as often as
+/// costOfCopies allows; it is written when the run fails. The history up to a copy is in
 /// its file before the copy is made, so that the copy can be used when later rows can't be written.
 class Checkpoints
 {

@@ -6,6 +6,7 @@
 #include "plan/KnownEffects.hpp"
 #include "program/Budget.hpp"
 #include "program/CheckText.hpp"
+#include "program/Checkpoints.hpp"
 #include "program/Intervals.hpp"
 #include "program/RateCache.hpp"
 #include "scene/Scene.hpp"
@@ -31,8 +32,8 @@ namespace
 /// Time of the processor that measuring the rates may take [s].
 constexpr double measuringSeconds = 1.0;
 
-/// What copies of the state for a restart take of a run (Checkpoints).
-constexpr double copies = 1.02;
+/// A run with the copies of its state for a restart, as a multiple of one without.
+constexpr double copies = 1.0 + costOfCopies;
 
 /// Where a machine is this busy, who reads a forecast should know.
 constexpr double busyMachine = 1.3;

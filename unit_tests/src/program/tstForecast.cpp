@@ -1,5 +1,6 @@
 /// Cost of a run from the rates of its steps, and the rates that are kept.
 
+#include "program/Checkpoints.hpp"
 #include "program/Forecast.hpp"
 #include "program/RateCache.hpp"
 #include "program/Twice.hpp"
@@ -73,12 +74,15 @@ std::string textOf(const std::string& path)
 
 } // namespace
 
-/// 100 steps of 1 ms, 10 samples of 2 ms and 4 snapshots of 5 ms; copies of the state take 2 % of the steps.
+constexpr double copies = 1.0 + costOfCopies;
+
+/// 100 steps of 1 ms, 10 samples of 2 ms and 4 snapshots of 5 ms; copies of the state take costOfCopies of
+/// the steps.
 TEST(Forecast, AddsWhatStepsSamplesAndSnapshotsCost)
 {
   const Forecast f = forecastOf(rates(), scene(), 0.0);
   EXPECT_NEAR(f.steps, 100.0, 1.0);
-  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.1 + 0.02) + 0.02, 2e-3);
+  EXPECT_NEAR(f.seconds, 0.5 + copies * (0.1 + 0.02) + 0.02, 2e-3);
   EXPECT_EQ(f.bytes, 4000.0);
   EXPECT_EQ(f.secondsToRest, 0.0);
 }
@@ -89,7 +93,7 @@ TEST(Forecast, EndsAtMaximumSteps)
   few.sublist("Time").set("Maximum Steps", 50);
   const Forecast f = forecastOf(rates(), few, 0.0);
   EXPECT_EQ(f.steps, 50.0);
-  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.05 + 0.01) + 0.01, 2e-3);
+  EXPECT_NEAR(f.seconds, 0.5 + copies * (0.05 + 0.01) + 0.01, 2e-3);
 }
 
 /// Each takes 50 ms: ten in a run of 1 s with one every 0.1 s; four with 0.3 s, whose last one is at the end.
@@ -134,11 +138,11 @@ TEST(Forecast, ToWhereDampingHasItSettle)
   damped.sublist("Damping").set("Settled Energy Ratio", 1e-4);
   constexpr double critical = 20.0; // of the slowest motion
   const Forecast f = forecastOf(rates(), damped, 0.0, critical);
-  EXPECT_NEAR(f.secondsToRest, 0.5 + 0.4605 * 1.02 * 0.12 + 0.005, 2e-3);
+  EXPECT_NEAR(f.secondsToRest, 0.5 + 0.4605 * copies * 0.12 + 0.005, 2e-3);
   EXPECT_LT(f.secondsToRest, f.seconds);
   Teuchos::ParameterList rare = damped; // rest is seen in a sample
   rare.sublist("Output").set("History Interval", 0.6);
-  EXPECT_NEAR(forecastOf(rates(), rare, 0.0, critical).secondsToRest, 0.5 + 0.6 * 1.02 * 0.1033 + 0.005,
+  EXPECT_NEAR(forecastOf(rates(), rare, 0.0, critical).secondsToRest, 0.5 + 0.6 * copies * 0.1033 + 0.005,
               2e-3);
   rare.sublist("Output").set("History Interval", 2.0);
   EXPECT_EQ(forecastOf(rates(), rare, 0.0, critical).secondsToRest, 0.0);
@@ -155,7 +159,7 @@ TEST(Forecast, KnowsWhatTheFirstStepsTook)
   StepRates slowFirst = rates();
   slowFirst.spent = 0.3;
   const Forecast f = forecastOf(slowFirst, scene(), 0.0);
-  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.3 + 0.09 + 0.02) + 0.02, 2e-3);
+  EXPECT_NEAR(f.seconds, 0.5 + copies * (0.3 + 0.09 + 0.02) + 0.02, 2e-3);
 }
 
 /// A run that has come to its end in its first steps takes what these took, however they differ.
@@ -166,7 +170,7 @@ TEST(Forecast, OfARunThatIsOver)
   whole.spent = 0.7;
   const Forecast f = forecastOf(whole, scene(), 0.0);
   EXPECT_EQ(f.steps, 10.0);
-  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.7 + 10 * 0.002) + 0.02, 1e-9);
+  EXPECT_NEAR(f.seconds, 0.5 + copies * (0.7 + 10 * 0.002) + 0.02, 1e-9);
 }
 
 /// Cells that are refined later: twice the steps for a time, of three times as many particles in the mean.
@@ -176,7 +180,7 @@ TEST(Forecast, OfCellsThatChange)
   changing.growth = {2.0, 6.0};
   const Forecast f = forecastOf(changing, scene(), 0.0);
   EXPECT_EQ(f.steps, 190.0);
-  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.01 + 0.54 + 0.02) + 0.02, 1e-9);
+  EXPECT_NEAR(f.seconds, 0.5 + copies * (0.01 + 0.54 + 0.02) + 0.02, 1e-9);
   EXPECT_NE(asText(f).find("from its first 10 steps and a run with cells of twice the size"),
             std::string::npos)
       << asText(f);
@@ -208,7 +212,7 @@ TEST(Forecast, CountsLoadStepsAndLinearSystems)
   const Forecast f = forecastOf(r, scene(), 0.0);
   EXPECT_EQ(f.steps, 20.0);
   EXPECT_EQ(f.solves, 60.0);
-  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * 20 * 0.3, 1e-9);
+  EXPECT_NEAR(f.seconds, 0.5 + copies * 20 * 0.3, 1e-9);
   const std::string text = asText(f);
   for (const char* part : {"6.6 s (20 load steps, 60 linear systems of 4443 unknowns, 100 ms each, ",
                            "from its first 2 load steps"})
@@ -226,7 +230,7 @@ TEST(Forecast, OfOneLinearSystem)
   r.solve = 10.0;
   const Forecast f = forecastOf(r, scene(), 0.0);
   EXPECT_EQ(f.steps, 1.0);
-  EXPECT_NEAR(f.seconds, 1.02 * 40.0, 1e-9);
+  EXPECT_NEAR(f.seconds, copies * 40.0, 1e-9);
   const std::string text = asText(f);
   for (const char* part : {"1 load step, 4 linear systems of 250000 unknowns, 1e+04 ms each",
                            "from the time of one linear system"})
