@@ -14,7 +14,7 @@ namespace Rhegma::program
 {
 
 /// What copies of the state in memory may take of a run [-].
-constexpr double costOfCopies = 1.0 / 250.0;
+constexpr double costOfCopies = 1.0 / 400.0;
 
 /// Writes checkpoint.h5 in the output folder: at intervals of simulated time and of the clock (section
 /// Output), where a signal stops the run, before the run ends in failure, and at its end where an interval of
