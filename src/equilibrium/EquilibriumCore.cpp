@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "equilibrium/Newton.hpp"
+#include "state/ContactAdvice.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Scatter.hpp"
@@ -251,10 +252,16 @@ void inspect(const Teuchos::ParameterList& scene, const State<D>& state, LastSte
   {
     std::string wrong;
     std::set<std::string> named;
+    std::set<int> advised;
     for (const RigidMode<D>& mode : step.freeMotions())
     {
-      const std::string line = "Bodies > " + step.bodyOf(state, mode.piece) + " " + mode.asText() +
-                               ": support it, or write Time > Rigid Modes = Remove";
+      const FreePiece piece = step.pieceOfMotion(state, mode);
+      const bool apart = piece.isPart && !state.cracks.empty() && !state.cracks.contactEnergy &&
+                         advised.insert(mode.piece).second;
+      const std::string line =
+          piece.name() + " " + mode.asText() + ": support it, or write Time > Rigid Modes = Remove" +
+          (apart ? ", or, if only a crack parts it from the rest, " + contactAdvice(state, true, false)
+                 : std::string());
       if (named.insert(line).second)
         wrong += (wrong.empty() ? "" : "\n") + line;
     }
