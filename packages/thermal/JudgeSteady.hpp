@@ -85,7 +85,8 @@ void judgeSteady(const Teuchos::ParameterList& scene, const Conduction<D>& condu
         bodies[groups[g].bodies.front()].name + ", so that its steady temperature is not determined" +
         (heat[g] != 0.0 ? ", and " + formatShort(heat[g]) + " W flow into it that nothing takes away"
                         : ": it keeps that of the start") +
-        "; prescribe a temperature of it, or write Implicit");
+        "; prescribe a temperature of it, or write Conduction = Implicit" +
+        (state.method.analysis == Analysis::Static ? " and Time > Analysis = Quasi-Static" : ""));
   }
 }
 

@@ -19,8 +19,8 @@ std::string contactAdvice(const State<D>& state, bool cuts, bool startsInEquilib
   if (atRest)
     text += cuts ? " with Law = Stick, or Coulomb and a Friction Coefficient, if the loads press its faces "
                    "together (without friction the pieces can slide)"
-                 : " (with Law = Stick, or Coulomb and a Friction Coefficient, if none is found without "
-                   "friction)";
+                 : " (with Law = Stick, or Coulomb and a Friction Coefficient, if no equilibrium is "
+                   "found without friction)";
   if (state.method.analysis == Analysis::LoadFactor)
     text +=
         " and write Propagation > Load Control = Functions of Time, because no factor of loads that close "
