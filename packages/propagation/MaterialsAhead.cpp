@@ -158,14 +158,14 @@ void warnOfOtherMaterial(const Options& options, const CrackFront<D>& front, con
 {
   if (state.materials.properties.size() < 2)
     return;
+  const int own = materialAt(state, from), other = materialAt(state, from + by);
+  if (own == other ||
+      !(stiffnessRatio(state.materials.properties[own], state.materials.properties[other]) > 0.0))
+    return;
   // The warnings are part of checkpoints, so that a front of a run that continues is not named again.
   const std::string start = frontName(state.cracks, front) + ": it comes into Materials > ";
   if (std::any_of(state.warnings.begin(), state.warnings.end(),
                   [&](const std::string& warning) { return warning.rfind(start, 0) == 0; }))
-    return;
-  const int own = materialAt(state, from), other = materialAt(state, from + by);
-  if (own == other ||
-      !(stiffnessRatio(state.materials.properties[own], state.materials.properties[other]) > 0.0))
     return;
   const std::string when = state.method.analysis == Analysis::LoadFactor
                                ? "in load step " + std::to_string(state.clock.step)
