@@ -4,6 +4,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "combustion/Burning.hpp"
+#include "plausibility/CrackBounds.hpp"
 #include "plausibility/CrackExtent.hpp"
 
 #include <algorithm>
@@ -66,6 +67,36 @@ void judgeRate(const std::string& where, const BurnRate& rate, double pressure, 
                        " up to Time > Final Time (" + formatShort(most) + " m/s), less than an atom" + units);
 }
 
+/// Warns of faces that are hotter at the start than their ignition temperature, as where a body has a
+/// temperature of its own.
+template <int D>
+void judgeIgnition(const State<D>& state, const Burning<D>& burning, const std::string& where,
+                   std::vector<std::string>& warnings)
+{
+  if (!burning.ignition.byTemperature() || state.materials.thermo.empty())
+    return;
+  const auto bounds = boundsOfCrack(state.cracks.cracks[burning.crack], onHost(state.cracks.vertex));
+  const auto position = onHost(state.particles.template real<D>(fields::position));
+  const auto temperature = onHost(state.particles.scalar(fields::temperature));
+  const double cell = state.mesh.grid.spacing;
+  double hottest = 0.0;
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    bool near = true;
+    for (int d = 0; d < D; ++d)
+      near = near && position(p, d) > bounds.lower[d] - cell && position(p, d) < bounds.upper[d] + cell;
+    hottest = near ? std::max(hottest, temperature(p)) : hottest;
+  }
+  if (hottest < burning.ignition.temperature)
+    return;
+  warnings.push_back(
+      where + " > Ignition Temperature is " + formatShort(burning.ignition.temperature) +
+      " K, and its faces have up to " + formatShort(hottest) + " K at the start, so that they burn " +
+      (burning.ignition.time > 0.0 ? "from Ignition Time = " + readableTime(burning.ignition.time) + " on"
+                                   : std::string("at once")) +
+      "; write a higher one or colder bodies (kelvin), or leave it out if that is meant");
+}
+
 /// Warns of what burns in one crack. \param list its parameters \param end of the run [s]
 template <int D>
 void judgeBurning(const State<D>& state, const Burning<D>& burning, const Teuchos::ParameterList& list,
@@ -73,6 +104,7 @@ void judgeBurning(const State<D>& state, const Burning<D>& burning, const Teucho
 {
   const std::string where = "Combustion > " + state.cracks.cracks[burning.crack].name;
   judgeGas(where, list, warnings);
+  judgeIgnition(state, burning, where, warnings);
   const double duration = std::max(0.0, end - list.get<double>("Ignition Time"));
   if (duration == 0.0)
     warnings.push_back(where + " > Ignition Time is " + readableTime(list.get<double>("Ignition Time")) +

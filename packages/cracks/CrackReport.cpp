@@ -65,7 +65,8 @@ void addCrackColumns(State<D>& state, bool grows)
 }
 
 template <int D>
-void reportCracks(const State<D>& state, bool grows, bool touching, nlohmann::json& summary)
+void reportCracks(const State<D>& state, bool grows, bool touching, bool startsInEquilibrium,
+                  nlohmann::json& summary)
 {
   for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
   {
@@ -74,7 +75,8 @@ void reportCracks(const State<D>& state, bool grows, bool touching, nlohmann::js
     if (!entry.contains("fronts"))
       entry["fronts"] = nlohmann::json::array();
     const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
-    const std::string warning = touching ? "" : warningOfOverlap(state, static_cast<int>(c));
+    const std::string warning =
+        touching ? "" : warningOfOverlap(state, static_cast<int>(c), startsInEquilibrium);
     if (!warning.empty())
       summary["warnings"].push_back(warning);
     entry["opening"] = opening.largest;
@@ -103,7 +105,7 @@ void reportCracks(const State<D>& state, bool grows, bool touching, nlohmann::js
 
 template void addCrackColumns(State<2>&, bool);
 template void addCrackColumns(State<3>&, bool);
-template void reportCracks(const State<2>&, bool, bool, nlohmann::json&);
-template void reportCracks(const State<3>&, bool, bool, nlohmann::json&);
+template void reportCracks(const State<2>&, bool, bool, bool, nlohmann::json&);
+template void reportCracks(const State<3>&, bool, bool, bool, nlohmann::json&);
 
 } // namespace Rhegma::cracks

@@ -14,8 +14,10 @@ template <int D>
 void addCrackColumns(State<D>& state, bool grows);
 
 /// Adds the entries of cracks and fronts to the summary, and warnings of faces that overlap. \param touching
-/// contact keeps faces apart, so that none do
+/// contact keeps faces apart, so that none do \param startsInEquilibrium as by Time > Initial State =
+/// Equilibrium
 template <int D>
-void reportCracks(const State<D>& state, bool grows, bool touching, nlohmann::json& summary);
+void reportCracks(const State<D>& state, bool grows, bool touching, bool startsInEquilibrium,
+                  nlohmann::json& summary);
 
 } // namespace Rhegma::cracks

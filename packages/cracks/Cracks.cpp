@@ -74,6 +74,7 @@ struct Parts
   bool releases; ///< new faces open against a traction; in equilibrium they are free at once
   bool joins;    ///< cracks may end on others
   bool touching; ///< contact keeps faces apart
+  bool startsInEquilibrium;
   int pieces;    ///< of a cell, for edges of surfaces
   int levels;    ///< of finer cells at fronts
   bool adaptive; ///< cells are refined after this effect has started
@@ -95,6 +96,7 @@ struct Parts
         releases(grows && !isEquilibrium(scene)),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
+        startsInEquilibrium(scene.sublist("Time").get<std::string>("Initial State") == "Equilibrium"),
         pieces(piecesOfACell(options)),
         levels(options.frontLevels),
         adaptive(options.adaptive),
@@ -285,7 +287,7 @@ void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summar
     parts.advected.report(state, summary);
   if (parts.grows)
     summary["energy_in_flight"] = parts.springs.pendingEnergy(state, parts.surroundings.stamp);
-  reportCracks(state, parts.grows, parts.touching, summary);
+  reportCracks(state, parts.grows, parts.touching, parts.startsInEquilibrium, summary);
 }
 
 /// The faces of cracks lie, and their springs are stretched, as in an equilibrium that has the same cracks.

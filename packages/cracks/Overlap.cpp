@@ -3,9 +3,11 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "cracks/Opening.hpp"
+#include "state/ContactAdvice.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Rhegma::cracks
@@ -52,10 +54,18 @@ Vector<D> firstVertex(const CrackSet<D>& cracks, int crack)
   return x;
 }
 
+/// Whether a crack has a front that may still advance; without one it ends at surfaces or other cracks.
+template <int D>
+bool hasFront(const CrackSet<D>& cracks, int crack)
+{
+  return std::any_of(cracks.fronts.begin(), cracks.fronts.end(),
+                     [&](const CrackFront<D>& front) { return front.crack == crack && !front.ended; });
+}
+
 } // namespace
 
 template <int D>
-std::string warningOfOverlap(const State<D>& state, int crack)
+std::string warningOfOverlap(const State<D>& state, int crack, bool startsInEquilibrium)
 {
   // A crack of length a that a strain e closes everywhere overlaps by 2 a e. Single vertices follow single
   // nodes, by as much as a cell is strained.
@@ -75,6 +85,7 @@ std::string warningOfOverlap(const State<D>& state, int crack)
   if (!(overlap > least) ||
       !(overlap > fraction * length * strain || (atRest && closed > ofLength * opening.size)))
     return {};
+  const bool cuts = !hasFront(state.cracks, crack);
   return "crack " + state.cracks.cracks[crack].name +
          ": its faces overlap at t = " + readableTime(state.clock.time) + " by up to " +
          readableLength(overlap) +
@@ -83,12 +94,14 @@ std::string warningOfOverlap(const State<D>& state, int crack)
               ? " over " + formatShort(std::round(100.0 * closed / opening.size)) + " % of the crack"
               : "") +
          ", because the scene has no contact; G and K are wrong from then on; " +
-         (state.method.equilibrium()
-              ? "add a section Contact, or run it with Time > Analysis = Dynamic and Contact"
-              : "add a section Contact");
+         (cuts && state.method.equilibrium() ? "it has no front, so that it may cut its body: support each "
+                                               "piece (Boundaries), and "
+                                             : "") +
+         contactAdvice(state, cuts, startsInEquilibrium) +
+         (state.method.equilibrium() ? ", or run it with Time > Analysis = Dynamic and Contact" : "");
 }
 
-template std::string warningOfOverlap(const State<2>&, int);
-template std::string warningOfOverlap(const State<3>&, int);
+template std::string warningOfOverlap(const State<2>&, int, bool);
+template std::string warningOfOverlap(const State<3>&, int, bool);
 
 } // namespace Rhegma::cracks

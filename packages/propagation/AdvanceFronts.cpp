@@ -1,6 +1,7 @@
 #include "propagation/AdvanceFronts.hpp"
 
 #include "propagation/Direction.hpp"
+#include "propagation/MaterialsAhead.hpp"
 #include "state/RecordStop.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -349,7 +350,12 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
     {
       FrontNode<D>& node = front.nodes[k];
       if (node.advances)
-        advance.nodes.push_back(advanceNode(state, options, e, angle[k], node, fronts[f]));
+      {
+        const FrontNodeAdvance<D> by = advanceNode(state, options, e, angle[k], node, fronts[f]);
+        if (by.length > 0.0)
+          warnOfOtherMaterial(options, front, node.position, by.length * by.direction, state);
+        advance.nodes.push_back(by);
+      }
       else
         advance.nodes.push_back({node.direction, 0.0,
                                  resistanceAtRest(state.clock.time, ruleAt(node.temperature, options),

@@ -4,6 +4,7 @@
 #include "plan/LastStage.hpp"
 #include "propagation/AdvanceFronts.hpp"
 #include "propagation/JudgeToughness.hpp"
+#include "propagation/MaterialsAhead.hpp"
 #include "propagation/PathReport.hpp"
 #include "propagation/Report.hpp"
 
@@ -81,7 +82,10 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.balance = {"fracture"};
   effect.atStart = [run](State<D>& state) { start(state, *run); };
   effect.judge = [run, options, all = Teuchos::ParameterList(scene)](State<D>& state)
-  { judgeToughness(all, options, run->options, state); };
+  {
+    judgeToughness(all, options, run->options, state);
+    judgeMaterialsAhead(run->options, state);
+  };
   effect.call(lastStage(scene), "fronts that are due", {}, {quantity::dueFronts}, {},
               [run](State<D>& state) { markDue(state, run->options, run->fronts); });
   effect.call(lastStage(scene), "fronts that advance",

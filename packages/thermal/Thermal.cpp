@@ -10,6 +10,7 @@
 #include "thermal/CellsForSources.hpp"
 #include "thermal/Conduction.hpp"
 #include "thermal/JudgeHeat.hpp"
+#include "thermal/JudgeSteady.hpp"
 #include "thermal/JudgeTemperatures.hpp"
 #include "thermal/Observations.hpp"
 #include "thermal/RepeatedStep.hpp"
@@ -115,6 +116,8 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
       throw std::invalid_argument("Thermal: " + run.conduction.tooMany(state, steps));
   }
   judgeHeat(scene, run.conduction, run.finalTime, state);
+  if (run.conduction.integrator.method == Method::Steady)
+    judgeSteady(scene, run.conduction, run.finalTime, state);
   startTemperature(state, scene.sublist("Bodies"), run.initial);
   if (run.conduction.integrator.method == Method::Steady && !(run.conduction.diffusivity > 0.0))
     throw std::invalid_argument(

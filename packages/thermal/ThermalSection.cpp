@@ -260,7 +260,8 @@ void checkSteady(const Teuchos::ParameterList& scene, std::vector<SceneError>& e
   if (!prescribed)
     errors.push_back({"Thermal > Conduction",
                       "a steady state without a prescribed temperature is known only up to a constant; add a "
-                      "boundary of type Temperature or Convection (Boundaries), or write Implicit"});
+                      "boundary of type Temperature or Convection (Boundaries), or write Implicit and Time > "
+                      "Analysis = Quasi-Static"});
 }
 
 void checkCrackFaces(const Teuchos::ParameterList& list, std::vector<SceneError>& errors)

@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "equilibrium/Newton.hpp"
+#include "state/ContactAdvice.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Scatter.hpp"
@@ -96,6 +97,13 @@ std::string failureOfFreePieces(const StepReport& report, const IsNew& isNew)
   return {};
 }
 
+/// Whether contact of crack faces could hold pieces, and is not there.
+template <int D>
+bool lacksContact(const State<D>& state)
+{
+  return !state.cracks.empty() && !state.cracks.contactEnergy;
+}
+
 template <int D, class IsNew>
 void warnOfFreePieces(const StepReport& report, const IsNew& isNew, State<D>& state, Account<D>& account)
 {
@@ -114,12 +122,14 @@ void warnOfFreePieces(const StepReport& report, const IsNew& isNew, State<D>& st
       account.warned = true;
       const bool moves = piece.imbalance.fractionOfForce > noticeableResultant,
                  turns = piece.imbalance.fractionOfMoment > noticeableResultant;
-      state.warnings.push_back("Time > Rigid Modes: the loads on " + piece.name() +
-                               ", which is free, do not " + "balance: inertia forces of a uniform " +
-                               (turns && !moves ? "angular " : "") + "acceleration balance " +
-                               piece.imbalance.asText(noticeableResultant) + "; check " +
-                               (moves ? "directions and sizes" : "positions and directions") +
-                               " of the loads, or support the body");
+      state.warnings.push_back(
+          "Time > Rigid Modes: the loads on " + piece.name() + ", which is free, do not " +
+          "balance: inertia forces of a uniform " + (turns && !moves ? "angular " : "") +
+          "acceleration balance " + piece.imbalance.asText(noticeableResultant) + "; check " +
+          (moves ? "directions and sizes" : "positions and directions") + " of the loads, or support " +
+          (piece.isPart && lacksContact(state)
+               ? "this part, or, if only a crack parts it from the rest, " + contactAdvice(state, true, false)
+               : std::string("the body")));
     }
 }
 
@@ -251,10 +261,15 @@ void inspect(const Teuchos::ParameterList& scene, const State<D>& state, LastSte
   {
     std::string wrong;
     std::set<std::string> named;
+    std::set<int> advised;
     for (const RigidMode<D>& mode : step.freeMotions())
     {
-      const std::string line = "Bodies > " + step.bodyOf(state, mode.piece) + " " + mode.asText() +
-                               ": support it, or write Time > Rigid Modes = Remove";
+      const FreePiece piece = step.pieceOfMotion(state, mode);
+      const bool apart = piece.isPart && lacksContact(state) && advised.insert(mode.piece).second;
+      const std::string line =
+          piece.name() + " " + mode.asText() + ": support it, or write Time > Rigid Modes = Remove" +
+          (apart ? ", or, if only a crack parts it from the rest, " + contactAdvice(state, true, false)
+                 : std::string());
       if (named.insert(line).second)
         wrong += (wrong.empty() ? "" : "\n") + line;
     }

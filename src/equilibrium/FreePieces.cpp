@@ -25,6 +25,16 @@ double massOfBody(const State<D>& state, const RowOwners& owners, int which)
   return owners.ranks().sum(sum);
 }
 
+/// Mass of the heaviest node of a piece [kg].
+double heaviestOf(const RowOwners& owners, const std::vector<int>& pieceOf, int piece,
+                  const std::vector<double>& mass)
+{
+  double heaviest = 0.0;
+  for (std::size_t r = 0; r < pieceOf.size(); ++r)
+    heaviest = pieceOf[r] == piece ? std::max(heaviest, mass[r]) : heaviest;
+  return owners.ranks().max(heaviest);
+}
+
 template <int D>
 std::string motionsOf(const std::vector<RigidMode<D>>& modes, int piece)
 {
@@ -75,6 +85,22 @@ int bodyOfPiece(const State<D>& state, const RowGraph& graph, const RowOwners& o
 }
 
 template <int D>
+FreePiece describePiece(const State<D>& state, const RowGraph& graph, const RowOwners& owners,
+                        const std::vector<int>& pieceOf, const RigidMode<D>& mode,
+                        const std::vector<double>& mass)
+{
+  FreePiece one;
+  one.mass = owners.sum(static_cast<int>(pieceOf.size()),
+                        [&](int r) { return pieceOf[r] == mode.piece ? mass[r] : 0.0; });
+  const double rounding = leastCells * heaviestOf(owners, pieceOf, mode.piece, mass);
+  const int body = bodyOfPiece(state, graph, owners, pieceOf, mode.piece);
+  one.body = body < 0 ? std::string() : state.bodies.info[body].name;
+  one.isPart = body < 0 || one.mass < massOfBody(state, owners, body) - rounding;
+  one.centre = pointAsText(mode.centre);
+  return one;
+}
+
+template <int D>
 std::vector<FreePiece> findFreePieces(const State<D>& state, const RowGraph& graph, const RowOwners& owners,
                                       const std::vector<int>& pieceOf, const std::vector<RigidMode<D>>& modes,
                                       const std::vector<Vector<D>>& position, const std::vector<double>& mass,
@@ -85,22 +111,13 @@ std::vector<FreePiece> findFreePieces(const State<D>& state, const RowGraph& gra
     return pieces;
   for (const Imbalance& imbalance : findImbalances(modes, pieceOf, position, mass, owners, loads))
   {
-    FreePiece one;
-    one.imbalance = imbalance;
-    one.mass = owners.sum(static_cast<int>(pieceOf.size()),
-                          [&](int r) { return pieceOf[r] == imbalance.piece ? mass[r] : 0.0; });
-    double heaviest = 0.0;
-    for (std::size_t r = 0; r < pieceOf.size(); ++r)
-      heaviest = pieceOf[r] == imbalance.piece ? std::max(heaviest, mass[r]) : heaviest;
-    heaviest = owners.ranks().max(heaviest);
-    if (!(one.mass > leastCells * heaviest))
-      continue;
-    const int body = bodyOfPiece(state, graph, owners, pieceOf, imbalance.piece);
-    one.body = body < 0 ? std::string() : state.bodies.info[body].name;
-    one.isPart = body < 0 || one.mass < massOfBody(state, owners, body) - leastCells * heaviest;
-    one.motions = motionsOf(modes, imbalance.piece);
     const auto ofPiece = [&](const RigidMode<D>& mode) { return mode.piece == imbalance.piece; };
-    one.centre = pointAsText(std::find_if(modes.begin(), modes.end(), ofPiece)->centre);
+    FreePiece one = describePiece(state, graph, owners, pieceOf,
+                                  *std::find_if(modes.begin(), modes.end(), ofPiece), mass);
+    if (!(one.mass > leastCells * heaviestOf(owners, pieceOf, imbalance.piece, mass)))
+      continue;
+    one.imbalance = imbalance;
+    one.motions = motionsOf(modes, imbalance.piece);
     pieces.push_back(one);
   }
   return pieces;
@@ -108,6 +125,10 @@ std::vector<FreePiece> findFreePieces(const State<D>& state, const RowGraph& gra
 
 template int bodyOfPiece(const State<2>&, const RowGraph&, const RowOwners&, const std::vector<int>&, int);
 template int bodyOfPiece(const State<3>&, const RowGraph&, const RowOwners&, const std::vector<int>&, int);
+template FreePiece describePiece(const State<2>&, const RowGraph&, const RowOwners&, const std::vector<int>&,
+                                 const RigidMode<2>&, const std::vector<double>&);
+template FreePiece describePiece(const State<3>&, const RowGraph&, const RowOwners&, const std::vector<int>&,
+                                 const RigidMode<3>&, const std::vector<double>&);
 template std::vector<FreePiece> findFreePieces(const State<2>&, const RowGraph&, const RowOwners&,
                                                const std::vector<int>&, const std::vector<RigidMode<2>>&,
                                                const std::vector<Vector<2>>&, const std::vector<double>&,

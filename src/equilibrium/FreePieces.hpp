@@ -29,6 +29,12 @@ template <int D>
 int bodyOfPiece(const State<D>& state, const RowGraph& graph, const RowOwners& owners,
                 const std::vector<int>& pieceOf, int piece);
 
+/// Name, mass and centre of the piece of a motion. Collective. \param mass of all rows [kg]
+template <int D>
+FreePiece describePiece(const State<D>& state, const RowGraph& graph, const RowOwners& owners,
+                        const std::vector<int>& pieceOf, const RigidMode<D>& mode,
+                        const std::vector<double>& mass);
+
 /// The pieces with free motions that are larger than two cells, in which nodes of a few particles may lie
 /// apart from others. Collective.
 /// \param modes free motions of the pieces \param loads on all rows, the same on all ranks that have one [N]

@@ -69,8 +69,8 @@ public:
   const std::shared_ptr<LinearSystem<D>>& system() const { return system_; }
   double matrixEntries() const { return static_cast<double>(D) * D * graph_.column.extent(0); }
   const std::vector<RigidMode<D>>& freeMotions() const { return modes_; }
-  /// Name of the body that has most of a piece.
-  std::string bodyOf(const State<D>& state, int piece) const { return nameOfBody(state, pieceOf_, piece); }
+  /// The piece that a free motion moves.
+  FreePiece pieceOfMotion(const State<D>& state, const RigidMode<D>& mode) const;
   /// Fields of all ranks that hang on nothing, and stay where they are.
   int unsupportedFields() const { return unsupportedFields_; }
 
@@ -93,7 +93,6 @@ public:
   const RowGraph& graph() const { return graph_; }
 
 private:
-  std::string nameOfBody(const State<D>& state, const std::vector<int>& pieceOf, int piece) const;
   /// Couples the rows of ghost penalty and forces.
   void connect(const State<D>& state, const std::vector<Groups>& groups, Couplings couplings,
                RowGraph& graph) const;

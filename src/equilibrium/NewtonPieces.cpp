@@ -57,10 +57,9 @@ std::vector<int> NewtonStep<D>::sizesOf(const std::vector<int>& pieceOf, int pie
 }
 
 template <int D>
-std::string NewtonStep<D>::nameOfBody(const State<D>& state, const std::vector<int>& pieceOf, int piece) const
+FreePiece NewtonStep<D>::pieceOfMotion(const State<D>& state, const RigidMode<D>& mode) const
 {
-  const int body = bodyOfPiece(state, graph_, owners_, pieceOf, piece);
-  return body < 0 ? "a part of a body" : state.bodies.info[body].name;
+  return describePiece(state, graph_, owners_, pieceOf_, mode, mass_);
 }
 
 template <int D>
@@ -90,7 +89,11 @@ std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
   for (const RigidMode<D>& mode :
        freeModes<D>(apart_, piecesApart_, position_, mass_, held_, owners_, resisted))
     if (size[mode.piece] > (1 << D) && whole[mode.piece] == 0)
-      lines.insert("a part of " + nameOfBody(state, apart_, mode.piece) + " " + mode.asText());
+    {
+      FreePiece piece = describePiece(state, graph_, owners_, apart_, mode, mass_);
+      piece.isPart = true;
+      lines.insert(piece.name() + " " + mode.asText());
+    }
   std::string all;
   for (const std::string& line : lines)
     all += (all.empty() ? "" : "; ") + line;
@@ -123,14 +126,14 @@ std::vector<FreePiece> NewtonStep<D>::freePieces(const State<D>& state, bool con
 template std::vector<char> NewtonStep<2>::piecesThatResistRotation(const std::vector<int>&, int) const;
 template void NewtonStep<2>::findFreeMotions();
 template std::vector<int> NewtonStep<2>::sizesOf(const std::vector<int>&, int) const;
-template std::string NewtonStep<2>::nameOfBody(const State<2>&, const std::vector<int>&, int) const;
+template FreePiece NewtonStep<2>::pieceOfMotion(const State<2>&, const RigidMode<2>&) const;
 template std::vector<int> NewtonStep<2>::piecesThatStayWhole() const;
 template std::string NewtonStep<2>::motionsBetweenPieces(const State<2>&) const;
 template std::vector<FreePiece> NewtonStep<2>::freePieces(const State<2>&, bool) const;
 template std::vector<char> NewtonStep<3>::piecesThatResistRotation(const std::vector<int>&, int) const;
 template void NewtonStep<3>::findFreeMotions();
 template std::vector<int> NewtonStep<3>::sizesOf(const std::vector<int>&, int) const;
-template std::string NewtonStep<3>::nameOfBody(const State<3>&, const std::vector<int>&, int) const;
+template FreePiece NewtonStep<3>::pieceOfMotion(const State<3>&, const RigidMode<3>&) const;
 template std::vector<int> NewtonStep<3>::piecesThatStayWhole() const;
 template std::string NewtonStep<3>::motionsBetweenPieces(const State<3>&) const;
 template std::vector<FreePiece> NewtonStep<3>::freePieces(const State<3>&, bool) const;

@@ -16,6 +16,8 @@ struct ActingTimes
   double end = 0.0; ///< of the run [s]
   /// Load steps at whose ends loads count; 0: at all times.
   int steps = 0;
+  /// A factor on the loads of the end is found, so that their size does not matter.
+  bool scaled = false;
 };
 
 /// In dynamics all times; in Quasi-Static the ends of the load steps; in Static, and where the loads have a
@@ -27,7 +29,7 @@ ActingTimes actingTimes(const Teuchos::ParameterList& scene, const State<D>& sta
   if (!state.method.equilibrium() || state.method.analysis == Analysis::Preload)
     return {end, 0};
   if (state.method.analysis != Analysis::QuasiStatic)
-    return {end, 1};
+    return {end, 1, state.method.analysis == Analysis::LoadFactor};
   constexpr double most = 4096.0; // as many as are looked at
   const double steps = end / largestLoadStep(scene);
   return {end, steps < most ? static_cast<int>(steps + 0.5) : 0};

@@ -16,6 +16,9 @@ namespace
 /// Part of the full load below which a load does next to nothing, and below which it hardly acts.
 constexpr double nextToNothing = 1e-3, hardlyAny = 0.2;
 
+/// Part of the full load below which one at the times of equilibrium is not what the scene looks like.
+constexpr double half = 0.5;
+
 bool isZero(const Teuchos::ParameterList& list, const std::string& name)
 {
   if (list.isType<double>(name))
@@ -30,18 +33,41 @@ bool isZero(const Teuchos::ParameterList& list, const std::string& name)
 std::vector<std::string> betweenTimes(const GivenLoad& load, const std::string& quantity, double acting,
                                       double largest, const std::string& unit, const ActingTimes& times)
 {
-  constexpr double half = 0.5;
-  if (times.steps == 0 || !(acting < (times.steps == 1 ? nextToNothing : half) * largest))
+  if (times.steps == 0 || !(acting < (times.scaled ? nextToNothing : half) * largest))
     return {};
   const std::string reaches = formatShort(largest) + unit, is = formatShort(acting) + unit;
   if (times.steps == 1)
     return {load.where + ": " + quantity + " reaches " + reaches + ", and is " + is +
             " at Time > Final Time = " + readableTime(times.end) +
             ", the only time at which loads count in this analysis, so this " + load.noun +
-            " does next to nothing; choose a Final Time at which it acts"};
+            (acting < nextToNothing * largest ? " does next to nothing" : " acts with only that") +
+            "; choose a Final Time at which it acts"};
   return {load.where + ": " + quantity + " reaches " + reaches + " between load steps, and at most " + is +
           " at the ends of load steps, where equilibrium is found: use more Time > Load Steps than " +
           std::to_string(times.steps)};
+}
+
+bool isConstant(const std::string& history, double end)
+{
+  constexpr int times = 16;
+  const TimeFunction f = TimeFunction::parse(history);
+  for (int k = 1; k <= times; ++k)
+    if (f(end * k / times) != f(0.0))
+      return false;
+  return true;
+}
+
+/// A factor that depends on time, of which a static analysis takes the last value.
+std::vector<std::string> smallAtTheEnd(const GivenLoad& load, const std::string& history, double acting,
+                                       const ActingTimes& times)
+{
+  if (times.steps != 1 || times.scaled || !(acting < half) || isConstant(history, times.end))
+    return {};
+  return {load.where + ": its factor is " + formatShort(acting) + " at Time > Final Time = " +
+          readableTime(times.end) + ", the only time at which loads count in this analysis, so this " +
+          load.noun + " acts with " + formatShort(acting) +
+          " of its value; leave History out to have all of it, or choose another Final Time; load steps do "
+          "not follow History (for that write Time > Analysis = Quasi-Static)"};
 }
 
 } // namespace
@@ -82,7 +108,11 @@ std::vector<std::string> idleMessages(const GivenLoad& load, const Teuchos::Para
     messages.push_back(upTo + ", and it reaches " + formatShort(ever) +
                        " later: does the run end too early? Times are in seconds");
   else if (messages.empty())
+  {
     messages = betweenTimes({where, load.noun}, "its factor", range.acting, largest, "", times);
+    if (messages.empty())
+      messages = smallAtTheEnd({where, load.noun}, history, range.acting, times);
+  }
   return messages;
 }
 

@@ -19,9 +19,9 @@ struct GivenLoad
 };
 
 /// Messages on a load one of whose values is zero, or whose `History` stays below 1e-3 up to the end; or, in
-/// equilibrium, is at the times that count below a fraction of what it reaches between them: 1e-3 at Final
-/// Time, a half at the ends of load steps. \param list its parameters \param values names of those that are
-/// its size
+/// equilibrium, is at the times that count below half of what it reaches between them (1e-3 where the loads
+/// have a factor); or, in a static analysis, depends on time and is below a half at Final Time. \param list
+/// its parameters \param values names of those that are its size
 std::vector<std::string> idleMessages(const GivenLoad& load, const Teuchos::ParameterList& list,
                                       const std::vector<std::string>& values, const ActingTimes& times);
 

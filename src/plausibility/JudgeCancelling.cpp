@@ -31,7 +31,11 @@ std::string pointsOf(const Teuchos::ParameterList& list)
     const std::string& name = entry.first;
     if (name != "Force" && name != "Stress" && name != "Pressure" && name != "History" && name != "From" &&
         name != "To")
-      text << name << "=" << entry.second << ";";
+    {
+      text << name << "=";
+      entry.second.leftshift(text, false);
+      text << ";";
+    }
   }
   if (list.isParameter("From") && list.isParameter("To")) // from either end
   {

@@ -5,11 +5,15 @@
 #include "plausibility/Judges.hpp"
 #include "plausibility/Pieces.hpp"
 #include "plausibility/SupportReach.hpp"
+#include "scene/PositionFunction.hpp"
 #include "scene/TimeFunction.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 
 namespace Rhegma
@@ -53,13 +57,50 @@ struct Prescribed
   bool known = false; ///< a velocity that is the same at all nodes
   Vector<D> value{};  ///< at a factor of 1 [m/s]
   std::string history{};
+  std::vector<double> factors{}; ///< of the history, at times from 0 to the end of the run
 
   bool holds(int axis) const { return region->axes.find(static_cast<char>('x' + axis)) != std::string::npos; }
+  bool moves(int axis) const { return value[axis] != 0.0 && region->kind == BoundaryRegion::Kind::Held; }
+
+  /// Whether it goes back and forth, as a shaking table does.
+  bool shakes() const
+  {
+    const auto [least, most] = std::minmax_element(factors.begin(), factors.end());
+    return !factors.empty() && *least < 0.0 && *most > 0.0;
+  }
 };
 
+/// The velocity of a field that is the same at points all over a part of its box; none of another one.
 template <int D>
-Prescribed<D> prescribedBy(const BoundaryRegion& region, const ParameterList& list)
+std::optional<Vector<D>> uniformValue(const std::string& field, const Bounds<D>& part)
 {
+  constexpr int count = 4; // points along each axis
+  constexpr double rounding = 1e-9;
+  const PositionFunction velocity = PositionFunction::parse(field, D);
+  int points = 1;
+  for (int d = 0; d < D; ++d)
+    points *= count;
+  std::optional<Vector<D>> first;
+  for (int k = 0; k < points; ++k)
+  {
+    Vector<D> x;
+    for (int d = 0, rest = k; d < D; ++d, rest /= count)
+      x[d] = part.lower[d] + (rest % count) / (count - 1.0) * (part.upper[d] - part.lower[d]);
+    const Vector<D> here = velocity(x);
+    if (!(norm(here) < std::numeric_limits<double>::infinity()) ||
+        (first && norm(here - *first) > rounding * norm(*first)))
+      return {};
+    first = first ? first : here;
+  }
+  return first;
+}
+
+/// \param domain with all nodes \param end of the run [s]
+template <int D>
+Prescribed<D> prescribedBy(const BoundaryRegion& region, const ParameterList& list, const Bounds<D>& domain,
+                           double end)
+{
+  constexpr int times = 64;
   Prescribed<D> prescribed{&region};
   if (region.kind == BoundaryRegion::Kind::Mirror)
   {
@@ -67,9 +108,24 @@ Prescribed<D> prescribedBy(const BoundaryRegion& region, const ParameterList& li
     return prescribed;
   }
   prescribed.history = list.get<std::string>("History");
-  prescribed.known = list.isParameter("Value");
-  if (prescribed.known)
-    prescribed.value = readVector<D>(list, "Value");
+  const TimeFunction history = TimeFunction::parse(prescribed.history);
+  for (int k = 0; k <= times; ++k)
+    prescribed.factors.push_back(history(end * k / times));
+  std::optional<Vector<D>> value;
+  if (list.isParameter("Value"))
+    value = readVector<D>(list, "Value");
+  else if (list.isType<std::string>("Field") && region.kind == BoundaryRegion::Kind::Held)
+  {
+    Bounds<D> part = domain;
+    for (int d = 0; d < D; ++d)
+    {
+      part.lower[d] = std::max(part.lower[d], region.from[d]);
+      part.upper[d] = std::min(part.upper[d], region.to[d]);
+    }
+    value = uniformValue<D>(list.get<std::string>("Field"), part);
+  }
+  prescribed.known = value.has_value();
+  prescribed.value = value.value_or(Vector<D>{});
   return prescribed;
 }
 
@@ -79,8 +135,17 @@ bool agree(const Prescribed<D>& one, const Prescribed<D>& other, int axis)
 {
   constexpr double rounding = 1e-9;
   const double a = one.value[axis], b = other.value[axis];
-  return one.known && other.known && std::fabs(a - b) <= rounding * (std::fabs(a) + std::fabs(b)) &&
-         (a == 0.0 || one.history == other.history);
+  if (!one.known || !other.known)
+    return false;
+  if (a == 0.0 || b == 0.0)
+    return a == b;
+  double most = 0.0, apart = 0.0;
+  for (std::size_t k = 0; k < one.factors.size(); ++k)
+  {
+    most = std::max(most, std::fabs(a * one.factors[k]));
+    apart = std::max(apart, std::fabs(a * one.factors[k] - b * other.factors[k]));
+  }
+  return apart <= rounding * most;
 }
 
 /// The bodies that supports move.
@@ -97,7 +162,9 @@ public:
         groups_(judged.bodies, cell_)
   {
     for (const BoundaryRegion& region : regions_)
-      supports_.push_back(prescribedBy<D>(region, judged.scene.sublist("Boundaries").sublist(region.name)));
+      supports_.push_back(prescribedBy<D>(region, judged.scene.sublist("Boundaries").sublist(region.name),
+                                          {judged.state.mesh.grid.lower, judged.state.mesh.grid.upper},
+                                          end_));
     for (std::size_t k = 0; k < supports_.size(); ++k)
       gather(static_cast<int>(k));
   }
@@ -142,22 +209,26 @@ private:
     return part;
   }
 
-  /// Whether supports hold both ends of a group along an axis, none of them all of it.
-  bool gripBothEnds(const Bounds<D>& group, const std::vector<int>& movers, int axis) const
+  /// The axis along which supports hold both ends of a group, none of them all of it; -1: there is none.
+  int grippedAxis(const Bounds<D>& group, const std::vector<int>& movers) const
   {
     const double gap = 2.0 * cell_;
-    bool low = false, high = false;
-    for (const int k : movers)
+    for (int axis = 0; axis < D; ++axis)
     {
-      const Bounds<D> part = partIn(group, regions_[k]);
-      const bool atLow =
-          part.lower[axis]<group.lower[axis] + gap, atHigh = part.upper[axis]> group.upper[axis] - gap;
-      if (atLow && atHigh)
-        return false;
-      low = low || atLow;
-      high = high || atHigh;
+      bool low = false, high = false, all = false;
+      for (const int k : movers)
+      {
+        const Bounds<D> part = partIn(group, regions_[k]);
+        const bool atLow = part.lower[axis] - group.lower[axis] < gap,
+                   atHigh = group.upper[axis] - part.upper[axis] < gap;
+        all = all || (atLow && atHigh);
+        low = low || atLow;
+        high = high || atHigh;
+      }
+      if (low && high && !all)
+        return axis;
     }
-    return low && high;
+    return -1;
   }
 
   bool isLoaded(const BodyGroup<D>& group) const
@@ -189,28 +260,30 @@ private:
   {
     std::vector<int> movers;
     for (const int k : supports)
-      if (supports_[k].holds(axis) && supports_[k].value[axis] != 0.0 &&
-          regions_[k].kind == BoundaryRegion::Kind::Held)
+      if (supports_[k].holds(axis) && supports_[k].moves(axis))
         movers.push_back(k);
     const BodyGroup<D>& group = groups_[number];
-    if (movers.size() < 2 || !allAgree(supports) || isLoaded(group) ||
-        !gripBothEnds(group.bounds, movers, axis))
+    if (movers.size() < 2 || !allAgree(supports) || isLoaded(group) || grippedAxis(group.bounds, movers) < 0)
       return false;
-    const Prescribed<D>& first = supports_[movers[0]];
+    const Prescribed<D>&first = supports_[movers.front()], &last = supports_[movers.back()];
+    const bool atRest = judged_.state.method.equilibrium();
+    if (!atRest && first.shakes()) // inertia is meant
+      return false;
     const double far = std::fabs(first.value[axis]) * rangeOf(first.history, end_).integral;
+    const double sum = first.value[axis] * std::accumulate(first.factors.begin(), first.factors.end(), 0.0);
     Vector<D> by{};
-    by[axis] = first.value[axis] > 0.0 ? far : -far;
+    by[axis] = sum > 0.0 ? far : -far;
     if (!(far > 0.0) || !std::isfinite(far) || groups_.isStopped(number, by, regions_))
       return false;
-    const char letter = static_cast<char>('x' + axis);
-    messages.push_back("Boundaries > " + first.region->name + ": it and Boundaries > " +
-                       supports_[movers.back()].region->name + " move both ends of Bodies > " +
-                       judged_.bodies[group.bodies.front()].name + " the same distance along " + letter +
-                       ", " + readableLength(far) + " (Value = " + formatShort(first.value[axis]) +
-                       " m/s for both), so that " +
-                       (judged_.state.method.equilibrium() ? "nothing" : "only its inertia") +
-                       " strains it; to pull it, change the sign of "
-                       "one Value, or set one to zero");
+    const bool sameValue = first.history == last.history && first.value[axis] == last.value[axis];
+    messages.push_back(
+        "Boundaries > " + first.region->name + ": it and Boundaries > " + last.region->name +
+        " move both ends of Bodies > " + judged_.bodies[group.bodies.front()].name +
+        " the same distance along " + static_cast<char>('x' + axis) + ", " + readableLength(far) +
+        (sameValue ? " (" + formatShort(first.value[axis]) + " m/s for both)" : " (at the same velocity)") +
+        ", so that " + (atRest ? "nothing" : "only its inertia") +
+        " strains it; to strain it, change the sign of one of the velocities (Value, Field, History), or set "
+        "one to zero");
     return true;
   }
 
@@ -255,7 +328,8 @@ bool anyMoves(const ParameterList& section)
                      {
                        const auto* const list = valueIf<ParameterList>(entry.second);
                        return list != nullptr && list->template get<std::string>("Type") == "Velocity" &&
-                              list->isParameter("Value") && norm(readVector<D>(*list, "Value")) > 0.0;
+                              (list->isParameter("Field") ||
+                               (list->isParameter("Value") && norm(readVector<D>(*list, "Value")) > 0.0));
                      });
 }
 

@@ -3,6 +3,7 @@
 #include "geometry/NearBoxes.hpp"
 #include "plan/BoundaryType.hpp"
 #include "plausibility/Judges.hpp"
+#include "plausibility/SupportReach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +140,7 @@ public:
       : judged_(judged),
         supports_(boxesOf<D>(judged.scene)),
         slack_(1e-6 * judged.state.mesh.grid.spacing),
-        inside_(insidesOf(supports_))
+        inside_(boxesOfSupports<D>(supports_))
   {
     for (const BoundaryRegion& support : supports_)
       if (support.kind == BoundaryRegion::Kind::HeldOutside)
@@ -194,22 +195,6 @@ public:
   }
 
 private:
-  /// The boxes in which supports hold nodes; nowhere of those that hold the outside.
-  static std::vector<Geometry::Bounds<D>> insidesOf(const std::vector<BoundaryRegion>& supports)
-  {
-    std::vector<Geometry::Bounds<D>> boxes;
-    for (const BoundaryRegion& support : supports)
-    {
-      boxes.push_back(Geometry::emptyBounds<D>());
-      for (int d = 0; d < D && support.kind == BoundaryRegion::Kind::Held; ++d)
-      {
-        boxes.back().lower[d] = support.from[d];
-        boxes.back().upper[d] = support.to[d];
-      }
-    }
-    return boxes;
-  }
-
   /// Supports that may hold a part of a box.
   std::vector<const BoundaryRegion*> near(const Geometry::Bounds<D>& box) const
   {

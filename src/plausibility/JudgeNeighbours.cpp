@@ -2,6 +2,7 @@
 #include "base/PointText.hpp"
 #include "plausibility/Bonds.hpp"
 #include "plausibility/Judges.hpp"
+#include "plausibility/NodesAround.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,30 +16,6 @@ namespace Rhegma
 namespace
 {
 
-/// Calls see(node, position) for nodes within so many cells of x along each axis.
-template <int D, class See>
-void forEachNode(const Grid<D>& grid, const Vector<D>& x, double cells, const See& see)
-{
-  int first[D], count[D], all = 1;
-  for (int d = 0; d < D; ++d)
-  {
-    first[d] = std::max(0, static_cast<int>(std::ceil(grid.inCells(x[d], d) - cells)));
-    count[d] =
-        std::min(grid.cells[d], static_cast<int>(std::floor(grid.inCells(x[d], d) + cells))) - first[d] + 1;
-    all *= std::max(0, count[d]);
-  }
-  for (int k = 0; k < all; ++k)
-  {
-    int at[D], rest = k;
-    for (int d = 0; d < D; ++d)
-    {
-      at[d] = first[d] + rest % count[d];
-      rest /= count[d];
-    }
-    see(grid.nodeIndex(at), grid.positionOf(at));
-  }
-}
-
 /// Calls see(body, node, position) for each node of the lattice that a particle touches.
 template <int D, class See>
 void forEachTouch(const State<D>& state, const See& see)
@@ -50,13 +27,13 @@ void forEachTouch(const State<D>& state, const See& see)
   for (int p = 0; p < state.particles.size(); ++p)
   {
     Vector<D> x;
-    double half = 0.0;
+    double longest = 0.0;
     for (int d = 0; d < D; ++d)
     {
       x[d] = position(p, d);
-      half = std::max(half, 0.5 * edge(p, d));
+      longest = std::max(longest, edge(p, d));
     }
-    forEachNode(grid, x, (1.0 + half * grid.inverse) * (1.0 - 1e-9),
+    forEachNode(grid, x, reachOfParticle(grid, longest),
                 [&](int node, const Vector<D>& at) { see(body(p), node, at); });
   }
 }

@@ -1,4 +1,5 @@
 #include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "plausibility/CrackExtent.hpp"
 #include "plausibility/Judges.hpp"
@@ -103,6 +104,29 @@ void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
       "it is in metres, and 1 mm is 0.001 m");
 }
 
+/// Forces in a plane scene that does not say how thick its bodies are.
+template <int D>
+void judgeForcesOnAMetre(const JudgedScene<D>& judged, Messages& messages)
+{
+  if (D == 3 || !judged.state.method.mechanics || !judged.scene.isSublist("Boundaries") ||
+      !judged.scene.sublist("Domain").getEntry("Thickness").isDefault())
+    return;
+  const ParameterList& section = judged.scene.sublist("Boundaries");
+  for (const std::string& name : sublistNames(section))
+  {
+    const ParameterList& list = section.sublist(name);
+    if (!list.isParameter("Force"))
+      continue;
+    const std::string force = formatShort(norm(readVector<D>(list, "Force")));
+    messages.push_back("Domain > Thickness is not given and is 1 m, so that the " + force +
+                       " N of Boundaries > " + name +
+                       " load bodies 1 m thick, as all forces of the scene do; write the thickness of the "
+                       "bodies in metres, or 1 if " +
+                       force + " N per metre of it are meant");
+    return;
+  }
+}
+
 /// A yield stress that the bonds of no solid bear: a tenth of Young's modulus (Frenkel).
 template <int D>
 void judgeYieldStress(const JudgedScene<D>& judged, Messages& messages)
@@ -186,6 +210,7 @@ Messages judgeQuantities(const JudgedScene<D>& judged)
   Messages messages;
   judgeDensities(judged, messages);
   judgeThicknessOfPlane(judged, messages);
+  judgeForcesOnAMetre(judged, messages);
   judgeYieldStress(judged, messages);
   judgeLocking(judged, messages);
   return messages;

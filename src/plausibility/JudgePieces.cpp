@@ -1,6 +1,7 @@
 #include "base/PointText.hpp"
 #include "base/ShortNumber.hpp"
 #include "plausibility/Judges.hpp"
+#include "plausibility/NodesAround.hpp"
 #include "plausibility/Pieces.hpp"
 
 #include <algorithm>
@@ -19,30 +20,15 @@ template <int D>
 bool haveCommonNodes(const Grid<D>& grid, const Grains<D>& grains, const Pieces<D>& pieces)
 {
   std::unordered_map<int, int> owner;
-  for (std::size_t p = 0; p < grains.position.size(); ++p)
+  bool common = false;
+  for (std::size_t p = 0; p < grains.position.size() && !common; ++p)
   {
-    int first[D], count[D], all = 1;
-    for (int d = 0; d < D; ++d)
-    {
-      const double x = grid.inCells(grains.position[p][d], d);
-      const double cells = (1.0 + 0.5 * grains.box[p][d] * grid.inverse) * (1.0 - 1e-9);
-      first[d] = std::max(0, static_cast<int>(std::ceil(x - cells)));
-      count[d] = std::min(grid.cells[d], static_cast<int>(std::floor(x + cells))) - first[d] + 1;
-      all *= std::max(0, count[d]);
-    }
-    for (int k = 0; k < all; ++k)
-    {
-      int at[D], rest = k;
-      for (int d = 0; d < D; ++d)
-      {
-        at[d] = first[d] + rest % count[d];
-        rest /= count[d];
-      }
-      if (owner.emplace(grid.nodeIndex(at), pieces.of(p)).first->second != pieces.of(p))
-        return true;
-    }
+    const double edge = *std::max_element(grains.box[p].c, grains.box[p].c + D);
+    forEachNode(grid, grains.position[p], reachOfParticle(grid, edge),
+                [&](int node, const Vector<D>&)
+                { common = common || owner.emplace(node, pieces.of(p)).first->second != pieces.of(p); });
   }
-  return false;
+  return common;
 }
 
 } // namespace

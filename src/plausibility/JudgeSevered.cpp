@@ -4,6 +4,7 @@
 #include "plausibility/CrackBounds.hpp"
 #include "plausibility/Judges.hpp"
 #include "plausibility/Pieces.hpp"
+#include "state/ContactAdvice.hpp"
 
 #include <algorithm>
 #include <set>
@@ -86,6 +87,8 @@ Messages judgeSevered(const JudgedScene<D>& judged)
       state.cracks.contactEnergy || !anyMeetsSurface(state))
     return {};
   Messages messages;
+  const bool startsInEquilibrium =
+      judged.scene.sublist("Time").template get<std::string>("Initial State") == "Equilibrium";
   const CrackWalls<D> walls(state);
   const std::vector<BoundaryRegion> supports = supportRegions(judged.scene);
   const std::vector<Grains<D>> grains = grainsOf(state, crackedOnes(judged.bodies, state));
@@ -110,8 +113,9 @@ Messages judgeSevered(const JudgedScene<D>& judged)
                        " kg, such as at " + formatPoint(smallest.at) +
                        "; no support holds one of them along " + std::string(1, axis) +
                        ", so it moves freely and is not strained: end the "
-                       "crack inside the body, hold each piece (Velocity, Symmetry), or add Contact if its "
-                       "faces press on each other");
+                       "crack inside the body, hold each piece (Velocity, Symmetry), or, if its faces press "
+                       "on each other, " +
+                       contactAdvice(state, true, startsInEquilibrium));
   }
   return messages;
 }

@@ -6,6 +6,7 @@
 #include "geometry/NearBoxes.hpp"
 #include "plan/BoundaryType.hpp"
 #include "plausibility/Judges.hpp"
+#include "plausibility/SupportReach.hpp"
 #include "scene/PositionFunction.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -19,8 +20,6 @@ namespace Rhegma
 
 namespace
 {
-
-using Geometry::Bounds;
 
 /// Component of a crack's normal along held axes from which a support restrains its opening: 45 degrees.
 constexpr double opens = 0.7;
@@ -93,7 +92,7 @@ class ShutCracks
 {
 public:
   explicit ShutCracks(const JudgedScene<D>& judged)
-      : state_(judged.state), supports_(boundaryRegions(judged.scene)), boxes_(boxesOf(supports_))
+      : state_(judged.state), supports_(boundaryRegions(judged.scene)), boxes_(boxesOfSupports<D>(supports_))
   {
     for (const BoundaryRegion& support : supports_)
       fields_.push_back(fieldOf(judged.scene, support));
@@ -126,21 +125,6 @@ public:
   }
 
 private:
-  static std::vector<Bounds<D>> boxesOf(const std::vector<BoundaryRegion>& supports)
-  {
-    std::vector<Bounds<D>> boxes;
-    for (const BoundaryRegion& support : supports)
-    {
-      boxes.push_back(Geometry::emptyBounds<D>());
-      for (int d = 0; d < D && support.kind == BoundaryRegion::Kind::Held; ++d)
-      {
-        boxes.back().lower[d] = support.from[d];
-        boxes.back().upper[d] = support.to[d];
-      }
-    }
-    return boxes;
-  }
-
   /// The velocity of a support as a function of position; none where it is the same everywhere.
   static std::optional<PositionFunction> fieldOf(const Teuchos::ParameterList& scene,
                                                  const BoundaryRegion& support)

@@ -4,6 +4,8 @@
 #include "geometry/Frame.hpp"
 #include "plan/BoundaryType.hpp"
 
+#include <vector>
+
 namespace Rhegma
 {
 
@@ -21,6 +23,23 @@ bool reaches(const BoundaryRegion& support, const Geometry::Bounds<D>& box, doub
     within = within && support.from[d] < box.lower[d] - gap && support.to[d] > box.upper[d] + gap;
   }
   return support.kind == Kind::HeldOutside ? !within : meets;
+}
+
+/// The boxes in which supports hold nodes, in their order; nowhere of those that hold the outside.
+template <int D>
+std::vector<Geometry::Bounds<D>> boxesOfSupports(const std::vector<BoundaryRegion>& supports)
+{
+  std::vector<Geometry::Bounds<D>> boxes;
+  for (const BoundaryRegion& support : supports)
+  {
+    boxes.push_back(Geometry::emptyBounds<D>());
+    for (int d = 0; d < D && support.kind == BoundaryRegion::Kind::Held; ++d)
+    {
+      boxes.back().lower[d] = support.from[d];
+      boxes.back().upper[d] = support.to[d];
+    }
+  }
+  return boxes;
 }
 
 } // namespace Rhegma

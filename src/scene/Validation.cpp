@@ -286,7 +286,11 @@ void Validation::fillIn(Teuchos::ParameterList& list, const ActiveSection& activ
     if (m_dimension == 0 && parameter->onlyDimension != 0)
       continue;
     if (const auto* value = parameter->defaultIn(m_dimension))
+    {
       addValue(list, *parameter, *value);
+      Teuchos::ParameterEntry& entry = list.getEntry(parameter->name);
+      entry.setAnyValue(entry.getAny(false), true); // so that isDefault() says who has written it
+    }
     else if (parameter->required)
       missing(*parameter, path);
   }

@@ -85,7 +85,7 @@ class OddCracks(ProgramTest):
 
     def wedged(self, behind, kind="Point Load"):
         """The plate with its notch opened by two forces this far behind the front. J is of the ring from 0.15 to 0.3 m."""
-        scene = plate().remove("Boundaries > Pull")
+        scene = plate().remove("Boundaries > Pull").set("Domain > Thickness", 1.0)
         for name, sign in (("Up", 1.0), ("Down", -1.0)):
             point = [0.5 - behind, 0.5 + sign * 0.02]
             where = {"Point": point} if kind == "Point Load" else {"From": [0.0, point[1]], "To": point}

@@ -134,7 +134,8 @@ TEST(ClosedCracks, PartsThatSlideAreNamed)
   }
   catch (const std::exception& error)
   {
-    EXPECT_NE(std::string(error.what()).find("a part of Block can"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("a part of Bodies > Block ("), std::string::npos)
+        << error.what();
     EXPECT_NE(std::string(error.what()).find("crack Cut slide"), std::string::npos) << error.what();
   }
 }

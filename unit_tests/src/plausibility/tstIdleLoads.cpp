@@ -108,7 +108,11 @@ TEST(IdleLoad, ThatCountsAtNoTimeOfEquilibriumIsSaid)
         << history;
     EXPECT_TRUE(of(history, {1e-3}).empty()) << history;
   }
-  EXPECT_TRUE(of("0:0, 1e-4:1, 1e-3:0.01", {1e-3, 1}).empty());
+  // A half and more of it may be what the scene is about; a factor is found, whatever the load is.
+  const char* const most = "0:0, 1e-4:1, 1e-3:0.01";
+  EXPECT_TRUE(say(of(most, {1e-3, 1}), "so this boundary acts with only that; choose a Final Time"));
+  EXPECT_TRUE(of("0:0, 1e-4:1, 1e-3:0.51", {1e-3, 1}).empty());
+  EXPECT_TRUE(of(most, {1e-3, 1, true}).empty());
   EXPECT_TRUE(say(of("0:0, 0.501:0, 0.52:1, 0.549:0", {1.0, 20}),
                   "its factor reaches 1 between load steps, and at most 0 at the ends of load steps, where "
                   "equilibrium is found: use more Time > Load Steps than 20"));
@@ -117,6 +121,27 @@ TEST(IdleLoad, ThatCountsAtNoTimeOfEquilibriumIsSaid)
   EXPECT_TRUE(of("sin(2*pi*t)", {1.0, 20}).empty());
   EXPECT_TRUE(say(idleMessages(pressure, "Pressure", "0:0, 2e-4:1e6, 4e-4:0", "Pa", {1e-3, 1}),
                   "Face Pressure > Notch > Pressure: it reaches 1e+06 Pa, and is 0 Pa at Time > Final Time"));
+}
+
+/// A static analysis takes the factor at the end, which is that of all load steps.
+TEST(IdleLoad, ThatIsSmallAtTheEndOfAStaticAnalysisIsSaid)
+{
+  Teuchos::ParameterList list;
+  list.set("Force", pair(0.0, 1.0));
+  const auto of = [&](const std::string& history, const ActingTimes& times)
+  {
+    list.set<std::string>("History", history);
+    return idleMessages({"Boundaries > Top", "boundary"}, list, {"Force"}, times);
+  };
+  EXPECT_TRUE(
+      say(of("t/1000", {1.0, 1}),
+          "Boundaries > Top > History: its factor is 0.001 at Time > Final Time = 1 s, the only time"));
+  EXPECT_TRUE(say(of("0.49*t", {1.0, 1}), "acts with 0.49 of its value"));
+  EXPECT_TRUE(of("0.51*t", {1.0, 1}).empty());
+  EXPECT_TRUE(of("0.01", {1.0, 1}).empty()); // written as a number, it is meant
+  EXPECT_TRUE(of("t/1000", {1.0, 1, true}).empty());
+  EXPECT_TRUE(of("t/1000", {1.0, 20}).empty());
+  EXPECT_TRUE(of("t/1000", {1.0}).empty());
 }
 
 TEST(IdleSupport, ThatComesBackIsSaid)

@@ -1,0 +1,93 @@
+#pragma once
+/// Bodies whose temperature steady conduction does not determine (docs/plausibility.md).
+
+#include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
+#include "geometry/Cross.hpp"
+#include "plausibility/BodyGroups.hpp"
+#include "thermal/Conduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Rhegma::thermal
+{
+
+/// Length (in 2D times the thickness) or area of the surface of a boundary [m2]. \param thickness of 2D [m]
+template <int D>
+double areaOfSurface(const Teuchos::ParameterList& list, double thickness)
+{
+  if constexpr (D == 2)
+    return thickness * norm(readVector<2>(list, "To") - readVector<2>(list, "From"));
+  else
+    return norm(cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2")));
+}
+
+/// The part of a source's power at the end of the run that acts in a box [W].
+template <int D>
+double powerIn(const Source<D>& source, const Geometry::Bounds<D>& box, double end, double thickness)
+{
+  const double factor = source.history(end);
+  double volume = D == 2 ? thickness : 1.0;
+  bool inside = true;
+  for (int d = 0; d < D; ++d)
+  {
+    const double x = source.centre[d] + end * source.velocity[d];
+    inside = inside && x > box.lower[d] - source.radius && x < box.upper[d] + source.radius;
+    volume *=
+        std::max(0.0, std::min(source.upper[d], box.upper[d]) - std::max(source.lower[d], box.lower[d]));
+  }
+  return factor * (source.ball ? (inside ? source.power : 0.0) : source.density * volume);
+}
+
+/// Warns of bodies that no prescribed temperature and no convection reaches, with the heat that flows into
+/// them. Bodies whose bounds come within two cells count as one. \param scene its core and Thermal \param end
+/// of the run [s]
+template <int D>
+void judgeSteady(const Teuchos::ParameterList& scene, const Conduction<D>& conduction, double end,
+                 State<D>& state)
+{
+  const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
+  if (bodies.size() < 2 || !scene.isSublist("Boundaries")) // else an error, where there is none
+    return;
+  const double cell = state.mesh.grid.spacing, thickness = state.method.thickness;
+  BodyGroups<D> groups(bodies, cell);
+  std::map<std::string, int> groupOf;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    groupOf[bodies[b].name] = groups.of(static_cast<int>(b));
+  std::vector<char> determined(groups.count(), 0);
+  std::vector<double> heat(groups.count(), 0.0);
+  const Teuchos::ParameterList& section = scene.sublist("Boundaries");
+  for (const std::string& name : sublistNames(section))
+  {
+    const Teuchos::ParameterList& list = section.sublist(name);
+    const std::string type = list.get<std::string>("Type");
+    if (type == "Temperature")
+      for (const int body :
+           groups.near({readVector<D>(list, "Lower Corner"), readVector<D>(list, "Upper Corner")}, cell))
+        determined[groups.of(body)] = 1;
+    else if (type == "Convection")
+      determined[groupOf.at(list.get<std::string>("Body"))] = 1;
+    else if (type == "Heat Flux")
+      heat[groupOf.at(list.get<std::string>("Body"))] +=
+          list.get<double>("Flux") * areaOfSurface<D>(list, thickness) *
+          TimeFunction::parse(list.get<std::string>("History"))(end);
+  }
+  for (int g = 0; g < groups.count(); ++g)
+  {
+    if (determined[g] != 0)
+      continue;
+    for (const Source<D>& source : conduction.sources)
+      heat[g] += powerIn(source, groups[g].bounds, end, thickness);
+    state.warnings.push_back(
+        "Thermal > Conduction: no Temperature and no Convection (Boundaries) reaches Bodies > " +
+        bodies[groups[g].bodies.front()].name + ", so that its steady temperature is not determined" +
+        (heat[g] != 0.0 ? ", and " + formatShort(heat[g]) + " W flow into it that nothing takes away"
+                        : ": it keeps that of the start") +
+        "; prescribe a temperature of it, or write Conduction = Implicit" +
+        (state.method.analysis == Analysis::Static ? " and Time > Analysis = Quasi-Static" : ""));
+  }
+}
+
+} // namespace Rhegma::thermal

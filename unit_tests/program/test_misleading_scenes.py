@@ -1,0 +1,264 @@
+#!/usr/bin/env python3
+"""Scenes that run and mislead: each has a warning with its number and what to write, and what a message advises runs.
+
+RHEGMA_SEED in the environment draws other numbers."""
+
+import json
+import os
+import random
+import re
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import ProgramTest, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
+
+SEED = int(os.environ.get("RHEGMA_SEED", "7"))
+
+
+def grip(value, low, high, **more):
+    return {"Type": "Velocity", "Components": "xy", "Value": value, "Lower Corner": low, "Upper Corner": high, **more}
+
+
+LOWER, UPPER = ([-0.1, -0.01], [1.1, 0.01]), ([-0.1, 0.99], [1.1, 1.01])
+LEFT, RIGHT = ([-0.01, -0.1], [0.01, 1.1]), ([0.99, -0.1], [1.01, 1.1])
+
+
+def bare():
+    return plate().remove("Boundaries").remove("Cracks").remove("Energy Release")
+
+
+class MisleadingTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.rng = random.Random(SEED)
+
+    def said(self, scene, *options):
+        """Messages of --check."""
+        answer = rhegma(self.write("scene.xml", scene.text()), "--check", "--quiet", *options)
+        return [line[len("rhegma: "):] for line in answer.messages.splitlines()]
+
+    def ran(self, scene, name="out"):
+        answer = rhegma(self.write(name + ".xml", scene.text()), "--quiet", "--output", self.path(name))
+        with open(self.path(name, "summary.json"), encoding="utf-8") as file:
+            return answer, json.load(file)
+
+    def one(self, messages, pattern):
+        found = [m for m in messages if re.search(pattern, m)]
+        self.assertEqual(len(found), 1, f"{pattern} in\n" + "\n".join(messages))
+        return found[0]
+
+    def none(self, messages, pattern):
+        self.assertFalse([m for m in messages if re.search(pattern, m)], messages)
+
+
+def bimaterial(modulus, border=0.7):
+    """The notch of the plate runs to the right, where another material begins."""
+    scene = bare().set("Cracks", {"Notch": {"Points": [0.0, 0.52, 0.32, 0.52]}}).set("Energy Release", {"Crack Closure": False})
+    scene.set("Materials > Steel", {"Model": "Linear Elastic", "Density": 1200.0, "Young Modulus": modulus, "Poisson Ratio": 0.33})
+    scene.set("Bodies > Plate > Upper Corner", [border, 1.0])
+    scene.set("Bodies > Right", {"Material": "Steel", "Shape": "Box", "Lower Corner": [border, 0.0], "Upper Corner": [1.0, 1.0],
+                                 "Bonded To": "Plate"})
+    scene.set("Boundaries", {"Low": grip([0.0, -1.0], *LOWER), "High": grip([0.0, 1.0], *UPPER)})
+    return scene.set("Propagation", {"Toughness": "10", "Direction": "Straight"}).set("Time > Final Time", 4e-3)
+
+
+class CracksIntoAnotherMaterial(MisleadingTest):
+    AHEAD = r"^warning: Propagation > Toughness, 10 J/m2 at rest, is that of all materials, and straight ahead of crack Notch, front 0 in "
+    COMES = r"^crack Notch, front 0: it comes into Materials > Steel \(its Young's modulus is 2 times that of Materials > Polymer\) at t = "
+
+    def test_it_is_said_before_the_run_and_at_the_border(self):
+        border = self.rng.choice([0.6, 0.65, 0.7])
+        scene = bimaterial(6e9, border)
+        line = self.one(self.said(scene), self.AHEAD)
+        self.assertIn("in Materials > Polymer begins, after about ", line)
+        self.assertIn("Materials > Steel (its Young's modulus is 2 times that of Materials > Polymer)", line)
+        self.assertIn("end the run before (Time > Final Time)", line)
+        about = float(re.search(r"after about ([0-9.]+) mm", line).group(1))
+        self.assertAlmostEqual(about, 1e3 * (border - 0.32), delta=50.0)  # a cell
+        answer, summary = self.ran(scene)
+        self.assertEqual(answer.status, 0, answer)
+        line = self.one(summary["warnings"], self.COMES)
+        x, y = map(float, re.search(r"at \(([-0-9.e]+), ([-0-9.e]+)\)", line).groups())
+        self.assertAlmostEqual(x, border, delta=0.1)  # an increment is a cell, and the material that of the nearest particle
+        self.assertAlmostEqual(y, 0.52, delta=0.05)
+        self.assertGreater(summary["cracks"][0]["fronts"][0]["position"][0], border)
+
+    def test_nothing_is_said_of_the_same_stiffness_or_of_a_gap(self):
+        self.none(self.said(bimaterial(3e9)), "straight ahead")
+        apart = bimaterial(6e9, 0.6).set("Bodies > Right > Lower Corner", [0.8, 0.0])
+        apart.remove("Bodies > Right > Bonded To")
+        self.none(self.said(apart), "straight ahead")
+
+
+class GripsThatMoveAlike(MisleadingTest):
+    ALIKE = "so that (nothing|only its inertia) strains it"
+
+    def grips(self, first, second, static=False):
+        scene = bare().set("Boundaries", {"A": first, "B": second})
+        if static:
+            scene.set("Time > Analysis", "Static").set("Time > Final Time", 1.0)
+        return self.said(scene)
+
+    def test_at_right_angles_to_the_ends(self):
+        v = self.rng.uniform(0.2, 2.0)
+        line = self.one(self.grips(grip([v, 0.0], *LOWER), grip([v, 0.0], *UPPER)), self.ALIKE)
+        self.assertIn("Boundaries > A: it and Boundaries > B move both ends of Bodies > Plate the same distance along x, ", line)
+        self.assertIn(f"{v * 1e-3 * 1e3:.4g}"[:4], line)  # mm in 1 ms
+        self.one(self.grips(grip([0.0, v], *LEFT), grip([0.0, v], *RIGHT)), self.ALIKE)
+        self.none(self.grips(grip([v, 0.0], *LOWER), grip([-v, 0.0], *UPPER)), self.ALIKE)  # shear
+        self.none(self.grips(grip([v, 0.0], *LOWER), grip([0.0, 0.0], *UPPER)), self.ALIKE)
+
+    def test_by_histories(self):
+        v = self.rng.uniform(0.2, 2.0)
+        twice = grip([0.0, 2.0 * v], *UPPER, History="0.5 * t / 1e-3")
+        self.one(self.grips(grip([0.0, v], *LOWER, History="0:0, 1e-3:1"), twice), self.ALIKE)
+        self.one(self.grips(grip([0.0, -v], *LOWER, History="-1"), grip([0.0, v], *UPPER)), self.ALIKE)
+        self.none(self.grips(grip([0.0, -v], *LOWER), twice), self.ALIKE)
+        shaken = [grip([v, 0.0], *at, History="sin(2 * pi * 5000 * t)") for at in (LOWER, UPPER)]
+        self.none(self.grips(*shaken), self.ALIKE)  # inertia is meant
+
+    def test_by_fields(self):
+        fields = []
+        for at, text in ((LOWER, "0, 1e-4"), (UPPER, "0, 1e-4 * (1 + 0 * x)")):
+            fields.append({k: x for k, x in grip([0.0, 0.0], *at, Field=text).items() if k != "Value"})
+        self.one(self.grips(*fields, static=True), "so that nothing strains it")
+        self.one(self.grips(fields[0], grip([0.0, 1e-4], *UPPER), static=True), "so that nothing strains it")
+        self.none(self.grips(fields[0], dict(fields[1], Field="0, 1e-4 * y"), static=True)
+                  + self.grips(dict(fields[0], Field="0, 1e-4 * x"), fields[1], static=True), self.ALIKE)
+
+
+def cut_static(stress, **more):
+    scene = bare().set("Time > Analysis", "Static").set("Time > Final Time", 1.0)
+    scene.set("Cracks", {"Cut": {"Points": [-0.01, 0.27, 1.01, 0.27]}})
+    pull = {"Type": "Traction", "Body": "Plate", "From": [1.0, 1.0], "To": [0.0, 1.0], "Stress": [0.0, stress]}
+    return scene.set("Boundaries", {"Base": grip([0.0, 0.0], *LOWER), "Top": pull, **more})
+
+
+class CutBodiesInEquilibrium(MisleadingTest):
+    def test_the_piece_is_named_and_the_advice_runs(self):
+        scene = cut_static(-1e6)
+        lines = self.said(scene)
+        line = self.one(lines, "can move along y: support it")
+        found = re.match(r"a part of Bodies > Plate \(([0-9.]+) kg around ([-0-9.e]+), ([-0-9.e]+) m\) can move along y", line)
+        self.assertTrue(found, line)
+        mass, x, y = map(float, found.groups())
+        # Half of a cell next to the crack may count to either piece.
+        self.assertAlmostEqual(mass, 1200.0 * 0.73, delta=1200.0 * 0.025)
+        self.assertAlmostEqual(x, 0.5, delta=0.025)
+        self.assertAlmostEqual(y, 0.635, delta=0.025)
+        self.one(lines, "add a section Contact with Law = Stick, or Coulomb and a Friction Coefficient")
+        for law in ({"Law": "Stick"}, {"Law": "Coulomb", "Friction Coefficient": 0.5}):
+            answer, _ = self.ran(scene.set("Contact", law))
+            self.assertEqual(answer.status, 0, answer)
+        held = cut_static(1e6, Above=grip([0.0, 0.0], *UPPER))
+        self.assertEqual(rhegma(self.write("held.xml", held.text()), "--check", "--quiet").status, 0)
+
+    def test_a_whole_body_is_named_whole(self):
+        scene = cut_static(-1e6).remove("Cracks").remove("Boundaries > Base")
+        self.one(self.said(scene), "^Bodies > Plate can move along y: support it, or write Time > Rigid Modes = Remove$")
+
+    def test_closed_cracks_by_load_factor(self):
+        """No factor of a load that closes a crack makes it grow: the advice is a run that follows the loads."""
+        scene = plate().set("Time", {"Analysis": "Quasi-Static", "Final Time": 1.0, "Load Steps": 2, "Rigid Modes": "Remove"})
+        scene.set("Domain > Plane", "Stress").set("Energy Release", {})
+        press = {"Type": "Traction", "Body": "Plate", "From": [1.0, 1.0], "To": [0.0, 1.0], "Stress": [0.0, -1e6]}
+        scene.set("Boundaries", {"Top": press, "Bottom": dict(press, From=[0.0, 0.0], To=[1.0, 0.0], Stress=[0.0, 1e6])})
+        scene.set("Propagation", {"Toughness": "400"})
+        answer, summary = self.ran(scene)
+        line = self.one(summary["warnings"], "its faces overlap")
+        self.assertIn("add a section Contact (with Law = Stick, ", line)
+        self.assertIn("write Propagation > Load Control = Functions of Time", line)
+        scene.set("Contact", {}).set("Propagation > Load Control", "Functions of Time")
+        answer, summary = self.ran(scene, "advised")
+        self.assertEqual(answer.status, 0, answer)
+        self.none(summary["warnings"], "its faces overlap")
+
+
+class CutBodiesInMotion(MisleadingTest):
+    def test_contact_as_advised_runs(self):
+        scene = plate().remove("Energy Release").set("Cracks > Notch > Points", [-0.01, 0.52, 1.01, 0.52])
+        scene.set("Boundaries > Pull", {"Type": "Traction", "Body": "Plate", "From": [1.0, 1.0], "To": [0.0, 1.0], "Stress": [0.0, -1e5]})
+        line = self.one(self.said(scene), "at the start Bodies > Plate is cut in 2 pieces")
+        self.assertIn("add a section Contact", line)
+        answer, _ = self.ran(scene.set("Contact", {}))
+        self.assertEqual(answer.status, 0, answer)
+
+
+class ForcesWithoutThickness(MisleadingTest):
+    def test_a_missing_thickness_is_said_where_forces_act(self):
+        force = self.rng.uniform(100.0, 900.0)
+        line = {"Type": "Line Load", "Body": "Plate", "From": [1.0, 0.0], "To": [1.0, 1.0], "Force": [force, 0.0]}
+        point = {"Type": "Point Load", "Body": "Plate", "Point": [1.0, 0.5], "Force": [force, 0.0]}
+        for plane in ("Stress", "Strain"):
+            for load in (line, point):
+                scene = plate().set("Domain > Plane", plane).set("Boundaries > Pull", load)
+                said = self.one(self.said(scene), "Domain > Thickness is not given and is 1 m")
+                self.assertIn(f"the {force:.4g} N of Boundaries > Pull load bodies 1 m thick", said)
+                for thickness in (1.0, 0.5):
+                    self.none(self.said(scene.set("Domain > Thickness", thickness)), "Thickness is not given")
+        self.none(self.said(plate()), "Thickness")  # tractions are per area
+
+
+class Heat(MisleadingTest):
+    def steady(self):
+        scene = bare().set("Time > Analysis", "Static").set("Time > Final Time", 1.0).set("Domain > Upper Corner", [2.6, 1.2])
+        scene.set("Time > Rigid Modes", "Remove").set("Thermal", {"Initial Temperature": 300.0, "Conduction": "Steady"})
+        scene.set("Materials > Polymer > Conductivity", 0.2).set("Materials > Polymer > Specific Heat", 1500.0)
+        scene.set("Bodies > Other", {"Material": "Polymer", "Shape": "Box", "Lower Corner": [1.4, 0.0], "Upper Corner": [2.4, 1.0]})
+        return scene.set("Boundaries", {"Hot": {"Type": "Temperature", "Temperature": 350.0, "Lower Corner": [-0.01, -0.1],
+                                                "Upper Corner": [0.01, 1.1]}})
+
+    def test_steady_bodies_without_a_temperature(self):
+        undetermined = "reaches Bodies > Other, so that its steady temperature is not determined"
+        self.one(self.said(self.steady()), undetermined + ": it keeps that of the start")
+        flux = self.rng.uniform(100.0, 900.0)
+        heated = self.steady().set("Boundaries > Flux", {"Type": "Heat Flux", "Body": "Other", "From": [1.4, 0.0], "To": [1.9, 0.0],
+                                                         "Flux": flux})
+        line = self.one(self.said(heated), undetermined + r", and \S+ W flow into it that nothing takes away")
+        self.assertAlmostEqual(float(re.search(r"and (\S+) W", line).group(1)), 0.5 * flux, delta=1e-3 * flux)
+        cooled = heated.set("Boundaries > Air", {"Type": "Convection", "Body": "Other", "From": [2.4, 0.0], "To": [2.4, 1.0],
+                                                 "Coefficient": 10.0, "Ambient Temperature": 300.0})
+        self.none(self.said(cooled), "not determined")
+
+    def test_faces_that_are_hotter_than_their_ignition_temperature(self):
+        hot = self.rng.uniform(450.0, 600.0)
+
+        def burning(own):
+            scene = plate().remove("Boundaries").remove("Energy Release").set("Bodies > Plate > Temperature", own)
+            scene.set("Materials > Polymer > Conductivity", 0.2).set("Materials > Polymer > Specific Heat", 1500.0)
+            scene.set("Thermal", {"Initial Temperature": 300.0})
+            return scene.set("Combustion", {"Notch": {"Burn Law": "Vieille", "Burn Coefficient": 1e-8, "Burn Exponent": 0.9,
+                                                      "Gas Constant": 320.0, "Flame Temperature": 2500.0, "Initial Pressure": 3e6,
+                                                      "Initial Temperature": 300.0, "Initial Gap": 1e-5,
+                                                      "Ignition Temperature": 420.0}})
+
+        line = self.one(self.said(burning(hot)), "Combustion > Notch > Ignition Temperature is 420 K")
+        self.assertIn(f"its faces have up to {hot:.4g} K at the start, so that they burn at once", line)
+        self.none(self.said(burning(310.0)), "Ignition Temperature is")
+
+
+class HistoriesInStaticAnalysis(MisleadingTest):
+    def with_history(self, history, **time):
+        scene = cut_static(1e6).remove("Cracks").set("Boundaries > Top > History", history)
+        for name, value in time.items():
+            scene.set("Time > " + name.replace("_", " "), value)
+        return self.said(scene)
+
+    def test_the_value_at_the_end_is_said(self):
+        line = self.one(self.with_history("t / 1000"), "Boundaries > Top > History: its factor is 0.001 at Time > Final Time = 1 s")
+        self.assertIn("so this boundary acts with 0.001 of its value; leave History out", line)
+        part = self.rng.uniform(0.1, 0.4)
+        self.one(self.with_history(f"0:0, 0.5:1, 1:{part}"), "its factor reaches 1, and is .* the only time at which loads count")
+
+    def test_ramps_to_the_end_and_constants_are_right(self):
+        for history in ("t", "0:0, 1:1", "0.1", "sin(pi / 2 * t)"):
+            self.none(self.with_history(history), "History")
+        self.none(self.with_history("t / 10", Final_Time=10.0), "History")
+
+
+if __name__ == "__main__":
+    unittest.main()
