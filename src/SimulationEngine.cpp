@@ -92,6 +92,11 @@ public:
             : watch.warning(state.method.picFraction > 0.0, state.clock.step, state.mesh.subcycledLevels);
     if (!ofEnergy.empty() && state.failure.empty())
       summary["warnings"].push_back(ofEnergy);
+    const bool factor = state.method.analysis == Analysis::LoadFactor;
+    if ((factor || grown) && state.failure.empty())
+      if (const std::string ofGrowth = watch.warningOfGrowth(factor); !ofGrowth.empty())
+        summary["warnings"].push_back(ofGrowth);
+    summary["largest_energy_supplied"] = watch.given();
     coreReport(state, summary);
     bodyReport(state, summary, mostBodies);
     for (const Effect<D>& effect : run_->plan().effects)

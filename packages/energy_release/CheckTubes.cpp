@@ -146,13 +146,36 @@ void warnOfMaterials(State<D>& state, const OtherMaterials<D>& others, const Cra
              "and not K, else use smaller cells (Domain > Cell Size)"));
 }
 
+/// Warns of a material in the contour by whose G cracks grow.
+void warnOfDrivingContour(State<2>& state, const OtherMaterials<2>& others, const CrackFront<2>& front,
+                          const DrivingContours& driving)
+{
+  const double cell = spacingAt(state, front.position), outer = driving.releaseOuter * cell;
+  const OtherMaterial other = others.nearest(front, outer);
+  if (other.material < 0)
+    return;
+  state.warnings.push_back(
+      "Propagation > Release Contour: " + frontName(state.cracks, front) +
+      " grows by G of a domain integral of radius " + readableLength(outer) + " (" +
+      formatReal(driving.releaseOuter) + " cells), which contains Materials > " +
+      state.materials.names[other.material] + ", " + readableLength(other.distance) +
+      " from the front: unless the border of the materials is parallel to the crack, this G is not the "
+      "energy "
+      "release rate, and the crack grows at a wrong load; use smaller cells (Domain > Cell Size)");
+}
+
+void warnOfDrivingContour(State<3>&, const OtherMaterials<3>&, const CrackFront<3>&, const DrivingContours&)
+{
+  // In 3D the contour is that of Energy Release.
+}
+
 /// Closer contours contain the inaccurate cells at the tip.
 constexpr double leastInnerCells = 2.0;
 
 } // namespace
 
 template <int D>
-void checkTubes(State<D>& state, const Options& options)
+void checkTubes(State<D>& state, const Options& options, const DrivingContours* driving)
 {
   if (state.cracks.fronts.empty())
     throw std::invalid_argument(
@@ -168,7 +191,11 @@ void checkTubes(State<D>& state, const Options& options)
   const OtherMaterials<D> others(state);
   for (const CrackFront<D>& front : state.cracks.fronts)
     if (others.any() && front.numFacets > 0)
+    {
       warnOfMaterials(state, others, front, fittingTube(state, front, options.radii).radii, options.radii);
+      if (driving != nullptr)
+        warnOfDrivingContour(state, others, front, *driving);
+    }
   const double cell = spacingAt(state, state.cracks.fronts.front().position);
   if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(
@@ -177,7 +204,7 @@ void checkTubes(State<D>& state, const Options& options)
         "can be wrong by 10 % or more; use smaller cells or a larger radius");
 }
 
-template void checkTubes(State<2>&, const Options&);
-template void checkTubes(State<3>&, const Options&);
+template void checkTubes(State<2>&, const Options&, const DrivingContours*);
+template void checkTubes(State<3>&, const Options&, const DrivingContours*);
 
 } // namespace Rhegma::energy_release

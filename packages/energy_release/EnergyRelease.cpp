@@ -243,9 +243,9 @@ const std::vector<ErrorEstimate>& errorsOf(const State<D>& state, const Options&
 /// Checks the tubes, and prepares samples: what will be reported is known from the start, though its values
 /// are not.
 template <int D>
-void start(State<D>& state, const Options& options, Samples<D>& samples)
+void start(State<D>& state, const Options& options, const RunOptions& run, Samples<D>& samples)
 {
-  checkTubes(state, options);
+  checkTubes(state, options, run.growth ? &run.contours : nullptr);
   for (const CrackFront<D>& front : state.cracks.fronts)
   {
     FrontSample<D> s(front, notYet);
@@ -323,7 +323,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   Effect<D> effect;
   effect.name = "Energy Release";
   const auto strain = std::make_shared<StrainWatch>();
-  effect.atStart = [=](State<D>& state) { start(state, options, *samples); };
+  effect.atStart = [=](State<D>& state) { start(state, options, run, *samples); };
   effect.judge = [=, all = Teuchos::ParameterList(scene)](State<D>& state)
   {
     strain->start(all, state);

@@ -53,7 +53,7 @@ void addLoads(Effect<D>& effect, const Teuchos::ParameterList& scene,
               [loads](State<D>& state)
               {
                 for (const Load<D>& load : *loads)
-                  state.energy.externalWork += load.work(state);
+                  load.addWork(state);
               });
   addLoadForces(effect, loads);
   if (isEquilibrium(scene))

@@ -2,7 +2,6 @@
 #include "boundary/BoundaryParts.hpp"
 #include "boundary/LoadVelocity.hpp"
 #include "plan/LastStage.hpp"
-#include "plan/LoadOverStep.hpp"
 
 namespace Rhegma
 {
@@ -23,13 +22,11 @@ void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration)
       });
 }
 
-/// Work [J] of m g over the step, at the velocity that gives the particles their kinetic energy
-/// (LoadVelocity).
-template <int D>
-double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
+/// Work [J] of m g over the step. \param velocity of a node along an axis [m/s]
+template <int D, class Velocity>
+double bodyForceWork(const State<D>& state, const Velocity& velocity, const Vector<D>& acceleration)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const LoadVelocity<D> velocity(state);
   const double dt = state.clock.dt;
   double work = 0.0;
   Kokkos::parallel_reduce(
@@ -55,7 +52,11 @@ void addGravity(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, con
   parts.effect.call(stageOfFaceVelocity(parts.scene), "work of gravity",
                     {projectsLast(parts.scene) ? quantity::projection : quantity::nodalMotion}, {}, {},
                     [now, acceleration](State<D>& state)
-                    { state.energy.externalWork += bodyForceWork(state, now(state).works * acceleration); });
+                    {
+                      addWorkOfLoad(state, now(state),
+                                    [&](const auto& velocity, double value)
+                                    { return bodyForceWork(state, velocity, value * acceleration); });
+                    });
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 
 #include "base/SmallLoops.hpp"
 #include "boundary/LoadVelocity.hpp"
-#include "plan/LoadOverStep.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -177,11 +176,9 @@ void Load<D>::updateLevels(const State<D>& state)
 template <int D>
 void Load<D>::apply(State<D>& state)
 {
-  const LoadOverStep value = loadOverStep(state, history_);
-  now_ = value.acts;
-  works_ = value.works;
+  now_ = loadOverStep(state, history_);
   place(state);
-  addToNodes(state.mesh.nodes, stencils_, here_, points_.count, now_ * force_);
+  addToNodes(state.mesh.nodes, stencils_, here_, points_.count, force());
 }
 
 template <int D>
@@ -203,22 +200,23 @@ void Load<D>::place(State<D>& state)
 }
 
 template <int D>
-double Load<D>::work(const State<D>& state) const
+void Load<D>::addWork(State<D>& state) const
 {
-  return workOf(state, works_ * force_);
+  addWorkOfLoad(state, now_,
+                [&](const auto& velocity, double value) { return workOf(state, velocity, value * force_); });
 }
 
 template <int D>
 double Load<D>::shift(const State<D>& state) const
 {
   const double whole = norm(force_);
-  return whole > 0.0 ? workOf(state, (1.0 / whole) * force_) : 0.0;
+  return whole > 0.0 ? workOf(state, LoadVelocity<D>(state), (1.0 / whole) * force_) : 0.0;
 }
 
 template <int D>
-double Load<D>::workOf(const State<D>& state, const Vector<D>& force) const
+template <class Velocity>
+double Load<D>::workOf(const State<D>& state, const Velocity& velocity, const Vector<D>& force) const
 {
-  const LoadVelocity<D> velocity(state);
   // No light node moves on its own in equilibrium: work is that of the forces as they act.
   const StencilTable<D> stencils = state.method.equilibrium() ? stencils_ : massedStencils_;
   const View<double*> fraction = here_;

@@ -2,6 +2,7 @@
 /// Loads whose points move with particles.
 
 #include "geometry/LoadPoints.hpp"
+#include "plan/LoadOverStep.hpp"
 #include "scene/TimeFunction.hpp"
 #include "state/State.hpp"
 
@@ -34,9 +35,8 @@ public:
   const StencilTable<D>& nodesAround() const { return stencils_; }
   const View<double*>& fractions() const { return here_; }
 
-  /// Work [J] of the load over the step, at the velocity that gives the particles their kinetic energy
-  /// (LoadVelocity).
-  double work(const State<D>& state) const;
+  /// Adds the work of the load over the step to the external work (addWorkOfLoad).
+  void addWork(State<D>& state) const;
 
   /// Mean displacement of its points over the step along its direction, weighted by their fractions of the
   /// load [m].
@@ -44,11 +44,12 @@ public:
 
   const std::string& name() const { return name_; }
   /// The total load over this step [N], on all ranks.
-  Vector<D> force() const { return now_ * force_; }
+  Vector<D> force() const { return now_.acts * force_; }
 
 private:
-  /// Work of a force in place of the load over the step [J].
-  double workOf(const State<D>& state, const Vector<D>& force) const;
+  /// Work of a force in place of the load over the step [J]. \param velocity of a node along an axis [m/s]
+  template <class Velocity>
+  double workOf(const State<D>& state, const Velocity& velocity, const Vector<D>& force) const;
   /// Makes the points anew where their particles were split or merged.
   void updateLevels(const State<D>& state);
   void makePoints(const std::vector<int>& levels);
@@ -67,7 +68,7 @@ private:
   ObservedPoints<D> points_;
   StencilTable<D> stencils_;       ///< of all nodes with mass, which the load pushes
   StencilTable<D> massedStencils_; ///< without light nodes, for the velocity at which the load does work
-  double now_ = 0.0, works_ = 0.0; ///< its history over the step (LoadOverStep)
+  LoadOverStep now_;               ///< its history over the step
 };
 
 } // namespace Rhegma

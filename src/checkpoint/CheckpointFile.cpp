@@ -1,5 +1,6 @@
 #include "checkpoint/CheckpointFile.hpp"
 
+#include "base/SpecialFile.hpp"
 #include "files/Hdf5Handle.hpp"
 #include "files/Sync.hpp"
 
@@ -307,6 +308,9 @@ void verify(const std::string& path)
   std::error_code none;
   if (std::filesystem::is_directory(path, none))
     refuse(path, "can't be read: it is a folder; write the path of the file in it");
+  // To open a pipe waits for a program that writes into it, and no checkpoint comes through one.
+  if (const std::string kind = kindOfSpecialFile(std::filesystem::status(path, none)); !kind.empty())
+    refuse(path, "is " + kind + "; write the path of a checkpoint.h5");
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file)
     refuse(path, std::string("can't be read: ") + std::strerror(errno));

@@ -4,6 +4,7 @@
 #include "base/Numbers.hpp"
 #include "equilibrium/Newton.hpp"
 #include "state/ContactAdvice.hpp"
+#include "state/EnergySums.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Scatter.hpp"
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace Rhegma::equilibrium
 {
@@ -68,6 +70,7 @@ struct Account
   double largestForces = 0.0; ///< of the run: norm of the loads or of the supports' forces [N]
   bool warned = false, warnedOfPieces = false;
   bool started = false;                    ///< not stored: used in the first step only
+  double fractionOfStart = 0.0;            ///< of that step (NewtonStep), until its particles have moved
   bool warnedOfCut = false;                ///< not stored: a run that continues says it again
   std::shared_ptr<LinearSystem<D>> system; ///< of the last step
 };
@@ -175,6 +178,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   {
     account.started = true;
     state.energy.start += state.ranks.sum(step.workOfStart());
+    account.fractionOfStart = step.fractionOfStart();
   }
   state.energy.stabilised += step.ghostEnergy();
   if (report.unsupportedLoad > noticeableLoad * report.forces && !account.warnedOfPieces)
@@ -191,13 +195,20 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 }
 
 template <int D>
-void toParticles(State<D>& state)
+void toParticles(State<D>& state, Account<D>& account)
 {
   state.clock.strainPass = {1.0, false};
   const double fastest = strainAndMove(state, StrainVelocity::Projection, true, true);
   if (!std::isfinite(fastest) && state.failure.empty())
     state.failure = "a particle is inverted in equilibrium; use smaller cells or more Time > Load Steps";
   state.clock.settled = true;
+  if (const double fraction = std::exchange(account.fractionOfStart, 0.0); fraction > 0.0)
+  {
+    // The solve takes temperatures as they are at the start. What stress at the start releases also warms or
+    // cools the particles (thermoelastic effect): this heat is a part of what they begin with.
+    measureEnergy(state);
+    state.energy.start += fraction * (state.energy.thermal - energyOfAllRanks(state).heat);
+  }
 }
 
 } // namespace
@@ -220,7 +231,7 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
             [=](State<D>& s) { solveStep(s, *account, *last); });
   core.call(Stage::OnParticles, "strain, stress and position of particles",
             {quantity::nodalMotion, quantity::projection}, {quantity::particleStress}, {},
-            [](State<D>& s) { toParticles(s); });
+            [account](State<D>& s) { toParticles(s, *account); });
   core.memory = [account, last](State<D>&, Archive& archive)
   {
     archive("iterations", account->iterations);

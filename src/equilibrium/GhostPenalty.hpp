@@ -15,6 +15,16 @@ struct SlopeJump
   double weight = 0.0;             ///< [N/m]
 };
 
+/// Jump of the slope along an axis, times the edge of the cells. \param u D numbers a row [m]
+template <int D>
+double jumpOf(const SlopeJump& jump, const View<double*>& u, int axis)
+{
+  double sum = 0.0;
+  for (std::size_t a = 0; a < jump.row.size(); ++a)
+    sum += jump.coefficient[a] * u(D * jump.row[a] + axis);
+  return sum;
+}
+
 /// The jumps at the faces of cut cells (Burman, C. R. Acad. Sci. Paris 348 (2010) 1217): the energy of a face
 /// of area A is 1/2 ghostFactor E h A (jump of grad u . n)^2. A few particles in a corner of a cell leave
 /// motions of its nodes that strain none of them; the jump carries the slope of the full cell next to it over

@@ -39,16 +39,6 @@ constexpr double usefulFraction = 0.1;
 /// Residual of a linear solution, as a fraction of what ends the step.
 constexpr double linearFraction = 0.1;
 
-/// Jump of the slope along an axis, times the edge of the cells.
-template <int D>
-double jumpOf(const SlopeJump& jump, const Values& u, int axis)
-{
-  double sum = 0.0;
-  for (std::size_t a = 0; a < jump.row.size(); ++a)
-    sum += jump.coefficient[a] * u(D * jump.row[a] + axis);
-  return sum;
-}
-
 } // namespace
 
 template <int D>
@@ -342,56 +332,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   }
   explain(state, report);
   report.freePieces = freePieces(state, report.converged);
-  findWork(atStart, forcesOfStart(state, atStart));
+  findWork(state, atStart);
   return report;
-}
-
-template <int D>
-Values NewtonStep<D>::forcesOfStart(const State<D>& state, const Values& atStart) const
-{
-  const Values minusStored("rhegma::equilibrium::stored", D * graph_.rows);
-  if (state.materials.thermo.empty())
-    return minusStored;
-  const Values none("rhegma::equilibrium::none", D * graph_.rows),
-      minusLaw("rhegma::equilibrium::law", D * graph_.rows);
-  subtractStoredForce(state, graph_, minusStored);
-  subtractInternalForce(state, graph_, none, minusLaw);
-  addOverRanks(state, graph_, minusStored);
-  addOverRanks(state, graph_, minusLaw);
-  for (int k = 0; k < D * graph_.rows; ++k)
-  {
-    atStart(k) += minusStored(k) - minusLaw(k);
-    minusStored(k) = -minusStored(k);
-  }
-  return minusStored;
-}
-
-template <int D>
-void NewtonStep<D>::findWork(const Values& atStart, const Values& ofStress)
-{
-  workOfSupports_ = workOfStart_ = 0.0;
-  for (int k = 0; k < D * graph_.rows; ++k)
-  {
-    const bool held = held_.is[k] != 0;
-    reaction_(k) = held ? -residual_(k) : 0.0;
-    if (!owners_.owns(k / D))
-      continue;
-    workOfSupports_ -= held ? 0.5 * (residual_(k) + atStart(k)) * displacement_(k) : 0.0;
-    workOfStart_ += held ? 0.0 : 0.5 * ofStress(k) * displacement_(k);
-  }
-}
-
-template <int D>
-double NewtonStep<D>::ghostEnergy() const
-{
-  double energy = 0.0;
-  for (const SlopeJump& jump : jumps_)
-    for (int d = 0; d < D; ++d)
-    {
-      const double difference = jumpOf<D>(jump, displacement_, d);
-      energy += 0.5 * jump.weight * difference * difference;
-    }
-  return energy;
 }
 
 template class NewtonStep<2>;

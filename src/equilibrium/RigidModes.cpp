@@ -301,7 +301,7 @@ std::string Imbalance::asText(double least) const
   const auto part = [](const char* what, double size, const char* unit, double fraction)
   {
     return std::string(what) + formatShort(size) + unit + " (" + formatShort(100.0 * fraction) +
-           " % of the loads)";
+           " % of the forces on it)";
   };
   std::string text;
   if (fractionOfForce >= least)

@@ -72,9 +72,10 @@ void removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<
                       const std::vector<Vector<D>>& position, const std::vector<double>& mass,
                       const RowOwners& owners, const View<double*>& force);
 
-/// What of the loads on a free piece does not balance: the resultants that accelerate it. Fractions are the
-/// largest of those of each free motion: the work of the loads on it over the sum of |load| |motion|, with
-/// which none of them would balance another.
+/// What of the forces on a free piece does not balance: the resultants that accelerate it. The forces are
+/// those on its nodes that its stress does not exert: loads, and of front springs and closed faces what they
+/// exert when the step starts. Fractions are the largest of those of each free motion: the work of the forces
+/// on it over the sum of |force| |motion|, with which none of them would balance another.
 struct Imbalance
 {
   int piece = 0;
@@ -83,11 +84,11 @@ struct Imbalance
   double fractionOfForce = 0.0, fractionOfMoment = 0.0;
 
   double fraction() const { return std::max(fractionOfForce, fractionOfMoment); }
-  /// Such as "a moment of 3 N m (12 % of the loads)". \param least fraction from which one is named
+  /// Such as "a moment of 3 N m (12 % of the forces on it)". \param least fraction from which one is named
   std::string asText(double least) const;
 };
 
-/// Imbalance of the loads on each piece that has a free motion. Collective. \param force as for
+/// Imbalance of the forces on each piece that has a free motion. Collective. \param force as for
 /// `removeResultants`
 template <int D>
 std::vector<Imbalance> findImbalances(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,

@@ -109,13 +109,22 @@ std::string energyBalance(const nlohmann::json& summary)
     return numberOrZero(summary, "steps") > 0.0
                ? "energy balance: all energies are zero: no load, motion or heat has acted on the bodies"
                : std::string();
+  // A body that is unloaded has given its energy back: the residual is that of all of it.
+  const double supplied = numberOrZero(summary, "largest_energy_supplied");
+  const bool unloaded = supplied > 1.01 * given;
+  const bool isEquilibrium = summary.contains("equilibrium");
   return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +
          ", strain " + readableEnergy(numberOrZero(energy, "strain")) + ", kinetic " +
          readableEnergy(numberOrZero(energy, "kinetic")) + ", fracture " +
          readableEnergy(numberOrZero(energy, "fracture")) + otherEnergies(energy, given) +
-         (start > rounding * given ? ", stored at the start " + readableEnergy(start) : std::string()) +
+         (start > rounding * given ? std::string(isEquilibrium ? ", stored in equilibrium at the start "
+                                                               : ", stored at the start ") +
+                                         readableEnergy(start)
+                                   : std::string()) +
          "; not accounted for " + readableEnergy(residual) + " (" +
-         formatShort(100.0 * std::fabs(residual) / given) + " % of the largest of these)" +
+         formatShort(100.0 * std::fabs(residual) / std::max(given, supplied)) +
+         (unloaded ? " % of the " + readableEnergy(supplied) + " supplied at most)"
+                   : " % of the largest of these)") +
          (isUnstableGrowth(summary) ? "; this includes what unstable growth of cracks under given loads "
                                       "releases above the toughness; it would become motion"
                                     : "");

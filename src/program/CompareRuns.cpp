@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "program/Comparison.hpp"
+#include "program/GrowthInHistory.hpp"
 #include "program/PathDistance.hpp"
 
 #include <algorithm>
@@ -113,6 +114,26 @@ double valueAt(const HistoryColumns& history, const std::string& column, double 
   return noNumber;
 }
 
+/// The loads at the largest growth that both runs have. Increments are measured in cells, so that at the end
+/// the cracks of the run with half the cells are shorter.
+void compareLoadsOfGrowth(Comparison& comparison, const RunResults& asIs, const RunResults& half)
+{
+  const std::vector<double> one = growthOf(asIs.history), other = growthOf(half.history);
+  const double growth = one.empty() || other.empty() ? 0.0 : std::min(one.back(), other.back());
+  if (growth > 0.0)
+    comparison.value("load factor at growth of " +
+                         (growsByArea(asIs.history) ? formatShort(growth) + " m2" : readableLength(growth)),
+                     "", factorAt(asIs.history, growth), factorAt(half.history, growth), 0);
+}
+
+/// Whether growth was found under loads that have a factor: how far a front comes is then a matter of the
+/// number of its increments.
+bool growsByIncrements(const RunResults& asIs, const RunResults& half)
+{
+  const json one = initiationInEquilibrium(asIs.summary), other = initiationInEquilibrium(half.summary);
+  return one.is_object() && other.is_object() && one.contains("load_factor") && other.contains("load_factor");
+}
+
 /// The load at which cracks start. Its factor where it has one: the time is then the number of a load step
 /// and says nothing. Else the time within the load step.
 void compareInitiationLoads(Comparison& comparison, const RunResults& asIs, const RunResults& half)
@@ -126,6 +147,7 @@ void compareInitiationLoads(Comparison& comparison, const RunResults& asIs, cons
     return comparison.value("time at which cracks start", "s", number(one, "time"), number(other, "time"), 0);
   comparison.value("load factor at initiation", "", number(one, "load_factor"), number(other, "load_factor"),
                    0);
+  compareLoadsOfGrowth(comparison, asIs, half);
   const std::string suffix = ".displacement";
   for (const auto& column : asIs.history)
   {
@@ -163,7 +185,8 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
                    numberOrNone(half, "settled_release"), 0);
   comparison.distance("path of " + name,
                       distanceBetweenPaths(pathOf(first.history, name), pathOf(second.history, name)));
-  comparison.distance("last position of " + name, distanceBetween(position(asIs), position(half)));
+  if (!growsByIncrements(first, second))
+    comparison.distance("last position of " + name, distanceBetween(position(asIs), position(half)));
 }
 
 void compareTemperatures(Comparison& comparison, const json& asIs, const json& half)
@@ -255,6 +278,14 @@ std::string orderText(const json& answer)
   return answer["order"] == 1 ? " (limits of orders 2 and 1)" : " (limit of order 2)";
 }
 
+/// A text and blanks up to a width in characters: in UTF-8 a character has bytes 10xxxxxx after its first.
+std::string padded(const std::string& text, std::size_t width)
+{
+  const auto characters = static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return text + std::string(characters < width ? width - characters : 0, ' ');
+}
+
 std::string cellText(const json& value)
 {
   if (value.is_number() &&
@@ -324,9 +355,9 @@ std::string comparisonAsText(const nlohmann::json& comparison)
                              (unit.empty() || answer.contains("cells") ? "" : " [" + unit + "]");
     const json empty;
     const auto of = [&](const char* key) { return cellText(answer.contains(key) ? answer[key] : empty); };
-    std::snprintf(line, sizeof line, "%-34s %12s %12s %22s  ", name.c_str(), of("as_is").c_str(),
-                  of("half").c_str(), limitText(answer).c_str());
-    text << line << answer.at("verdict").get<std::string>() << orderText(answer) << "\n";
+    std::snprintf(line, sizeof line, " %12s %12s %22s  ", of("as_is").c_str(), of("half").c_str(),
+                  limitText(answer).c_str());
+    text << padded(name, 34) << line << answer.at("verdict").get<std::string>() << orderText(answer) << "\n";
   }
   const json& runs = comparison.at("runs");
   for (const auto& [name, title] : {std::pair("as_is", "As it is: "), std::pair("half", "With half: ")})

@@ -1,5 +1,7 @@
 #include "scene/ReadFile.hpp"
 
+#include "base/SpecialFile.hpp"
+
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -106,9 +108,8 @@ std::string mistakeInKind(std::filesystem::file_status status)
     return "does not exist; " + givePath;
   if (std::filesystem::is_directory(status))
     return "is a folder; " + givePath;
-  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
-    return (std::filesystem::is_socket(status) ? "is a socket; " : "is a device; ") + givePath;
-  return {};
+  const std::string kind = kindOfSpecialFile(status);
+  return kind.empty() || std::filesystem::is_fifo(status) ? std::string() : "is " + kind + "; " + givePath;
 }
 
 } // namespace

@@ -131,7 +131,8 @@ void Validation::check(Teuchos::ParameterList& list, const Section& section, con
   for (const auto& [name, entry] : all)
     checkEntry(list, name, *entry, section, active, path);
   checkDimension(section, active, path);
-  if (section.presence == Section::Presence::Required && active.entry && entries == 0)
+  if (section.presence == Section::Presence::Required && active.entry && entries == 0 &&
+      !m_found.hasBelow(path, {}))
     report(path, "is empty; write at least one " + active.entry->name + " as <ParameterList name=\"...\">.");
   fillIn(list, active, path);
   for (const auto* rule : active.together)

@@ -27,6 +27,9 @@ public:
     largest_ = std::max(largest_, residual_);
     bursts_ = residual_ > burst * given_ ? bursts_ + 1 : 0;
     now_ = energy.kinetic + energy.strain;
+    fracture_ = energy.fracture;
+    if (!(fracture_ > 0.0))
+      beforeGrowth_ = residual_;
   }
 
   /// Whether the run, up to the last sample, has created no more energy than it was given: a state worth
@@ -40,6 +43,8 @@ public:
     archive("largest", largest_);
     archive("now", now_);
     archive("bursts", bursts_);
+    archive("fracture", fracture_);
+    archive("before_growth", beforeGrowth_);
   }
 
   /// \param subcycledLevels of the state
@@ -69,6 +74,27 @@ public:
       return "energy.residual: the run lost " + percent(-residual_) +
              " % of the energy supplied to the bodies; use smaller cells";
     return {};
+  }
+
+  /// The most energy that was supplied up to a sample [J].
+  double given() const { return given_; }
+
+  /// \param factor whether the loads were such that fronts advance at their toughness: what cracks take is
+  /// then what is released. Under given loads more may be released, but not less
+  /// \return warning where the energy of new faces in equilibrium is not the energy that was released; else
+  /// empty
+  std::string warningOfGrowth(bool factor) const
+  {
+    const double released = fracture_ - (residual_ - beforeGrowth_);
+    const double apart = factor ? std::fabs(released - fracture_) : fracture_ - released;
+    if (!(apart > noticeable * fracture_ + std::fabs(beforeGrowth_)))
+      return {};
+    return "energy.residual: new crack faces took " + readableEnergy(fracture_) +
+           " (toughness times new area), but bodies and loads released " + readableEnergy(released) +
+           " as cracks grew: G at which they grew is not the energy release rate, so neither the load nor "
+           "the "
+           "length of the cracks is right; see whether the contour of G (Propagation > Release Contour) "
+           "contains another material, a load or a support, and use smaller cells (Domain > Cell Size)";
   }
 
   /// The same for an analysis of equilibrium, of any number of steps: their work is taken as if forces rose
@@ -104,6 +130,7 @@ private:
 
   double given_ = 0.0; ///< most that was ever given [J]
   double residual_ = 0.0, largest_ = 0.0, now_ = 0.0;
+  double fracture_ = 0.0, beforeGrowth_ = 0.0; ///< fracture energy now; residual before cracks grew
   int bursts_ = 0;
 };
 

@@ -68,6 +68,15 @@ class Refused(RestartTest):
             pass
         self.refused("checkpoint.h5", "is not a checkpoint")
 
+    def test_pipe_and_device(self):
+        """To open a pipe waits for a program that writes into it."""
+        os.remove(self.checkpoint)
+        os.mkfifo(self.checkpoint)
+        self.refused("checkpoint.h5", "is a pipe", "write the path of a checkpoint.h5")
+        os.remove(self.checkpoint)
+        self.checkpoint = "/dev/zero"
+        self.refused("/dev/zero", "is a device")
+
     def test_bit_flipped_anywhere(self):
         """In the block, in HDF5's own structures and in the numbers."""
         whole = self.file(self.path("out"), "checkpoint.h5")

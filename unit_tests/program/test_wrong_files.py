@@ -123,6 +123,11 @@ class WrongFiles(ProgramTest):
                 self.assert_refused(["scene.xml"], [(f"Boundaries > Pu<{shown}>ll", [f"control character {shown}", "write a name"])])
         self.refuse(plate().text().replace('"Pull"', '"Pu&#27;ll"'), "line ", "&#", "no character")
 
+    def test_control_character_in_the_name_of_the_only_body(self):
+        """That the section is empty without this body is not an error of its own."""
+        self.write("scene.xml", plate().text().replace('"Plate"', '"Pl\tate"'))
+        self.assert_refused(["scene.xml"], [("Bodies > Pl<U+0009>ate", ["control character U+0009", "write a name"])])
+
     def test_text_next_to_the_tags(self):
         self.leave_an_older_run("scene.out")
         self.write("scene.xml", plate().text().replace("</ParameterList>", "steel</ParameterList>", 1))

@@ -89,8 +89,9 @@ void testCouple()
     EXPECT_GT(found.fractionOfMoment, 0.01);
     EXPECT_LE(found.fractionOfMoment, 1.0);
     const std::string text = found.asText(0.01);
-    EXPECT_EQ(text.find("force"), std::string::npos) << text;
+    EXPECT_EQ(text.find("a force"), std::string::npos) << text;
     EXPECT_NE(text.find("a moment of "), std::string::npos) << text;
+    EXPECT_NE(text.find(" % of the forces on it)"), std::string::npos) << text;
   }
 }
 

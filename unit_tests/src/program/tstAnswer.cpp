@@ -61,6 +61,29 @@ TEST(Answer, NamesAllTermsOfTheEnergyBalance)
             "these)");
 }
 
+/// A body that was unloaded has little energy left: the residual is compared with what was supplied.
+TEST(Answer, ComparesTheResidualWithTheMostThatWasSupplied)
+{
+  json summary = finished(0);
+  summary["energy"] = {{"external_work", 0.02}, {"strain", 0.01}, {"kinetic", 0.0}, {"residual", 0.01}};
+  summary["largest_energy_supplied"] = 1.0;
+  EXPECT_NE(answersOf(summary)[1].find("not accounted for 10 mJ (1 % of the 1 J supplied at most)"),
+            std::string::npos)
+      << answersOf(summary)[1];
+  summary["largest_energy_supplied"] = 0.02;
+  EXPECT_NE(answersOf(summary)[1].find("(50 % of the largest of these)"), std::string::npos);
+}
+
+/// What the energy at the start is: in equilibrium not that of the state out of balance.
+TEST(Answer, NamesTheEnergyAtTheStart)
+{
+  json summary = finished(0);
+  summary["energy"] = {{"external_work", 0.0}, {"strain", 1.0}, {"start", 1.0}, {"residual", 0.0}};
+  EXPECT_NE(answersOf(summary)[1].find(", stored at the start 1 J;"), std::string::npos);
+  summary["equilibrium"] = {{"last_step_complete", true}};
+  EXPECT_NE(answersOf(summary)[1].find(", stored in equilibrium at the start 1 J;"), std::string::npos);
+}
+
 /// Of a load step that is not in equilibrium the energies mean nothing.
 TEST(Answer, GivesNoEnergyBalanceOfALoadStepWithoutEquilibrium)
 {

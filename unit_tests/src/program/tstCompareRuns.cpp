@@ -173,6 +173,52 @@ TEST(CompareRuns, ComparesTheLoadOfInitiationAndNotItsLoadStep)
           .get<bool>());
 }
 
+/// Increments are measured in cells, so that with half the cells the same number of load steps leads to half
+/// the growth: loads are compared at a growth that both have, 1 mm, where the first run is half between two
+/// rows. In 3D the growth is that of the area, since the length is that of the front.
+TEST(CompareRuns, ComparesLoadsAtTheSameGrowth)
+{
+  const auto growing = [](double increment, double first, double last, const std::string& column)
+  {
+    RunResults run = running(0.0, 0.1);
+    run.summary["cracks"][0]["fronts"][0]["status"] = "growing";
+    run.summary["cracks"][0]["fronts"][0]["position"] = {100.0 * increment, 0.0};
+    run.summary["propagation"]["initiation"] = {{"load_factor", first}, {"time", 0.5}};
+    run.history["Notch.0.length"] = {0.05, 0.07};
+    run.history[column] = {0.1, 0.1 + increment};
+    run.history["load_factor"] = {first, last};
+    return run;
+  };
+  const std::string column = "Notch.0.length", area = "Notch.area";
+  const json same = compareRuns(growing(2e-3, 2.0, 1.0, column), growing(1e-3, 2.0, 1.5, column));
+  EXPECT_NEAR(answer(same, "load factor at growth of 1 mm")["as_is"].get<double>(), 1.5, 1e-12);
+  EXPECT_TRUE(same["resolved"].get<bool>()) << same.dump(1);
+  EXPECT_EQ(same.dump().find("last position"), std::string::npos);
+  const json apart = compareRuns(growing(2e-3, 2.0, 1.0, column), growing(1e-3, 2.0, 1.2, column));
+  EXPECT_FALSE(answer(apart, "load factor at growth of 1 mm")["resolved"].get<bool>());
+  const json in3D = compareRuns(growing(2e-3, 2.0, 1.0, area), growing(1e-3, 2.0, 1.5, area));
+  EXPECT_TRUE(answer(in3D, "load factor at growth of 0.001 m2")["resolved"].get<bool>());
+}
+
+/// Names whose characters have several bytes take the width of their characters.
+TEST(CompareRuns, ColumnsStandBelowEachOtherWithAnyName)
+{
+  std::size_t width = 0;
+  for (const std::string name : {"Kerbe", "K\xC3\xA4rbe", "\xE5\x88\x87\xE5\x8F\xA3"})
+  {
+    RunResults one = atRest(10.4), other = atRest(10.2);
+    one.summary["cracks"][0]["name"] = other.summary["cracks"][0]["name"] = name;
+    const std::string text = comparisonAsText(compareRuns(one, other));
+    const std::size_t begin = text.find("G_J of " + name), number = text.find("10.4", begin);
+    ASSERT_NE(number, std::string::npos) << text;
+    std::size_t characters = 0;
+    for (std::size_t k = begin; k < number; ++k)
+      characters += (static_cast<unsigned char>(text[k]) & 0xC0) != 0x80 ? 1 : 0;
+    EXPECT_EQ(characters, width == 0 ? characters : width) << text;
+    width = characters;
+  }
+}
+
 /// Under given loads all fronts start at the end of a load step; the time within it is compared.
 TEST(CompareRuns, ComparesTheTimeWithinTheLoadStepUnderGivenLoads)
 {

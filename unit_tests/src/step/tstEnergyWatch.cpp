@@ -99,6 +99,34 @@ TEST(EnergyWatch, WarnsOfEquilibriaOfAnyNumberOfSteps)
   EXPECT_EQ(closed.warningInEquilibrium(false), "") << "the last state counts";
 }
 
+/// Before growth 0.01 J were missing. Of 1 J that new faces took 0.5 J were released, which is a wrong G
+/// under any loads; where 1.5 J were released, only under a factor, since given loads may release more.
+TEST(EnergyWatch, ComparesWhatNewFacesTookWithWhatWasReleased)
+{
+  const auto grown = [](double released)
+  {
+    EnergyWatch watch;
+    EnergyBalance balance;
+    balance.externalWork = 100.0;
+    balance.strain = 100.01;
+    watch.sample(balance);
+    balance.fracture = 1.0;
+    balance.strain -= released;
+    watch.sample(balance);
+    return watch;
+  };
+  EXPECT_NE(grown(0.5).warningOfGrowth(true).find("took 1 J (toughness times new area), but bodies and loads "
+                                                  "released 500 mJ"),
+            std::string::npos)
+      << grown(0.5).warningOfGrowth(true);
+  EXPECT_EQ(grown(0.5).warningOfGrowth(false), grown(0.5).warningOfGrowth(true));
+  EXPECT_NE(grown(1.5).warningOfGrowth(true), "");
+  EXPECT_EQ(grown(1.5).warningOfGrowth(false), "");
+  EXPECT_EQ(grown(0.95).warningOfGrowth(true), "");
+  EXPECT_EQ(grown(0.5).warningInEquilibrium(false), "") << "half a percent of what was supplied";
+  EXPECT_EQ(EnergyWatch().warningOfGrowth(true), "");
+}
+
 /// Work that was done and recovered still counts for the comparison.
 TEST(EnergyWatch, RemembersTheMostThatWasGiven)
 {
