@@ -50,18 +50,29 @@ int beyondEnd(const Vector<2>& end, const Vector<2>& before, const Vector<2>& ou
               const std::string& fronts, const std::string& where, const ReadingContext<2>& context,
               std::vector<std::string>& warnings)
 {
+  const Vector<2> ahead = (1.0 / norm(end - before)) * (end - before);
   if (fronts != "Automatic")
-    return fronts == "Both" || fronts == (first ? "First" : "Last") ? facet::front : facet::surfaceBreaking;
+  {
+    const bool named = fronts == "Both" || fronts == (first ? "First" : "Last");
+    if (named && !context.bodies.contains(end + (0.1 * context.front) * ahead))
+      throw std::invalid_argument(
+          where + ": Fronts = " + fronts + " makes a front of the end at " + formatReal(end[0]) + ", " +
+          formatReal(end[1]) + ", which has no material ahead; write " +
+          (fronts == "Both"
+               ? (first ? "Last" : "First")
+               : (first ? "Last, if the other end is meant," : "First, if the other end is meant,")) +
+          " or leave Fronts out: then each end inside material is a front");
+    return named ? facet::front : facet::surfaceBreaking;
+  }
   if (norm(end - outermost) >= 1e-9 * context.cell)
     return facet::surfaceBreaking;
   // Where cells at fronts are smaller, particles beyond the surface reach too far.
   const bool refined = context.front < context.cell;
   const auto isIn = [&](const Vector<2>& x)
   { return refined ? context.bodies.contains(x) : context.bodies.isNear(x); };
-  const Vector<2> ahead = (1.0 / norm(end - before)) * (end - before);
   if (surface::extendsBeyond<2>(isIn, end, ahead, context.front))
     return facet::front;
-  if (isIn(end + (0.5 * context.front) * ahead))
+  if (context.bodies.contains(end + (0.1 * context.front) * ahead))
     warnings.push_back(
         where + ": less than a cell of material is left ahead of the end at " + formatReal(end[0]) + ", " +
         formatReal(end[1]) +

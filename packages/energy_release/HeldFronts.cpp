@@ -26,25 +26,30 @@ bool isKnown(const nlohmann::json& entry, const std::string& name)
   return entry.contains(name) && entry[name].is_number() && std::isfinite(entry[name].get<double>());
 }
 
-/// An error in two digits.
-std::string errorAsText(double error)
+/// A value in the digits that two digits of its error have.
+std::string inDigitsOf(double error, double value)
 {
   if (!(error > 0.0))
-    return formatShort(error);
+    return formatShort(value);
   const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
-  return formatShort(std::round(error / unit) * unit);
+  return formatShort(std::round(value / unit) * unit + 0.0); // no negative zero
 }
 
-/// A value as text with its error, where that is a number: "2 +- 0.01".
+std::string errorAsText(double error) { return inDigitsOf(error, error); }
+
+/// A value as text with its error, where that is a number: "2 +- 0.01", "0 +- 0.01".
 std::string withError(double value, double error)
 {
-  return formatShort(value) + (std::isfinite(error) ? " +- " + errorAsText(error) : "");
+  if (!std::isfinite(error))
+    return formatShort(value);
+  return (std::fabs(value) < error ? inDigitsOf(error, value) : formatShort(value)) + " +- " +
+         errorAsText(error);
 }
 
 /// A stress intensity [Pa m^0.5] with a unit prefix.
 std::string intensityAsText(double value, double error = noNumber)
 {
-  const double size = std::fabs(value);
+  const double size = std::isfinite(error) ? std::max(std::fabs(value), error) : std::fabs(value);
   return size >= 1e6   ? withError(1e-6 * value, 1e-6 * error) + " MPa m^0.5"
          : size >= 1e3 ? withError(1e-3 * value, 1e-3 * error) + " kPa m^0.5"
                        : withError(value, error) + " Pa m^0.5";

@@ -26,8 +26,10 @@ constexpr double leastIncrement = 0.02, leastWhileRunning = 0.5, usualWhileRunni
 void addRulesOfEquilibrium(Section& s)
 {
   const Condition self = when::present("Propagation");
-  s.refuse({self, when::isNot("Time", "Analysis", {"Dynamic", "Quasi-Static"})},
-           "cracks grow in dynamic and quasi-static analyses only; write Time > Analysis = Quasi-Static");
+  s.refuse(
+      {self, when::isNot("Time", "Analysis", {"Dynamic", "Quasi-Static"})},
+      "cracks grow in dynamic and quasi-static analyses only; write Time > Analysis = Quasi-Static, or leave "
+      "the section out to get G alone");
   s.refuse(
       {when::below("Propagation", "Increment", leastWhileRunning), when::is("Time", "Analysis", {"Dynamic"})},
       "increments below half a cell are for equilibrium only; write at least 0.5");

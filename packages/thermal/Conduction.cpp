@@ -215,13 +215,10 @@ void Conduction<D>::solveSteady(State<D>& state)
   {
     supplyAll(state, 0.0, at);
     once(state, dt, at, at, supply.extent(0) > 0 ? supply : View<double*>());
-    std::vector<double> now;
-    const auto value = onHost(nodes.value);
-    const auto capacity = onHost(nodes.sums);
-    const auto held = onHost(nodes.held);
-    for (int i = 0; i < state.mesh.nodes.numActive(); ++i)
-      if (const int n = activeNode(state.mesh.nodes, i); capacity(n, HeatNodes<D>::capacityAt) > 0.0)
-        now.push_back(value(n, 0) + (held(n) == 0 ? value(n, 1) : 0.0));
+    // Of particles: a node that has a fraction e of a cell's heat takes 1 / sqrt(e) of the gradient next to
+    // it, so that its value is no temperature of the body.
+    const auto temperature = onHost(state.particles.scalar(fields::temperature));
+    std::vector<double> now(temperature.data(), temperature.data() + state.particles.size());
     const auto [low, high] = std::minmax_element(now.begin(), now.end());
     range = now.empty() ? 0.0 : *high - *low;
     if (range > widestRange && state.failure.empty())

@@ -4,6 +4,7 @@
 import json
 import os
 import sys
+import time
 import unittest
 
 import h5py
@@ -32,6 +33,27 @@ def strip(analysis, conduction, conductivity=1.0, final=400.0):
             "Bodies": {"Strip": {"Material": "Glass", "Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.04, 0.08]}},
             "Boundaries": boundaries,
             "Thermal": {"Initial Temperature": WARM, "Conduction": conduction},
+        }
+    )
+
+
+def pulled_plate(stretch):
+    """An edge crack in a plate of acrylic whose ends are held at 283 and 303 K and pulled apart [m]."""
+    foot = {"Lower Corner": [-1.0, -1.0], "Upper Corner": [1.0, 1e-6]}
+    head = {"Lower Corner": [-1.0, 0.079999], "Upper Corner": [1.0, 1.0]}
+    return Scene(
+        {
+            "Domain": {"Dimension": 2, "Plane": "Stress", "Lower Corner": [-0.01, -0.01], "Upper Corner": [0.05, 0.09], "Cell Size": 2e-3},
+            "Time": {"Analysis": "Quasi-Static", "Final Time": 1.0, "Load Steps": 2},
+            "Materials": {"Acrylic": {"Model": "Linear Elastic", "Density": 1190.0, "Young Modulus": 3e9, "Poisson Ratio": 0.35,
+                                      "Specific Heat": 1400.0, "Conductivity": 0.2, "Thermal Expansion": 7e-5}},
+            "Bodies": {"Plate": {"Material": "Acrylic", "Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.04, 0.08]}},
+            "Boundaries": {"Foot": {"Type": "Velocity", "Value": [0.0, 0.0], **foot}, "Cold": {"Type": "Temperature", "Temperature": 283.0, **foot},
+                           "Grip": {"Type": "Velocity", "Value": [0.0, stretch], **head},
+                           "Hot": {"Type": "Temperature", "Temperature": 303.0, **head}},
+            "Thermal": {"Initial Temperature": 293.0, "Conduction": "Steady"},
+            "Cracks": {"Notch": {"Points": [-0.001, 0.04, 0.008235073347973939, 0.04]}},
+            "Energy Release": {"Crack Closure": False},
         }
     )
 
@@ -67,6 +89,22 @@ class HeldTemperatures(ProgramTest):
         print(f"largest von Mises stress {stress / 1e6:.3f} MPa, bound {bound / 1e6:.3f} MPa")
         self.assertLess(stress, 2.0 * bound)
         self.assertGreater(stress, 0.1 * bound)
+
+    def test_steady_where_an_edge_comes_just_over_its_nodes(self):
+        """In the second step the plate reaches over its row of nodes by any fraction of a cell, and nodes beyond it have next to no
+        weight: what they have is no temperature of the plate. That lies between those of its ends (maximum principle)."""
+        seed = int(os.environ.get("RHEGMA_SEED", time.time_ns() % 10**6))
+        print(f"seed {seed}")
+        for stretch in [3e-5, *np.random.default_rng(seed).uniform(1e-5, 1.5e-4, 7)]:
+            with self.subTest(stretch=stretch):
+                answer = rhegma(self.write("scene.xml", pulled_plate(stretch).text()), "--output", self.path("out"), "--quiet")
+                self.assertEqual(answer.status, 0, answer)
+                with h5py.File(self.path("out", "fields.h5"), "r") as file:
+                    names = []
+                    file.visit(lambda name: names.append(name) if name.endswith("particles/temperature") else None)
+                    temperature = np.asarray(file[sorted(names)[-1]])
+                self.assertGreater(temperature.min(), 283.0)
+                self.assertLess(temperature.max(), 303.0)
 
 
 if __name__ == "__main__":

@@ -284,7 +284,7 @@ TEST(ErrorEstimate, IsReportedWithItsReason)
   EXPECT_EQ(with["cracks"][0]["fronts"][0]["G_J_error_estimate"], 0.25);
   EXPECT_FALSE(with["cracks"][0]["fronts"][0].contains("no_error_estimate"));
   const std::string line = with["answers"][0];
-  EXPECT_EQ(line.rfind("crack Notch, front 0: G = 10 +- 0.25 J/m2 (2.5 %), K_I = 0 +- 1500 Pa m^0.5", 0), 0u)
+  EXPECT_EQ(line.rfind("crack Notch, front 0: G = 10 +- 0.25 J/m2 (2.5 %), K_I = 0 +- 1.5 kPa m^0.5", 0), 0u)
       << line;
   ASSERT_EQ(without["answers"].size(), 2u);
   EXPECT_EQ(without["answers"][1],
