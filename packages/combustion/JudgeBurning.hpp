@@ -67,7 +67,7 @@ void judgeRate(const std::string& where, const BurnRate& rate, double pressure, 
                        " up to Time > Final Time (" + formatShort(most) + " m/s), less than an atom" + units);
 }
 
-/// Points all over a crack, at most half a cell apart along each edge of its simplices [m]. \param cell [m]
+/// Points all over a crack, at most half a cell apart along two edges of its simplices [m]. \param cell [m]
 template <int D>
 std::vector<Vector<D>> pointsOf(const CrackSet<D>& cracks, int crack, double cell)
 {
