@@ -4,7 +4,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "combustion/Burning.hpp"
-#include "plausibility/CrackBounds.hpp"
+#include "geometry/NearestPoint.hpp"
 #include "plausibility/CrackExtent.hpp"
 
 #include <algorithm>
@@ -67,6 +67,33 @@ void judgeRate(const std::string& where, const BurnRate& rate, double pressure, 
                        " up to Time > Final Time (" + formatShort(most) + " m/s), less than an atom" + units);
 }
 
+/// Points all over a crack, at most half a cell apart along two edges of its simplices [m]. \param cell [m]
+template <int D>
+std::vector<Vector<D>> pointsOf(const CrackSet<D>& cracks, int crack, double cell)
+{
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
+  const Crack<D>& own = cracks.cracks[crack];
+  std::vector<Vector<D>> points;
+  for (int s = own.firstSimplex; s < own.firstSimplex + own.numSimplices; ++s)
+  {
+    Vector<D> corner[D], along[D];
+    double longest = 0.0;
+    for (int k = 0; k < D; ++k)
+    {
+      for (int d = 0; d < D; ++d)
+        corner[k][d] = vertex(simplex(s, k), d);
+      along[k] = corner[k] - corner[0];
+      longest = std::max(longest, norm(along[k]));
+    }
+    const int cuts = std::max(1, static_cast<int>(std::ceil(2.0 * longest / cell)));
+    for (int i = 0; i <= cuts; ++i)
+      for (int j = 0; j <= (D == 3 ? cuts - i : 0); ++j)
+        points.push_back(corner[0] + (1.0 * i / cuts) * along[1] + (1.0 * j / cuts) * along[D - 1]);
+  }
+  return points;
+}
+
 /// Warns of faces that are hotter at the start than their ignition temperature, as where a body has a
 /// temperature of its own.
 template <int D>
@@ -75,17 +102,19 @@ void judgeIgnition(const State<D>& state, const Burning<D>& burning, const std::
 {
   if (!burning.ignition.byTemperature() || state.materials.thermo.empty())
     return;
-  const auto bounds = boundsOfCrack(state.cracks.cracks[burning.crack], onHost(state.cracks.vertex));
+  const double cell = state.mesh.grid.spacing;
+  const std::vector<Vector<D>> points = pointsOf(state.cracks, burning.crack, cell);
+  const NearestPoint<D> near(points, cell);
   const auto position = onHost(state.particles.template real<D>(fields::position));
   const auto temperature = onHost(state.particles.scalar(fields::temperature));
-  const double cell = state.mesh.grid.spacing;
   double hottest = 0.0;
   for (int p = 0; p < state.particles.size(); ++p)
   {
-    bool near = true;
+    Vector<D> x;
     for (int d = 0; d < D; ++d)
-      near = near && position(p, d) > bounds.lower[d] - cell && position(p, d) < bounds.upper[d] + cell;
-    hottest = near ? std::max(hottest, temperature(p)) : hottest;
+      x[d] = position(p, d);
+    if (temperature(p) > hottest && near.find(x) >= 0)
+      hottest = temperature(p);
   }
   if (hottest < burning.ignition.temperature)
     return;

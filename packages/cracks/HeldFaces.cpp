@@ -1,5 +1,6 @@
 #include "cracks/HeldFaces.hpp"
 
+#include "cracks/HoldingForce.hpp"
 #include "state/Subdomain.hpp"
 
 #include <vector>
@@ -31,8 +32,9 @@ void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
         KOKKOS_LAMBDA(const int i, int& last) {
           const int n = nodes.parent(i);
           const Vector<D> x = positions(n);
-          if (!(nodes.sums(n, Nodes<D>::massAt) > 0.0) ||
-              !(nodes.sums(nodes.numLattice + i, Nodes<D>::massAt) > 0.0) || !constraint.appliesAt(x))
+          if (!bothHaveMass(nodes.sums(n, Nodes<D>::massAt),
+                            nodes.sums(nodes.numLattice + i, Nodes<D>::massAt)) ||
+              !constraint.appliesAt(x))
             return;
           const int s = simplexOf(nearest(n));
           const double distance = sight.locate(s, x).distance;

@@ -353,7 +353,7 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
       {
         const FrontNodeAdvance<D> by = advanceNode(state, options, e, angle[k], node, fronts[f]);
         if (by.length > 0.0)
-          warnOfOtherMaterial(options, front, node.position, by.length * by.direction, state);
+          warnOfOtherMaterial(options, front, node, by.length * by.direction, state);
         advance.nodes.push_back(by);
       }
       else

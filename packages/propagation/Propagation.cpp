@@ -84,7 +84,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.judge = [run, options, all = Teuchos::ParameterList(scene)](State<D>& state)
   {
     judgeToughness(all, options, run->options, state);
-    judgeMaterialsAhead(run->options, state);
+    judgeMaterialsAhead(all, run->options, state);
   };
   effect.call(lastStage(scene), "fronts that are due", {}, {quantity::dueFronts}, {},
               [run](State<D>& state) { markDue(state, run->options, run->fronts); });

@@ -223,8 +223,9 @@ void Conduction<D>::solveSteady(State<D>& state)
     range = now.empty() ? 0.0 : *high - *low;
     if (range > widestRange && state.failure.empty())
       state.failure = "steady conduction: the temperatures of bodies differ by " + formatReal(range) +
-                      " K; heat flows into a body that no Temperature or Convection (Boundaries) lets out; "
-                      "check heat sources and fluxes, or prescribe a temperature of this body";
+                      " K; heat flows into a body, or into a part that insulating cracks cut off, that no "
+                      "Temperature or Convection (Boundaries) lets out; check heat sources and fluxes, or "
+                      "prescribe a temperature of this body or part";
     if (before.size() == now.size())
       changed = 0.0;
     for (std::size_t i = 0; i < before.size() && before.size() == now.size(); ++i)

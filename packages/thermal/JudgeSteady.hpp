@@ -7,8 +7,6 @@
 #include "plausibility/BodyGroups.hpp"
 #include "thermal/Conduction.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace Rhegma::thermal
@@ -24,21 +22,20 @@ double areaOfSurface(const Teuchos::ParameterList& list, double thickness)
     return norm(cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2")));
 }
 
-/// The part of a source's power at the end of the run that acts in a box [W].
+/// The power of all sources at the end of the run in each body, as sources give it to particles [W].
 template <int D>
-double powerIn(const Source<D>& source, const Geometry::Bounds<D>& box, double end, double thickness)
+std::vector<double> powerOfBodies(const Conduction<D>& conduction, double end, std::size_t bodies,
+                                  const State<D>& state)
 {
-  const double factor = source.history(end);
-  double volume = D == 2 ? thickness : 1.0;
-  bool inside = true;
-  for (int d = 0; d < D; ++d)
-  {
-    const double x = source.centre[d] + end * source.velocity[d];
-    inside = inside && x > box.lower[d] - source.radius && x < box.upper[d] + source.radius;
-    volume *=
-        std::max(0.0, std::min(source.upper[d], box.upper[d]) - std::max(source.lower[d], box.lower[d]));
-  }
-  return factor * (source.ball ? (inside ? source.power : 0.0) : source.density * volume);
+  View<double*> supply("power of particles", state.particles.size());
+  for (const Source<D>& source : conduction.sources)
+    addSource(state, source, end, 0.0, supply);
+  const auto ofParticle = onHost(supply);
+  const auto body = onHost(state.particles.integer(fields::body));
+  std::vector<double> power(bodies, 0.0);
+  for (int p = 0; p < state.particles.size(); ++p)
+    power[body(p)] += ofParticle(p);
+  return power;
 }
 
 /// Warns of bodies that no prescribed temperature and no convection reaches, with the heat that flows into
@@ -74,12 +71,14 @@ void judgeSteady(const Teuchos::ParameterList& scene, const Conduction<D>& condu
           list.get<double>("Flux") * areaOfSurface<D>(list, thickness) *
           TimeFunction::parse(list.get<std::string>("History"))(end);
   }
+  const std::vector<double> power = powerOfBodies(conduction, end, state.bodies.info.size(), state);
+  for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
+    if (const auto group = groupOf.find(state.bodies.info[b].name); group != groupOf.end())
+      heat[group->second] += power[b];
   for (int g = 0; g < groups.count(); ++g)
   {
     if (determined[g] != 0)
       continue;
-    for (const Source<D>& source : conduction.sources)
-      heat[g] += powerIn(source, groups[g].bounds, end, thickness);
     state.warnings.push_back(
         "Thermal > Conduction: no Temperature and no Convection (Boundaries) reaches Bodies > " +
         bodies[groups[g].bodies.front()].name + ", so that its steady temperature is not determined" +

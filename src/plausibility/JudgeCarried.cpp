@@ -62,30 +62,39 @@ struct Prescribed
   bool holds(int axis) const { return region->axes.find(static_cast<char>('x' + axis)) != std::string::npos; }
   bool moves(int axis) const { return value[axis] != 0.0 && region->kind == BoundaryRegion::Kind::Held; }
 
-  /// Whether it goes back and forth, as a shaking table does.
-  bool shakes() const
+  /// Whether it goes back and forth as a shaking table does, or comes and goes as a blow: neither constant
+  /// nor a ramp, so that inertia is meant. \param largest absolute value of the history, at its corners too
+  bool jolts(double largest) const
   {
+    constexpr double rounding = 1e-9;
     const auto [least, most] = std::minmax_element(factors.begin(), factors.end());
-    return !factors.empty() && *least < 0.0 && *most > 0.0;
+    const bool ramp =
+        std::is_sorted(factors.begin(), factors.end()) || std::is_sorted(factors.rbegin(), factors.rend());
+    const double ends = std::max(std::fabs(factors.front()), std::fabs(factors.back()));
+    return !ramp || (*least < 0.0 && *most > 0.0) || largest > (1.0 + rounding) * ends;
   }
 };
 
-/// The velocity of a field that is the same at points all over a part of its box; none of another one.
+/// The velocity of a field that is the same at points all over a part of its box; none of another one. The
+/// points are not equidistant along any axis, so that no wave has the same value at all of them: multiples of
+/// powers of the root of z^(D + 1) = z + 1, the golden ratio in one dimension, as parts of an edge.
 template <int D>
 std::optional<Vector<D>> uniformValue(const std::string& field, const Bounds<D>& part)
 {
-  constexpr int count = 4; // points along each axis
+  constexpr int points = 256;
+  constexpr double root = D == 2 ? 1.32471795724474602596 : 1.22074408460575947536;
   constexpr double rounding = 1e-9;
   const PositionFunction velocity = PositionFunction::parse(field, D);
-  int points = 1;
-  for (int d = 0; d < D; ++d)
-    points *= count;
   std::optional<Vector<D>> first;
   for (int k = 0; k < points; ++k)
   {
     Vector<D> x;
-    for (int d = 0, rest = k; d < D; ++d, rest /= count)
-      x[d] = part.lower[d] + (rest % count) / (count - 1.0) * (part.upper[d] - part.lower[d]);
+    double multiple = k;
+    for (int d = 0; d < D; ++d)
+    {
+      multiple /= root;
+      x[d] = part.lower[d] + (multiple - std::floor(multiple)) * (part.upper[d] - part.lower[d]);
+    }
     const Vector<D> here = velocity(x);
     if (!(norm(here) < std::numeric_limits<double>::infinity()) ||
         (first && norm(here - *first) > rounding * norm(*first)))
@@ -267,9 +276,10 @@ private:
       return false;
     const Prescribed<D>&first = supports_[movers.front()], &last = supports_[movers.back()];
     const bool atRest = judged_.state.method.equilibrium();
-    if (!atRest && first.shakes()) // inertia is meant
+    const HistoryRange range = rangeOf(first.history, end_);
+    if (!atRest && first.jolts(range.largest))
       return false;
-    const double far = std::fabs(first.value[axis]) * rangeOf(first.history, end_).integral;
+    const double far = std::fabs(first.value[axis]) * range.integral;
     const double sum = first.value[axis] * std::accumulate(first.factors.begin(), first.factors.end(), 0.0);
     Vector<D> by{};
     by[axis] = sum > 0.0 ? far : -far;

@@ -2,6 +2,7 @@
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "plausibility/CrackExtent.hpp"
+#include "plausibility/HistoryRange.hpp"
 #include "plausibility/Judges.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -112,17 +113,18 @@ void judgeForcesOnAMetre(const JudgedScene<D>& judged, Messages& messages)
       !judged.scene.sublist("Domain").getEntry("Thickness").isDefault())
     return;
   const ParameterList& section = judged.scene.sublist("Boundaries");
+  const double end = judged.scene.sublist("Time").template get<double>("Final Time");
   for (const std::string& name : sublistNames(section))
   {
     const ParameterList& list = section.sublist(name);
     if (!list.isParameter("Force"))
       continue;
-    const std::string force = formatShort(norm(readVector<D>(list, "Force")));
-    messages.push_back("Domain > Thickness is not given and is 1 m, so that the " + force +
-                       " N of Boundaries > " + name +
-                       " load bodies 1 m thick, as all forces of the scene do; write the thickness of the "
-                       "bodies in metres, or 1 if " +
-                       force + " N per metre of it are meant");
+    const double factor = rangeOf(list.get<std::string>("History"), end).largest;
+    const std::string force = formatShort(norm(readVector<D>(list, "Force")) * factor);
+    messages.push_back("Domain > Thickness is not given and is 1 m, so that the force of Boundaries > " +
+                       name + ", " + force + " N at most, acts on a body 1 m thick, as all forces of the " +
+                       "scene do; write the thickness of the bodies in metres, or 1 if " + force +
+                       " N per metre of it are meant");
     return;
   }
 }

@@ -4,6 +4,7 @@
 RHEGMA_SEED in the environment draws other numbers."""
 
 import json
+import math
 import os
 import random
 import re
@@ -92,6 +93,42 @@ class CracksIntoAnotherMaterial(MisleadingTest):
         apart = bimaterial(6e9, 0.6).set("Bodies > Right > Lower Corner", [0.8, 0.0])
         apart.remove("Bodies > Right > Bonded To")
         self.none(self.said(apart), "straight ahead")
+        cell = apart.set("Bodies > Right > Lower Corner", [0.68, 0.0])  # no particle between 0.6 and 0.65, a cell
+        self.none(self.said(cell), "straight ahead")
+        self.one(self.said(cell.set("Bodies > Right > Lower Corner", [0.62, 0.0])), "straight ahead")  # they share nodes
+
+    def test_fronts_that_do_not_get_there(self):
+        wave = 1000.0  # [m/s]; Rayleigh waves have 0.93 of sqrt(E / (2 (1 + nu) rho)) = 970 m/s
+        ahead = 0.7 - 0.32
+        self.none(self.said(bimaterial(6e9).set("Time > Final Time", 0.8 * ahead / wave)), "straight ahead")
+        self.one(self.said(bimaterial(6e9).set("Time > Final Time", 1.25 * ahead / (0.9 * 970.0))), "straight ahead")
+        slow = bimaterial(6e9).set("Propagation > Speed Limit", 50.0)  # 0.2 m in the 4 ms
+        self.none(self.said(slow), "straight ahead")
+        steps = bimaterial(6e9).set("Time", {"Analysis": "Quasi-Static", "Final Time": 1.0, "Load Steps": 6})
+        self.none(self.said(steps.set("Propagation > Increment", 1.0)), "straight ahead")  # 0.3 m
+        self.one(self.said(steps.set("Time > Load Steps", 9)), "straight ahead")
+
+    def test_a_shear_modulus_is_named_where_it_alone_differs(self):
+        scene = bimaterial(3e9).set("Materials > Steel > Poisson Ratio", 0.2)
+        line = self.one(self.said(scene), "straight ahead")
+        self.assertIn(f"(its shear modulus is {1.33 / 1.2:.4g} times that of Materials > Polymer)", line)
+
+    def test_cracks_along_a_border(self):
+        """Their toughness is that of the border, before the run and in it; also where the border is not along cells."""
+        scene = bimaterial(6e9)
+        scene.set("Bodies > Plate > Upper Corner", [1.0, 0.52]).set("Bodies > Right > Lower Corner", [0.0, 0.52])
+        self.none(self.said(scene), "straight ahead")
+        answer, summary = self.ran(scene)
+        self.assertEqual(answer.status, 0, answer)
+        self.assertGreater(summary["cracks"][0]["fronts"][0]["position"][0], 0.5)
+        self.none(summary["warnings"], "it comes into|straight ahead")
+        rise = math.tan(math.radians(self.rng.uniform(15.0, 25.0)))
+        scene.set("Cracks > Notch > Points", [0.25, 0.5 - 0.25 * rise, 0.5, 0.5]).remove("Bodies").set("Bodies", {})
+        ends = [0.0, 0.5 - 0.5 * rise], [1.0, 0.5 + 0.5 * rise]
+        scene.set("Bodies > Plate", {"Material": "Polymer", "Shape": "Polygon", "Points": [0.0, 0.0, 1.0, 0.0, *ends[1], *ends[0]]})
+        scene.set("Bodies > Other", {"Material": "Steel", "Shape": "Polygon", "Points": [*ends[0], *ends[1], 1.0, 1.0, 0.0, 1.0],
+                                     "Bonded To": "Plate"})
+        self.none(self.said(scene), "straight ahead")
 
 
 class GripsThatMoveAlike(MisleadingTest):
@@ -120,6 +157,8 @@ class GripsThatMoveAlike(MisleadingTest):
         self.none(self.grips(grip([0.0, -v], *LOWER), twice), self.ALIKE)
         shaken = [grip([v, 0.0], *at, History="sin(2 * pi * 5000 * t)") for at in (LOWER, UPPER)]
         self.none(self.grips(*shaken), self.ALIKE)  # inertia is meant
+        for blow in ("0:0, 2e-4:1, 4e-4:0", "0:0, 3e-6:1, 6e-6:0", "sin(pi * t / 1e-3)"):
+            self.none(self.grips(*(grip([v, 0.0], *at, History=blow) for at in (LOWER, UPPER))), self.ALIKE)
 
     def test_by_fields(self):
         fields = []
@@ -129,6 +168,9 @@ class GripsThatMoveAlike(MisleadingTest):
         self.one(self.grips(fields[0], grip([0.0, 1e-4], *UPPER), static=True), "so that nothing strains it")
         self.none(self.grips(fields[0], dict(fields[1], Field="0, 1e-4 * y"), static=True)
                   + self.grips(dict(fields[0], Field="0, 1e-4 * x"), fields[1], static=True), self.ALIKE)
+        for waves in (3, 6, 30):  # along the edges of the plate, from 0 to 1
+            bent = [dict(f, Field=f"0, 1e-4 * (1 + sin({2 * waves} * pi * x))") for f in fields]
+            self.none(self.grips(*bent, static=True), self.ALIKE)
 
 
 def cut_static(stress, **more):
@@ -197,9 +239,11 @@ class ForcesWithoutThickness(MisleadingTest):
             for load in (line, point):
                 scene = plate().set("Domain > Plane", plane).set("Boundaries > Pull", load)
                 said = self.one(self.said(scene), "Domain > Thickness is not given and is 1 m")
-                self.assertIn(f"the {force:.4g} N of Boundaries > Pull load bodies 1 m thick", said)
+                self.assertIn(f"the force of Boundaries > Pull, {force:.4g} N at most, acts on a body 1 m thick", said)
                 for thickness in (1.0, 0.5):
                     self.none(self.said(scene.set("Domain > Thickness", thickness)), "Thickness is not given")
+        scene = plate().set("Domain > Plane", "Strain").set("Boundaries > Pull", dict(point, History="0:0, 3e-4:1000, 4e-4:0"))
+        self.assertIn(f" {1e3 * force:.4g} N at most", self.one(self.said(scene), "Domain > Thickness is not given"))
         self.none(self.said(plate()), "Thickness")  # tractions are per area
 
 
@@ -224,6 +268,25 @@ class Heat(MisleadingTest):
                                                  "Coefficient": 10.0, "Ambient Temperature": 300.0})
         self.none(self.said(cooled), "not determined")
 
+    def test_heat_of_sources_is_that_of_the_particles(self):
+        def heat(scene):
+            line = self.one(self.said(scene), r"and \S+ W flow into it that nothing takes away")
+            return float(re.search(r"and (\S+) W", line).group(1))
+
+        disk = self.steady().set("Bodies > Other", {"Material": "Polymer", "Shape": "Ball", "Centre": [1.9, 0.5], "Radius": 0.4})
+        disk.set("Thermal > Sources", {"S": {"Type": "Box", "Lower Corner": [1.3, 0.0], "Upper Corner": [2.5, 1.0],
+                                             "Power Density": 100.0}})
+        self.assertAlmostEqual(heat(disk), 100.0 * math.pi * 0.4**2, delta=0.01 * 50.3)  # areas are exact to 1e-3
+        both = self.steady().set("Thermal > Sources", {"S": {"Type": "Ball", "Centre": [1.2, 0.5], "Radius": 0.5, "Power": 100.0}})
+        self.assertAlmostEqual(heat(both), 50.0, delta=0.5)  # half of it in each of two bodies alike
+
+    def test_a_part_that_a_crack_cuts_off(self):
+        scene = self.steady().remove("Bodies > Other").set("Cracks", {"Cut": {"Points": [0.5, -0.01, 0.5, 1.01]}})
+        scene.set("Boundaries > Flux", {"Type": "Heat Flux", "Body": "Plate", "From": [1.0, 0.0], "To": [1.0, 1.0], "Flux": 500.0})
+        answer = rhegma(self.write("cut.xml", scene.text()), "--quiet", "--output", self.path("cut"))
+        self.assertNotEqual(answer.status, 0)
+        self.assertIn("into a part that insulating cracks cut off", answer.messages)
+
     def test_faces_that_are_hotter_than_their_ignition_temperature(self):
         hot = self.rng.uniform(450.0, 600.0)
 
@@ -239,6 +302,15 @@ class Heat(MisleadingTest):
         line = self.one(self.said(burning(hot)), "Combustion > Notch > Ignition Temperature is 420 K")
         self.assertIn(f"its faces have up to {hot:.4g} K at the start, so that they burn at once", line)
         self.none(self.said(burning(310.0)), "Ignition Temperature is")
+        # A hot body in the corner of the bounds of an inclined crack, 0.28 m from it.
+        corner = burning(310.0).set("Cracks > Notch > Points", [0.1, 0.1, 0.9, 0.9]).remove("Bodies").set("Bodies", {})
+        corner.set("Bodies > Plate", {"Material": "Polymer", "Shape": "Polygon", "Points": [
+            0.0, 0.0, 0.6, 0.0, 0.6, 0.2, 0.9, 0.2, 0.9, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0]})
+        corner.set("Bodies > Plug", {"Material": "Polymer", "Shape": "Box", "Lower Corner": [0.6, 0.0], "Upper Corner": [0.9, 0.2],
+                                     "Temperature": hot, "Bonded To": "Plate"})
+        self.none(self.said(corner), "Ignition Temperature is")
+        corner.set("Cracks > Notch > Points", [0.3, 0.08, 0.7, 0.08])
+        self.assertIn(f"up to {hot:.4g} K", self.one(self.said(corner), "Ignition Temperature is"))
 
 
 class HistoriesInStaticAnalysis(MisleadingTest):
