@@ -9,8 +9,8 @@ namespace Rhegma
 {
 
 /// What to write for contact, as the end of a message. Contact excludes other parts of some scenes, and in
-/// equilibrium pieces that only faces without friction hold can move. \param cuts whether the crack divides
-/// its body \param startsInEquilibrium as by Time > Initial State = Equilibrium
+/// equilibrium pieces that only faces without friction hold can move. \param state of the run \param cuts
+/// whether the crack divides its body \param startsInEquilibrium as by Time > Initial State = Equilibrium
 template <int D>
 std::string contactAdvice(const State<D>& state, bool cuts, bool startsInEquilibrium)
 {
