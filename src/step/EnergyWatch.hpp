@@ -146,7 +146,7 @@ private:
   /// than nothing
   std::string reason(const GrowthInEquilibrium& growth, bool negative) const
   {
-    if (growth.ended && std::fabs(residual_ - ofGrowth_) > 0.5 * std::fabs(residual_))
+    if (growth.ended && ofGrowth_ - residual_ > 0.5 * std::fabs(residual_))
       return "a front has reached a surface or another crack; what bodies release where they come apart is "
              "not dissipated by the crack, and would become motion; results up to there do not depend on it";
     if (growth.factor)
