@@ -10,6 +10,7 @@
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
 #include "state/EnergySums.hpp"
+#include "state/Nonlinearity.hpp"
 #include "step/GiveHeat.hpp"
 #include "step/Run.hpp"
 
@@ -85,18 +86,15 @@ public:
     const State<D>& state = run_->state();
     summary["warnings"] = state.warnings;
     const EnergyWatch& watch = run_->energyWatch();
-    const bool grown = state.cracks.growth.area > 0.0 && state.method.analysis == Analysis::QuasiStatic;
     const std::string ofEnergy =
         state.method.equilibrium()
-            ? watch.warningInEquilibrium(grown)
+            ? watch.warningInEquilibrium({state.cracks.growth.area > 0.0,
+                                          state.method.analysis == Analysis::LoadFactor,
+                                          anyEnded(state.cracks), isNonlinear(state)})
             : watch.warning(state.method.picFraction > 0.0, state.clock.step, state.mesh.subcycledLevels);
     if (!ofEnergy.empty() && state.failure.empty())
       summary["warnings"].push_back(ofEnergy);
-    const bool factor = state.method.analysis == Analysis::LoadFactor;
-    if ((factor || grown) && state.failure.empty())
-      if (const std::string ofGrowth = watch.warningOfGrowth(factor); !ofGrowth.empty())
-        summary["warnings"].push_back(ofGrowth);
-    summary["largest_energy_supplied"] = watch.given();
+    summary["largest_energy_supplied"] = watch.supplied();
     coreReport(state, summary);
     bodyReport(state, summary, mostBodies);
     for (const Effect<D>& effect : run_->plan().effects)

@@ -178,6 +178,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   {
     account.started = true;
     state.energy.start += state.ranks.sum(step.workOfStart());
+    state.energy.externalWork += step.workOfLoadsOnStart();
     account.fractionOfStart = step.fractionOfStart();
   }
   state.energy.stabilised += step.ghostEnergy();

@@ -88,8 +88,12 @@ public:
   /// Half of the work that forces of the stress at the start of a step with heat do on all that is not held
   /// [J]: this rank's part. In the first step that is what a body whose stress is out of balance, such as
   /// that of a misfit of temperatures, releases (negative) until it is in equilibrium, with
-  /// `workOfBentPath`.
+  /// `workOfBentPath`: over the displacement that this stress causes alone.
   double workOfStart() const { return workOfStart_; }
+  /// The same over the displacement that loads and supports cause [J]: this rank's part. By reciprocity it
+  /// is, with the other sign, half of the work that these do over the displacement of the stress: added to
+  /// their work, it leaves that over the displacement that they cause themselves.
+  double workOfLoadsOnStart() const { return workOfLoadsOnStart_; }
   /// Fraction of that in all work of the first step, 0 .. 1: the rest is done by loads and supports.
   double fractionOfStart() const { return fractionOfStart_; }
   const RowGraph& graph() const { return graph_; }
@@ -113,6 +117,9 @@ private:
   Values forcesOfStart(const State<D>& state, const Values& atStart) const;
   /// Reactions, work of supports and of the start. \param atStart residual at the start of the step
   void findWork(const State<D>& state, const Values& atStart);
+  /// Splits the work of the stress at the start between `workOfStart` and `workOfLoadsOnStart`, by another
+  /// linear solution, where loads or supports act. \param ofStress its forces
+  void splitWork(const State<D>& state, const Values& ofStress);
   /// Work of the stress along the straight path to the displacement, less that of the mean of its forces at
   /// both ends, which misses what rotations do (in a bar of two metals that bends, 1.3 % of all that is
   /// released). This rank's part [J]; collective.
@@ -167,7 +174,7 @@ private:
   std::shared_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;
   Values load_, displacement_, residual_, reaction_;
-  double workOfSupports_ = 0.0, workOfStart_ = 0.0, fractionOfStart_ = 0.0;
+  double workOfSupports_ = 0.0, workOfStart_ = 0.0, workOfLoadsOnStart_ = 0.0, fractionOfStart_ = 0.0;
 };
 
 } // namespace Rhegma::equilibrium

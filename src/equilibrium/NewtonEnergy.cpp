@@ -32,7 +32,7 @@ template <int D>
 void NewtonStep<D>::findWork(const State<D>& state, const Values& atStart)
 {
   const Values ofStress = forcesOfStart(state, atStart);
-  workOfSupports_ = workOfStart_ = 0.0;
+  workOfSupports_ = workOfStart_ = workOfLoadsOnStart_ = 0.0;
   for (int k = 0; k < D * graph_.rows; ++k)
   {
     const bool held = held_.is[k] != 0;
@@ -44,7 +44,8 @@ void NewtonStep<D>::findWork(const State<D>& state, const Values& atStart)
   }
   if (state.clock.step > 0 || state.materials.thermo.empty())
     return;
-  double works[] = {workOfStart_, 0.0, workOfSupports_};
+  splitWork(state, ofStress);
+  double works[] = {workOfStart_, workOfLoadsOnStart_, workOfSupports_};
   for (int k = 0; k < D * graph_.rows; ++k)
     works[1] += owners_.owns(k / D) ? 0.5 * load_(k) * displacement_(k) : 0.0;
   owners_.ranks().sum(works, 3);
@@ -52,6 +53,35 @@ void NewtonStep<D>::findWork(const State<D>& state, const Values& atStart)
   fractionOfStart_ = all > 0.0 ? ofStart / all : 0.0;
   // Only as much of it: loads follow a path of their own.
   workOfStart_ += fractionOfStart_ * workOfBentPath(state);
+}
+
+template <int D>
+void NewtonStep<D>::splitWork(const State<D>& state, const Values& ofStress)
+{
+  const int n = D * graph_.rows;
+  const Values right("rhegma::equilibrium::loads", n), ofLoads("rhegma::equilibrium::ofLoads", n);
+  double acts = 0.0;
+  for (int k = 0; k < n; ++k)
+  {
+    right(k) = owners_.owns(k / D) ? load_(k) : 0.0; // loads count once
+    ofLoads(k) = held_.is[k] != 0 ? displacement_(k) : 0.0;
+    acts = right(k) != 0.0 || ofLoads(k) != 0.0 ? 1.0 : acts;
+  }
+  if (owners_.ranks().max(acts) == 0.0)
+    return;
+  if (!modes_.empty())
+    removeResultants(modes_, pieceOf_, position_, mass_, owners_, right);
+  // Of loads and not of the stress, which may release a hundred times as much: an error of the linear
+  // solution is a part of what is divided.
+  const double enough = forceTolerance * norm(right, false);
+  if (!assemble(state) ||
+      !system_->solve(std::exchange(stiffness_, {}), symmetric_, right, enough, ofLoads).solved)
+    return;
+  copyFromOwners(state, graph_, owners_, ofLoads);
+  removeRigidMotion(ofLoads);
+  for (int k = 0; k < n; ++k)
+    workOfLoadsOnStart_ += owners_.owns(k / D) && held_.is[k] == 0 ? 0.5 * ofStress(k) * ofLoads(k) : 0.0;
+  workOfStart_ -= workOfLoadsOnStart_;
 }
 
 template <int D>
@@ -91,10 +121,12 @@ double NewtonStep<D>::ghostEnergy() const
 
 template Values NewtonStep<2>::forcesOfStart(const State<2>&, const Values&) const;
 template void NewtonStep<2>::findWork(const State<2>&, const Values&);
+template void NewtonStep<2>::splitWork(const State<2>&, const Values&);
 template double NewtonStep<2>::workOfBentPath(const State<2>&) const;
 template double NewtonStep<2>::ghostEnergy() const;
 template Values NewtonStep<3>::forcesOfStart(const State<3>&, const Values&) const;
 template void NewtonStep<3>::findWork(const State<3>&, const Values&);
+template void NewtonStep<3>::splitWork(const State<3>&, const Values&);
 template double NewtonStep<3>::workOfBentPath(const State<3>&) const;
 template double NewtonStep<3>::ghostEnergy() const;
 

@@ -121,9 +121,9 @@ void compareLoadsOfGrowth(Comparison& comparison, const RunResults& asIs, const 
   const std::vector<double> one = growthOf(asIs.history), other = growthOf(half.history);
   const double growth = one.empty() || other.empty() ? 0.0 : std::min(one.back(), other.back());
   if (growth > 0.0)
-    comparison.value("load factor at growth of " +
-                         (growsByArea(asIs.history) ? formatShort(growth) + " m2" : readableLength(growth)),
-                     "", factorAt(asIs.history, growth), factorAt(half.history, growth), 0);
+    comparison.value("load factor at the same growth", "", factorAt(asIs.history, growth),
+                     factorAt(half.history, growth), 0, 0.0,
+                     {{"growth", growth}, {"unit_of_growth", growsByArea(asIs.history) ? "m2" : "m"}});
 }
 
 /// Whether growth was found under loads that have a factor: how far a front comes is then a matter of the

@@ -54,11 +54,12 @@ std::string cellsText(double cells) { return formatShort(cells) + (cells == 1.0 
 } // namespace
 
 void Comparison::value(const std::string& name, const std::string& unit, double asIs, double half, int order,
-                       double unseen)
+                       double unseen, const json& more)
 {
   if (std::isnan(asIs) && std::isnan(half))
     return;
   json answer = {{"name", name}, {"unit", unit}, {"as_is", asIs}, {"half", half}};
+  answer.update(more);
   if (asIs == 0.0 && half == 0.0)
   {
     answer["change"] = 0.0;

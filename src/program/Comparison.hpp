@@ -21,8 +21,9 @@ public:
   /// A number of both runs; not a number where a run has none. \param order lowest that its error may have in
   /// the size of the cells; 0: not smooth, so not extrapolated. Nor are answers of runs that did not come to
   /// their end. \param unseen difference that is smaller than what the runs resolve, in `unit`
+  /// \param more fields of the answer
   void value(const std::string& name, const std::string& unit, double asIs, double half, int order,
-             double unseen = 0.0);
+             double unseen = 0.0, const nlohmann::json& more = nlohmann::json::object());
 
   /// \param distance between what the runs found [m]; not a number: none
   void distance(const std::string& name, double distance);

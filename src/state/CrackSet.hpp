@@ -246,6 +246,14 @@ struct CrackSet
   bool empty() const { return cracks.empty(); } ///< whether there are no cracks
 };
 
+/// Whether a front has met the surface of its body or another crack.
+template <int D>
+bool anyEnded(const CrackSet<D>& set)
+{
+  return std::any_of(set.fronts.begin(), set.fronts.end(),
+                     [](const CrackFront<D>& front) { return front.ended; });
+}
+
 /// The name of a front in messages, such as "crack Notch, front 0".
 template <int D>
 std::string frontName(const CrackSet<D>& set, const CrackFront<D>& front)

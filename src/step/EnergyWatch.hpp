@@ -13,38 +13,56 @@
 namespace Rhegma
 {
 
+/// What the energy balance of an analysis of equilibrium depends on, in addition to energies.
+struct GrowthInEquilibrium
+{
+  bool grown = false;     ///< whether cracks have grown
+  bool factor = false;    ///< whether loads are such that fronts advance at their toughness
+  bool ended = false;     ///< whether a whole front has reached a surface or another crack
+  bool nonlinear = false; ///< whether bodies flow plastically or strains are large
+};
+
 /// Checks the energy balance from sample to sample. An unstable step multiplies the energy of a few
 /// particles; a body can burst long before a number overflows, but its energy reveals the instability.
 class EnergyWatch
 {
 public:
   /// To be called with every sample of a run.
-  void sample(const EnergyBalance& energy)
+  /// \param ended whether a whole front has reached a surface or another crack: what bodies release as they
+  /// come apart there is no release of growth
+  void sample(const EnergyBalance& energy, bool ended = false)
   {
-    given_ = std::max(given_, std::fabs(energy.start) + std::fabs(energy.externalWork) +
-                                  std::fabs(energy.combustion) + std::fabs(energy.heat) + energy.roundOff);
+    exchanged_ =
+        std::max(exchanged_, std::fabs(energy.start) + std::fabs(energy.externalWork) +
+                                 std::fabs(energy.combustion) + std::fabs(energy.heat) + energy.roundOff);
+    supplied_ = std::max(supplied_, energy.start + energy.externalWork + energy.combustion + energy.heat);
     residual_ = energy.residual();
     largest_ = std::max(largest_, residual_);
-    bursts_ = residual_ > burst * given_ ? bursts_ + 1 : 0;
+    bursts_ = residual_ > burst * exchanged_ ? bursts_ + 1 : 0;
     now_ = energy.kinetic + energy.strain;
+    if (ended)
+      return;
     fracture_ = energy.fracture;
+    ofGrowth_ = residual_;
     if (!(fracture_ > 0.0))
       beforeGrowth_ = residual_;
   }
 
   /// Whether the run, up to the last sample, has created no more energy than it was given: a state worth
   /// storing.
-  bool sound() const { return std::isfinite(residual_) && residual_ <= given_; }
+  bool sound() const { return std::isfinite(residual_) && residual_ <= exchanged_; }
 
   void serialize(Archive& archive)
   {
-    archive("given", given_);
+    archive("exchanged", exchanged_);
+    archive("supplied", supplied_);
     archive("residual", residual_);
     archive("largest", largest_);
     archive("now", now_);
     archive("bursts", bursts_);
     archive("fracture", fracture_);
     archive("before_growth", beforeGrowth_);
+    archive("of_growth", ofGrowth_);
   }
 
   /// \param subcycledLevels of the state
@@ -55,8 +73,8 @@ public:
       return "an energy is not finite" + advice(subcycledLevels);
     if (bursts_ < burstsInARow)
       return {};
-    return "the energy of the bodies is " + readableEnergy(now_) + ", but at most " + readableEnergy(given_) +
-           " was supplied" + advice(subcycledLevels);
+    return "the energy of the bodies is " + readableEnergy(now_) + ", but at most " +
+           readableEnergy(supplied_) + " was supplied" + advice(subcycledLevels);
   }
 
   /// \param losesByDesign whether the scene uses a scheme that dissipates energy without recording it
@@ -67,51 +85,39 @@ public:
   {
     if (steps < fewSteps)
       return {};
-    if (largest_ > noticeable * given_)
+    if (largest_ > noticeable * exchanged_)
       return "energy.residual: the run gained " + percent(largest_) +
              " % more energy than was supplied to the bodies" + advice(subcycledLevels);
-    if (!losesByDesign && -residual_ > noticeable * given_)
+    if (!losesByDesign && -residual_ > noticeable * exchanged_)
       return "energy.residual: the run lost " + percent(-residual_) +
              " % of the energy supplied to the bodies; use smaller cells";
     return {};
   }
 
-  /// The most energy that was supplied up to a sample [J].
-  double given() const { return given_; }
-
-  /// \param factor whether the loads were such that fronts advance at their toughness: what cracks take is
-  /// then what is released. Under given loads more may be released, but not less
-  /// \return warning where the energy of new faces in equilibrium is not the energy that was released; else
-  /// empty
-  std::string warningOfGrowth(bool factor) const
-  {
-    const double released = fracture_ - (residual_ - beforeGrowth_);
-    const double apart = factor ? std::fabs(released - fracture_) : fracture_ - released;
-    if (!(apart > noticeable * fracture_ + std::fabs(beforeGrowth_)))
-      return {};
-    return "energy.residual: new crack faces took " + readableEnergy(fracture_) +
-           " (toughness times new area), but bodies and loads released " + readableEnergy(released) +
-           " as cracks grew: G at which they grew is not the energy release rate, so neither the load nor "
-           "the "
-           "length of the cracks is right; see whether the contour of G (Propagation > Release Contour) "
-           "contains another material, a load or a support, and use smaller cells (Domain > Cell Size)";
-  }
+  /// The most energy that bodies had been given at a sample: at the start, by work, gas and heat [J].
+  double supplied() const { return supplied_; }
 
   /// The same for an analysis of equilibrium, of any number of steps: their work is taken as if forces rose
-  /// in proportion to displacements. \param grown whether cracks have grown under given loads
-  std::string warningInEquilibrium(bool grown) const
+  /// in proportion to displacements. Where cracks have grown, what their faces took is compared with what was
+  /// released, up to where a front reaches a surface. With a load factor both are the same; under given loads
+  /// more may be released, but not less.
+  std::string warningInEquilibrium(const GrowthInEquilibrium& growth) const
   {
-    if (!(std::fabs(residual_) > noticeable * given_))
+    const double released = fracture_ - (ofGrowth_ - beforeGrowth_);
+    const double apart = growth.factor ? std::fabs(released - fracture_) : fracture_ - released;
+    const bool differs = growth.grown && apart > noticeable * fracture_ + std::fabs(beforeGrowth_);
+    // Less than nothing is not released by a wrong G.
+    if (differs && released >= 0.0 && !growth.nonlinear)
+      return wrongRelease(released);
+    if (!differs && !(std::fabs(residual_) > noticeable * exchanged_))
       return {};
     return "energy.residual: the energy balance of this analysis of equilibrium is open by " +
            readableEnergy(residual_) + ", " + percent(std::fabs(residual_)) +
-           " % of the energy supplied to the bodies: " +
-           (grown ? "where G rises above the toughness in a load step, what is released above it is not "
-                    "dissipated by the crack, and would become motion; if growth is stable (propagation > "
-                    "unstable_from in summary.json is null), more Time > Load Steps reduce it"
-                  : "in a load step forces are taken to rise in proportion to displacements, which does not "
-                    "hold "
-                    "for plastic flow or large strain; use more Time > Load Steps");
+           " % of the energy supplied to the bodies" +
+           (differs ? " (" + readableEnergy(fracture_ - released) + " since cracks grew, whose faces took " +
+                          readableEnergy(fracture_) + ")"
+                    : std::string()) +
+           ": " + reason(growth, differs && released < 0.0);
   }
 
 private:
@@ -126,11 +132,48 @@ private:
            ", smaller cells, a lower load rate or another Cracks > Formulation)";
   }
 
-  std::string percent(double energy) const { return formatReal(std::round(1e3 * energy / given_) / 10.0); }
+  std::string wrongRelease(double released) const
+  {
+    return "energy.residual: new crack faces took " + readableEnergy(fracture_) +
+           " (toughness times new area), but bodies and loads released " + readableEnergy(released) +
+           " as cracks grew: G at which they grew is not the energy release rate, so neither the load nor "
+           "the length of the cracks is right; see whether the contour of G (Propagation > Release Contour) "
+           "contains another material, a load or a support, and use smaller increments (Propagation > "
+           "Increment) and smaller cells (Domain > Cell Size)";
+  }
 
-  double given_ = 0.0; ///< most that was ever given [J]
+  /// Why the balance of an equilibrium is open. \param negative whether growth seems to have released less
+  /// than nothing
+  std::string reason(const GrowthInEquilibrium& growth, bool negative) const
+  {
+    if (growth.ended && ofGrowth_ - residual_ > 0.5 * std::fabs(residual_))
+      return "a front has reached a surface or another crack; what bodies release where they come apart is "
+             "not dissipated by the crack, and would become motion; results up to there do not depend on it";
+    if (growth.factor)
+      return "the first load step leads to the load at which cracks start, and each other one is an "
+             "increment; in each of them forces are taken to rise in proportion to displacements, which does "
+             "not hold for plastic flow or large strain; use smaller increments (Propagation > Increment) "
+             "or, if the residual is that of the first load step, Propagation > Load Control = Functions of "
+             "Time with more Time > Load Steps";
+    if (growth.grown && !growth.nonlinear && !negative)
+      return "where G rises above the toughness in a load step, what is released above it is not "
+             "dissipated by the crack, and would become motion; if growth is stable (propagation > "
+             "unstable_from in summary.json is null), more Time > Load Steps reduce it";
+    return "in a load step forces are taken to rise in proportion to displacements, which does not hold for "
+           "plastic flow or large strain; use more Time > Load Steps";
+  }
+
+  /// Of the energy supplied; of what was exchanged, where the bodies only gave energy.
+  std::string percent(double energy) const
+  {
+    return formatReal(std::round(1e3 * energy / (supplied_ > 0.0 ? supplied_ : exchanged_)) / 10.0);
+  }
+
+  double exchanged_ = 0.0; ///< most of the sum of what was given and what was taken back [J]
+  double supplied_ = 0.0;  ///< most that the bodies had been given [J]
   double residual_ = 0.0, largest_ = 0.0, now_ = 0.0;
-  double fracture_ = 0.0, beforeGrowth_ = 0.0; ///< fracture energy now; residual before cracks grew
+  double fracture_ = 0.0; ///< dissipated by new faces, up to where a front reaches a surface
+  double beforeGrowth_ = 0.0, ofGrowth_ = 0.0; ///< residual before cracks grew, and with `fracture_`
   int bursts_ = 0;
 };
 

@@ -291,7 +291,7 @@ void Run<D>::observe()
   if (beforeObserve)
     beforeObserve(state_);
   plan_.run(Stage::Observe, state_);
-  energyWatch_.sample(state_.energy);
+  energyWatch_.sample(state_.energy, anyEnded(state_.cracks));
   if (state_.failure.empty())
     state_.failure = energyWatch_.failure(state_.mesh.subcycledLevels);
   if (!state_.failure.empty())

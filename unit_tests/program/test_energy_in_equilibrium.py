@@ -117,6 +117,28 @@ class Balance(ProgramTest):
                     self.assertLess(abs(energy["residual"]), misfit * released)
                     self.assertEqual(self.of_energy(summary), [])
 
+    def test_misfit_of_temperatures_and_load(self):
+        """What is stored at the start does not depend on a load of the first load step, and the work of the load is that over the
+        displacement that it causes, sigma^2 V / 2 E of a straight bar, both to the order of the misfit as the sum of both. Half of the load's
+        work over the displacement of the misfit was counted as energy of the start: 8.68 mJ instead of 5.23 mJ, and the work was negative."""
+        slender, misfit, stress = 12, 30.0 * 1e-4, 1e6
+        length, alone = 0.008 * slender, self.summary(bimetal(1e-4, slender))["energy"]
+        released = MODULUS * misfit**2 / (1.0 - POISSON) * 0.008**2 * slender * 3e-3
+        for steps in (1, 4):
+            with self.subTest(steps=steps):
+                scene = bimetal(1e-4, slender).set("Time > Load Steps", steps).set("Boundaries", {
+                    f"{name} {body}": {"Type": "Traction", "Body": body, "From": [x, low], "To": [x, low + 0.008],
+                                       "Stress": [sign * stress, 0.0]}
+                    for name, x, sign in (("Left", 0.0, -1.0), ("Right", length, 1.0)) for body, low in (("Low", 0.0), ("High", 0.008))})
+                energy = self.summary(scene)["energy"]
+                pull = stress**2 / (2.0 * MODULUS) * 0.016 * length * 3e-3
+                print(f"{steps} steps: residual {energy['residual']:.3g} J, start {energy['start']:.4g} J (alone {alone['start']:.4g} J), "
+                      f"external work {energy['external_work']:.4g} J (of a straight bar {pull:.4g} J)")
+                self.assertLess(abs(energy["residual"]), misfit * released)
+                self.assertLess(abs(energy["start"] - alone["start"]), misfit * released)
+                self.assertLess(abs(energy["external_work"] - pull), 2.0 * misfit * released)
+                self.assertGreater(energy["external_work"], 0.0)
+
     def test_growth_by_a_contour_that_contains_another_material(self):
         """The domain of 5 to 10 cells holds steel 8 cells ahead; with one material the balance closes."""
         for right, wrong in (("Steel", True), ("Acrylic", False)):
@@ -129,6 +151,15 @@ class Balance(ProgramTest):
                 self.assertEqual(len(contains), 1 if wrong else 0, summary["warnings"])
                 if wrong:
                     self.assertIn("G at which they grew is not the energy release rate", of_energy[0])
+
+    def test_a_strip_that_breaks_through(self):
+        """The jump at the end is no matter of G, nor of load steps: what bodies release there is named, in one warning."""
+        scene = growing("Acrylic", [5.0, 10.0]).set("Time > Load Steps", 15).set("Propagation > Increment", 2.0)
+        summary = self.summary(scene.remove("Propagation > Release Contour"))
+        of_energy = self.of_energy(summary)
+        self.assertTrue(summary["cracks"][0]["fronts"][0]["ended"])
+        self.assertEqual(len(of_energy), 1, of_energy)
+        self.assertIn("a front has reached a surface", of_energy[0])
 
     def test_supports_alone_have_no_displacement_of_loads(self):
         """The fall of the displacement of loads, which would be rounding, is not reported where there are no loads."""

@@ -191,13 +191,16 @@ TEST(CompareRuns, ComparesLoadsAtTheSameGrowth)
   };
   const std::string column = "Notch.0.length", area = "Notch.area";
   const json same = compareRuns(growing(2e-3, 2.0, 1.0, column), growing(1e-3, 2.0, 1.5, column));
-  EXPECT_NEAR(answer(same, "load factor at growth of 1 mm")["as_is"].get<double>(), 1.5, 1e-12);
+  EXPECT_NEAR(answer(same, "load factor at the same growth")["as_is"].get<double>(), 1.5, 1e-12);
+  EXPECT_NEAR(answer(same, "load factor at the same growth")["growth"].get<double>(), 1e-3, 1e-12);
+  EXPECT_EQ(answer(same, "load factor at the same growth")["unit_of_growth"], "m");
   EXPECT_TRUE(same["resolved"].get<bool>()) << same.dump(1);
   EXPECT_EQ(same.dump().find("last position"), std::string::npos);
   const json apart = compareRuns(growing(2e-3, 2.0, 1.0, column), growing(1e-3, 2.0, 1.2, column));
-  EXPECT_FALSE(answer(apart, "load factor at growth of 1 mm")["resolved"].get<bool>());
+  EXPECT_FALSE(answer(apart, "load factor at the same growth")["resolved"].get<bool>());
   const json in3D = compareRuns(growing(2e-3, 2.0, 1.0, area), growing(1e-3, 2.0, 1.5, area));
-  EXPECT_TRUE(answer(in3D, "load factor at growth of 0.001 m2")["resolved"].get<bool>());
+  EXPECT_TRUE(answer(in3D, "load factor at the same growth")["resolved"].get<bool>());
+  EXPECT_EQ(answer(in3D, "load factor at the same growth")["unit_of_growth"], "m2");
 }
 
 /// Names whose characters have several bytes take the width of their characters.

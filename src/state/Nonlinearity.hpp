@@ -1,0 +1,57 @@
+#pragma once
+/// How far bodies are from linear elasticity.
+
+#include "material/Tensors.hpp"
+#include "state/ParticleEnergy.hpp"
+#include "state/State.hpp"
+
+#include <cmath>
+
+namespace Rhegma
+{
+
+/// Sums over particles: strain energy, the same times the strain, dissipated energy.
+template <int D>
+struct NonlinearitySums
+{
+  using value_type = double[];
+  using size_type = int;
+  using execution_space = ExecSpace;
+
+  static constexpr int size = 3;
+  int value_count = size;
+  ParticleEnergy<D> energy;
+
+  explicit NonlinearitySums(const State<D>& state) : energy(state) {}
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
+  {
+    double g[symmetricSize<D>];
+    leftStrain<D>(&energy.deformation(p, 0), g);
+    double square = 0.0;
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      square += g[k] * g[k];
+    for (int k = shearBegin<D>; k < shearEnd<D>; ++k)
+      square += g[k] * g[k];
+    const double stored = energy.strain(p);
+    sum[0] += stored;
+    sum[1] += stored * 0.5 * std::sqrt(square);
+    sum[2] += energy.volume(p) * dissipatedEnergy<D>(energy.materials(energy.material(p)), energy.memory(p));
+  }
+};
+
+/// Whether bodies have flowed plastically, or the mean of the norm of (F F^T - 1)/2, weighted with the strain
+/// energy, is above 5 %: the error of a load step in which forces are taken to rise in proportion to
+/// displacements is about this fraction of its work. Collective.
+template <int D>
+bool isNonlinear(const State<D>& state)
+{
+  constexpr double largeStrain = 0.05;
+  double sum[NonlinearitySums<D>::size] = {};
+  Kokkos::parallel_reduce("rhegma::nonlinearity", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+                          NonlinearitySums<D>(state), sum);
+  state.ranks.sum(sum, NonlinearitySums<D>::size);
+  return sum[2] > 0.0 || sum[1] > largeStrain * sum[0];
+}
+
+} // namespace Rhegma
