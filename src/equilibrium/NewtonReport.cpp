@@ -1,5 +1,5 @@
-/// What a step of equilibrium reports besides the displacement: works and energies, and the pieces of the
-/// bodies that can move.
+/// What a step of equilibrium reports in addition to the displacement: works and energies, and the pieces of
+/// the bodies that can move.
 
 #include "equilibrium/Newton.hpp"
 

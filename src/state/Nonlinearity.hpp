@@ -10,6 +10,9 @@
 namespace Rhegma
 {
 
+namespace detail
+{
+
 /// Sums over particles: strain energy, the same times the strain, dissipated energy.
 template <int D>
 struct NonlinearitySums
@@ -40,13 +43,16 @@ struct NonlinearitySums
   }
 };
 
+} // namespace detail
+
 /// Whether bodies have flowed plastically, or the mean of the norm of (F F^T - 1)/2, weighted with the strain
 /// energy, is above 5 %: the error of a load step in which forces are taken to rise in proportion to
-/// displacements is about this fraction of its work. Collective.
+/// displacements is about this fraction of its work. Collective. \param state of the run
 template <int D>
 bool isNonlinear(const State<D>& state)
 {
   constexpr double largeStrain = 0.05;
+  using detail::NonlinearitySums;
   double sum[NonlinearitySums<D>::size] = {};
   Kokkos::parallel_reduce("rhegma::nonlinearity", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
                           NonlinearitySums<D>(state), sum);
