@@ -17,16 +17,18 @@ namespace detail
 template <int D>
 struct NonlinearitySums
 {
-  using value_type = double[];
-  using size_type = int;
-  using execution_space = ExecSpace;
+  using value_type = double[];       ///< of Kokkos: an array
+  using size_type = int;             ///< of Kokkos
+  using execution_space = ExecSpace; ///< of Kokkos
 
-  static constexpr int size = 3;
-  int value_count = size;
-  ParticleEnergy<D> energy;
+  static constexpr int size = 3; ///< numbers that are summed
+  int value_count = size;        ///< of Kokkos
+  ParticleEnergy<D> energy;      ///< of a particle
 
+  /// \param state whose particles are read
   explicit NonlinearitySums(const State<D>& state) : energy(state) {}
 
+  /// Adds those of a particle. \param p its row \param sum [J]
   KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
   {
     double g[symmetricSize<D>];
