@@ -3,6 +3,7 @@
 
 #include "plan/LoadOverStep.hpp"
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ ActingTimes actingTimes(const Teuchos::ParameterList& scene, const State<D>& sta
     return {end, 1, state.method.analysis == Analysis::LoadFactor};
   constexpr double most = 4096.0; // as many as are looked at
   const double steps = end / largestLoadStep(scene);
-  return {end, steps < most ? static_cast<int>(steps + 0.5) : 0};
+  return {end, steps < most ? static_cast<int>(std::lround(steps)) : 0};
 }
 
 /// Largest absolute value of a function of time, and of its integral [s], from 0 to the end of a run. Looked
