@@ -103,11 +103,14 @@ withoutEstimate(const std::vector<std::pair<std::string, std::string>>& namesAnd
     const auto at = std::find(reasons.begin(), reasons.end(), reason);
     if (at != reasons.end())
     {
-      messages[at - reasons.begin()] += "; " + name;
+      messages[at - reasons.begin()].append("; ").append(name);
       continue;
     }
     reasons.push_back(reason);
-    messages.push_back("no error estimate (" + reason + "; compare with --twice) for " + name);
+    messages.emplace_back("no error estimate (")
+        .append(reason)
+        .append("; compare with --twice) for ")
+        .append(name);
   }
   return messages;
 }
