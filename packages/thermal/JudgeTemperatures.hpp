@@ -66,7 +66,9 @@ inline std::vector<TabulatedProperty> tabulated(const Teuchos::ParameterList& ma
     {
       const std::vector<double> at = TemperatureTable::parse(list.get<std::string>(property)).temperature;
       if (at.size() > 1)
-        all.push_back({"Materials > " + name + " > " + property, number, {at.front(), at.back()}});
+        all.push_back({std::string("Materials > ").append(name).append(" > ").append(property),
+                       number,
+                       {at.front(), at.back()}});
     }
     ++number;
   }
