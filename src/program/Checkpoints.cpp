@@ -111,6 +111,8 @@ std::string Checkpoints::atStop()
   // Without rows of the history only an earlier state can be continued.
   if (!wanted_ || asFirstRank(ranks_, !history_.whyLost().empty()) || !sound())
     return atFailure();
+  if (!isAhead(simulation_.time()))
+    return whereToGoOn();
   try
   {
     write();
@@ -136,9 +138,9 @@ std::string Checkpoints::atFailure()
   std::string why;
   try
   {
-    if (simulation_.holds() && simulation_.heldTime() > written_)
+    if (simulation_.holds() && isAhead(simulation_.heldTime()))
       writeCopy();
-    else if (written_ < 0.0)
+    else if (written_ < 0.0 && !simulation_.holds())
       why = history_.whyLost().empty() ? "the energy balance was never sound" : history_.whyLost();
   }
   catch (const std::bad_alloc&)

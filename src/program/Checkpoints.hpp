@@ -47,7 +47,8 @@ public:
   /// can't be written.
   void afterGoingBack();
 
-  /// Writes the current state, or, if it is not sound, the last sound one.
+  /// Writes the current state, or, if it is not sound, the last sound one; nothing before the first step,
+  /// where a checkpoint would spare nothing.
   /// \return text to append to the message that the run stopped; begins with "; ", or is empty
   std::string atStop();
   /// Writes the last sound state. \return the same; where it can't be written, or there is none, the reason
@@ -68,6 +69,8 @@ private:
   bool sound() const;
   /// Whether all rows of the history are in its file; of the first rank.
   bool historyIsWritten();
+  /// Whether a state at this time would spare a step to who continues from it.
+  bool isAhead(double time) const { return time > written_ && time > 0.0; }
   void write();
   void writeCopy();
   std::string whereToGoOn() const;
