@@ -66,7 +66,7 @@ void attempt(const std::string& name, const Step& step)
 } // namespace
 
 surface::CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std::string& where,
-                                  const ReadingContext<3>& context)
+                                  const ReadingContext<3>& context, std::vector<std::string>& warnings)
 {
   const auto path = list.get<std::string>("Surface File");
   const std::string name = where + " > Surface File";
@@ -98,7 +98,7 @@ surface::CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std:
                     });
     return own ? BorderKind::FrontIfMaterialAhead : BorderKind::SurfaceBreaking;
   };
-  surface::markBorder(mesh, kindOf, isIn, context.cell);
+  warnOfLigament(surface::markBorder(mesh, kindOf, isIn, context.cell), name, warnings);
   return mesh;
 }
 

@@ -106,7 +106,7 @@ std::vector<bool> readFrontEdges(const Teuchos::ParameterList& list, const std::
 /// fronts; empty: those with material ahead
 surface::CrackMesh<3> meshPlane(const Plane& plane, const std::vector<Vector<2>>& outline,
                                 const std::vector<bool>& chosen, const std::string& where,
-                                const ReadingContext<3>& context)
+                                const ReadingContext<3>& context, std::vector<std::string>& warnings)
 {
   const auto isIn = [&](const Vector<3>& x) { return context.bodies.contains(x); };
   const surface::Triangulation flat = surface::cutToRegion(
@@ -126,14 +126,27 @@ surface::CrackMesh<3> meshPlane(const Plane& plane, const std::vector<Vector<2>>
     const bool isOnIt = surface::nearestEdge(outline, x, rounding * context.cell) >= 0;
     return chosen.empty() || !isOnIt ? BorderKind::FrontIfMaterialAhead : BorderKind::Front;
   };
-  surface::markBorder(mesh, kindOf, isIn, context.cell);
+  const surface::BrokenLigament broken = surface::markBorder(mesh, kindOf, isIn, context.cell);
+  warnOfLigament(broken, where, warnings);
   return mesh;
 }
 
 } // namespace
 
+void warnOfLigament(const surface::BrokenLigament& broken, const std::string& where,
+                    std::vector<std::string>& warnings)
+{
+  if (broken.length > 0.0)
+    warnings.push_back(where + ": less than a cell of material is left ahead of " +
+                       readableLength(broken.length) + " of the crack's border, as at " +
+                       formatReal(broken.middle[0]) + ", " + formatReal(broken.middle[1]) + ", " +
+                       formatReal(broken.middle[2]) +
+                       ", so it is treated as broken through there and no energy release is found; use "
+                       "smaller cells (Domain > Cell Size), or let the crack end at the surface");
+}
+
 surface::CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
-                                  const ReadingContext<3>& context)
+                                  const ReadingContext<3>& context, std::vector<std::string>& warnings)
 {
   const std::vector<Vector<3>> corners = readCorners(list, where + " > Points", context.cell);
   const Plane plane = readPlane(corners, where + " > Points", context.cell);
@@ -147,11 +160,11 @@ surface::CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std:
                                 " and " + number(crossing[1]) +
                                 " cross or touch; list the points in order around the polygon");
   const std::vector<bool> chosen = readFrontEdges(list, where + " > Front Edges", corners.size());
-  return meshPlane(plane, outline, chosen, where + " > Points", context);
+  return meshPlane(plane, outline, chosen, where + " > Points", context, warnings);
 }
 
 surface::CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& where,
-                               const ReadingContext<3>& context)
+                               const ReadingContext<3>& context, std::vector<std::string>& warnings)
 {
   const auto vector = [&](const char* name)
   {
@@ -183,16 +196,16 @@ surface::CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::st
   const double pi = std::acos(-1.0), perimeter = pi * (radius + other);
   refuseLarge(pi * radius * other, where + " > Radius", context.cell);
   const int corners = std::max(12, static_cast<int>(std::ceil(perimeter / context.edge)));
-  return meshPlane(plane, surface::ellipseOutline({radius, other}, corners), {}, where, context);
+  return meshPlane(plane, surface::ellipseOutline({radius, other}, corners), {}, where, context, warnings);
 }
 
 template <>
 surface::CrackMesh<3> readCrack(const Teuchos::ParameterList& list, const std::string& where,
-                                const ReadingContext<3>& context, std::vector<std::string>&)
+                                const ReadingContext<3>& context, std::vector<std::string>& warnings)
 {
-  return list.isParameter("Surface File") ? readSurface(list, where, context)
-         : list.isParameter("Radius")     ? readDisk(list, where, context)
-                                          : readPolygon(list, where, context);
+  return list.isParameter("Surface File") ? readSurface(list, where, context, warnings)
+         : list.isParameter("Radius")     ? readDisk(list, where, context, warnings)
+                                          : readPolygon(list, where, context, warnings);
 }
 
 } // namespace Rhegma::cracks

@@ -2,6 +2,7 @@
 /// The cracks of a scene, cut to the bodies.
 
 #include "cracks/BodyRegion.hpp"
+#include "surface/Border.hpp"
 #include "surface/CrackMesh.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -43,13 +44,18 @@ template <int D>
 surface::CrackMesh<D> readCrack(const Teuchos::ParameterList& list, const std::string& where,
                                 const ReadingContext<D>& context, std::vector<std::string>& warnings);
 
+/// Warns where edges of a crack in 3D are too near to a surface of the body to be fronts.
+/// \param where parameter's path \param warnings are added to
+void warnOfLigament(const surface::BrokenLigament& broken, const std::string& where,
+                    std::vector<std::string>& warnings);
+
 /// The 3D ones. A polygon must be flat to a hundredth of a cell; the rim of a disk is a polygon of its area
 /// with edges of about `edge`; points of a file closer than a thousandth of a cell are made one.
 surface::CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
-                                  const ReadingContext<3>& context);
+                                  const ReadingContext<3>& context, std::vector<std::string>& warnings);
 surface::CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& where,
-                               const ReadingContext<3>& context);
+                               const ReadingContext<3>& context, std::vector<std::string>& warnings);
 surface::CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std::string& where,
-                                  const ReadingContext<3>& context);
+                                  const ReadingContext<3>& context, std::vector<std::string>& warnings);
 
 } // namespace Rhegma::cracks

@@ -3,11 +3,15 @@
 #include "geometry/Cross.hpp"
 #include "surface/Triangulation.hpp"
 
+#include <algorithm>
+
 namespace Rhegma::surface
 {
 
 namespace
 {
+
+constexpr double some = 0.1; ///< material ahead of an edge, which may be cut along a curved surface [cells]
 
 /// Whether a border edge is one of a front that meets a surface at an angle: straight ahead of it the body
 /// ends, but at one end of the edge only, and from the other there is material for a cell, straight ahead or
@@ -31,8 +35,11 @@ bool meetsSurfaceAtAnAngle(const Region<3>& bodies, const Vector<3>& a, const Ve
 
 } // namespace
 
-void markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>& bodies, double cell)
+BrokenLigament markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>& bodies,
+                          double cell)
 {
+  BrokenLigament broken;
+  double longest = 0.0;
   mesh.beyond = findNeighbours(mesh.simplices);
   for (std::size_t t = 0; t < mesh.simplices.size(); ++t)
     for (int i = 0; i < 3; ++i)
@@ -48,7 +55,15 @@ void markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>&
           (kind == BorderKind::FrontIfMaterialAhead &&
            (extendsBeyond(bodies, middle, out, cell) || meetsSurfaceAtAnAngle(bodies, a, b, out, cell)));
       mesh.beyond[t][i] = front ? facet::front : facet::surfaceBreaking;
+      if (front || kind == BorderKind::SurfaceBreaking || !bodies(middle + (some * cell / norm(out)) * out))
+        continue;
+      const double length = norm(b - a);
+      broken.length += length;
+      if (length > longest)
+        broken.middle = middle;
+      longest = std::max(longest, length);
     }
+  return broken;
 }
 
 } // namespace Rhegma::surface

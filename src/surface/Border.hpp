@@ -18,8 +18,16 @@ enum class BorderKind
 /// The kind of a border edge by its middle [m].
 using KindOfBorder = std::function<BorderKind(const Vector<3>&)>;
 
+/// Edges with some material ahead of them, but less than for a cell, that count as surface-breaking.
+struct BrokenLigament
+{
+  double length = 0.0; ///< of the edges together [m]
+  Vector<3> middle{};  ///< of the longest edge [m]
+};
+
 /// Finds what lies beyond the edges of a surface whose triangles have one orientation.
 /// \param bodies where there is material \param cell its size [m]
-void markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>& bodies, double cell);
+/// \return what FrontIfMaterialAhead left as surface-breaking, though the body goes on
+BrokenLigament markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>& bodies, double cell);
 
 } // namespace Rhegma::surface

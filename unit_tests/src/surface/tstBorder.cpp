@@ -13,8 +13,10 @@ TEST(Border, IsAFrontWhereMaterialIsAhead)
   mesh.vertices = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
   mesh.simplices = {{0, 1, 2}, {0, 2, 3}};
   const auto isIn = [](const Vector<3>& x) { return x[0] < 1.5; };
-  markBorder(
+  const BrokenLigament broken = markBorder(
       mesh, [](const Vector<3>&) { return BorderKind::FrontIfMaterialAhead; }, isIn, 1.0);
+  EXPECT_EQ(broken.length, 1.0);
+  EXPECT_EQ(broken.middle, (Vector<3>{1.0, 0.5, 0.0}));
   EXPECT_EQ(mesh.beyond[0][0], facet::surfaceBreaking); // edge 1-2
   EXPECT_EQ(mesh.beyond[0][1], 1);                      // the diagonal
   EXPECT_EQ(mesh.beyond[0][2], facet::front);
@@ -23,7 +25,8 @@ TEST(Border, IsAFrontWhereMaterialIsAhead)
   markBorder(
       mesh, [](const Vector<3>&) { return BorderKind::Front; }, isIn, 1.0);
   EXPECT_EQ(mesh.beyond[0][0], facet::front);
-  markBorder(
+  const BrokenLigament none = markBorder(
       mesh, [](const Vector<3>&) { return BorderKind::SurfaceBreaking; }, isIn, 1.0);
+  EXPECT_EQ(none.length, 0.0);
   EXPECT_EQ(mesh.beyond[1][1], facet::surfaceBreaking);
 }
