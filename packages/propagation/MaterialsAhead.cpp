@@ -256,14 +256,14 @@ void warnOfOtherMaterial(const Options& options, const CrackFront<D>& front, con
 {
   if (state.materials.properties.size() < 2)
     return;
-  const Vector<D> to = node.position + by;
-  const int own = materialAt(state, node.position), other = materialAt(state, to);
-  if (!differ(state, own, other) || runsAlongBorder(state, node))
-    return;
   // The warnings are part of checkpoints, so that a front of a run that continues is not named again.
   const std::string start = frontName(state.cracks, front) + ": it comes into Materials > ";
   if (std::any_of(state.warnings.begin(), state.warnings.end(),
                   [&](const std::string& warning) { return warning.rfind(start, 0) == 0; }))
+    return;
+  const Vector<D> to = node.position + by;
+  const int own = materialAt(state, node.position), other = materialAt(state, to);
+  if (!differ(state, own, other) || runsAlongBorder(state, node))
     return;
   const std::string when = state.method.analysis == Analysis::LoadFactor
                                ? "in load step " + std::to_string(state.clock.step)

@@ -56,6 +56,60 @@ class MisleadingTest(ProgramTest):
         self.assertFalse([m for m in messages if re.search(pattern, m)], messages)
 
 
+def block(points, **crack):
+    """A block of 0.6 x 1.2 x 0.3 m of 12 x 24 x 6 cells, pulled at both ends."""
+    scene = bare().set("Domain", {"Dimension": 3, "Lower Corner": [-0.1, -0.1, -0.1], "Upper Corner": [0.7, 1.3, 0.4],
+                                  "Cell Size": 0.05})
+    scene.set("Bodies", {"Block": {"Material": "Polymer", "Shape": "Box", "Lower Corner": [0.0, 0.0, 0.0],
+                                   "Upper Corner": [0.6, 1.2, 0.3]}})
+    scene.set("Boundaries", {})
+    for name, y, pull in (("Low", 0.0, -1e5), ("High", 1.2, 1e5)):
+        scene.set("Boundaries > " + name, {"Type": "Traction", "Body": "Block", "Corner": [0.0, y, 0.0],
+                                           "Edge 1": [0.0, 0.0, 0.3], "Edge 2": [0.6, 0.0, 0.0], "Stress": [0.0, pull, 0.0]})
+    return scene.set("Cracks", {"Notch": {"Points": points, **crack}}).set("Time > Final Time", 1e-4)
+
+
+def corner_points(low, high, tilt=0.0):
+    """A rectangle in the plane y = 0.6 + tilt x."""
+    corners = ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1]))
+    return [value for x, z in corners for value in (x, 0.6 + tilt * x, z)]
+
+
+class EdgesNearASurface(MisleadingTest):
+    """Edges of a crack in 3D are fronts where a cell of material lies ahead of them."""
+
+    LIGAMENT = r"^warning: Cracks > Notch > Points: less than a cell of material is left ahead of "
+
+    def test_the_length_is_said(self):
+        for _ in range(4):
+            near = [self.rng.uniform(0.01, 0.045) for _ in range(3)]  # of cells of 0.05
+            end = self.rng.uniform(0.2, 0.4)
+            tilt = self.rng.uniform(-0.3, 0.3)
+            with self.subTest(near=near, end=end, tilt=tilt):
+                points = corner_points((near[0], near[1]), (end, 0.3 - near[2]), tilt)
+                line = self.one(self.said(block(points)), self.LIGAMENT)
+                slope = math.hypot(1.0, tilt)
+                length = 0.3 - near[1] - near[2] + 2.0 * (end - near[0]) * slope
+                said = float(re.search(r"ahead of ([0-9.]+) mm", line).group(1))
+                self.assertAlmostEqual(said, 1e3 * length, delta=1e3 * 0.05)  # an edge at the corners may be a front
+                self.assertIn("no energy release is found", line)
+
+    def test_cracks_that_end_at_or_beyond_the_surface_are_right(self):
+        for beyond in (0.0, self.rng.uniform(1e-3, 0.05)):
+            for tilt in (0.0, self.rng.uniform(-0.4, 0.4)):
+                with self.subTest(beyond=beyond, tilt=tilt):
+                    points = corner_points((-beyond, -beyond), (0.29, 0.3 + beyond), tilt)
+                    self.none(self.said(block(points)), "material is left ahead")
+
+    def test_a_crack_with_room_around_it_is_right(self):
+        low = [self.rng.uniform(0.06, 0.09) for _ in range(2)]
+        self.none(self.said(block(corner_points(low, (0.4, 0.3 - low[1])))), "material is left ahead")
+
+    def test_edges_that_the_scene_says_are_no_fronts(self):
+        points = corner_points((0.02, 0.02), (0.29, 0.28))
+        self.none(self.said(block(points, **{"Front Edges": [2]})), "material is left ahead")
+
+
 def bimaterial(modulus, border=0.7):
     """The notch of the plate runs to the right, where another material begins."""
     scene = bare().set("Cracks", {"Notch": {"Points": [0.0, 0.52, 0.32, 0.52]}}).set("Energy Release", {"Crack Closure": False})
