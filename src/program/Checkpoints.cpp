@@ -18,6 +18,9 @@ namespace
 /// A copy in memory is made when the time since the last one is this multiple of its cost.
 constexpr int timeBetweenCopies = static_cast<int>(1.0 / costOfCopies);
 
+/// Copies that are made whatever they cost, so that a short run that fails is not lost as a whole.
+constexpr double copiesAtLeast = 5.0;
+
 } // namespace
 
 Checkpoints::Checkpoints(const Teuchos::ParameterList& scene, const std::string& folder,
@@ -31,14 +34,16 @@ Checkpoints::Checkpoints(const Teuchos::ParameterList& scene, const std::string&
       ranks_(ranks),
       next_(interval_ > 0.0 ? interval_ * (std::floor(simulation.time() / interval_) + 1.0) : 0.0),
       lastWrite_(Clock::now()),
-      nextHold_(lastWrite_)
+      nextHold_(lastWrite_),
+      longestWithoutCopy_((scene.sublist("Time").get<double>("Final Time") - simulation.time()) /
+                          copiesAtLeast)
 {
 }
 
 void Checkpoints::afterSample()
 {
   const Clock::time_point begin = Clock::now();
-  if (!wanted_ || !asFirstRank(ranks_, begin >= nextHold_ && simulation_.sound() && historyIsWritten()))
+  if (!wanted_ || !asFirstRank(ranks_, copyIsDue(begin) && simulation_.sound() && historyIsWritten()))
     return;
   copied_ = history_.soFar();
   simulation_.hold(notesOf(copied_));
@@ -46,6 +51,11 @@ void Checkpoints::afterSample()
   nextHold_ = end + timeBetweenCopies * (end - begin);
   ++cost_.copies;
   cost_.seconds += std::chrono::duration<double>(end - begin).count();
+}
+
+bool Checkpoints::copyIsDue(Clock::time_point now) const
+{
+  return now >= nextHold_ || simulation_.time() >= simulation_.heldTime() + longestWithoutCopy_;
 }
 
 bool Checkpoints::historyIsWritten()

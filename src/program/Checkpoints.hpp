@@ -22,7 +22,7 @@ constexpr double costOfCopies = 1.0 / 400.0;
 ///
 /// A failure is detected within a step, when the state is inconsistent, and its cause may be much earlier.
 /// Therefore a copy of the state is stored in memory at samples with a sound energy balance, as often as
-/// costOfCopies allows; it is written when the run fails. The history up to a copy is in
+/// costOfCopies allows and at each fifth of the run's simulated time; it is written when the run fails. The history up to a copy is in
 /// its file before the copy is made, so that the copy can be used when later rows can't be written.
 class Checkpoints
 {
@@ -67,6 +67,8 @@ private:
 
   /// Simulation::sound, the same on all ranks.
   bool sound() const;
+  /// Whether the time for a copy has come; of the first rank.
+  bool copyIsDue(Clock::time_point now) const;
   /// Whether all rows of the history are in its file; of the first rank.
   bool historyIsWritten();
   /// Whether a state at this time would spare a step to who continues from it.
@@ -86,7 +88,8 @@ private:
   HistorySoFar copied_;         ///< history of the copy in memory
   double written_ = -1.0;       ///< time of the last one on the disk [s]; negative: none
   Clock::time_point lastWrite_; ///< or the start
-  Clock::time_point nextHold_;  ///< no copy before
+  Clock::time_point nextHold_;  ///< no copy before, but at fifths of the run
+  double longestWithoutCopy_;   ///< a fifth of the run [s]
   Cost cost_;
 };
 

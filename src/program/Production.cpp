@@ -193,7 +193,9 @@ catch (const std::bad_alloc&)
 
 std::string Production::stoppedWithCheckpoint(const std::string& reason)
 {
-  return stoppedBy(reason) + (folderLost_ ? "" : checkpoints_.atFailure());
+  if (folderLost_)
+    return stoppedBy(reason);
+  return stoppedBy(reason) + (toGoOn_.empty() ? checkpoints_.atFailure() : toGoOn_);
 }
 
 void Production::closeHistory(std::string& failure)
@@ -314,6 +316,8 @@ bool Production::stopIfRequested(double time, long step)
     stopBySignal(time, step);
   const std::string why = ranks_.firstText(reasonToStop()); // one reduction for all reasons
   folderLost_ = !why.empty() && why[0] == 'L';
+  if (!folderLost_ && !why.empty() && why[0] == 'W')
+    toGoOn_ = checkpoints_.atStop(); // the state is whole
   if (folderLost_ || (!why.empty() && why[0] == 'W'))
     throw OutputError(why.substr(1));
   stopRequested_ = !why.empty() && why[0] == 'S';
