@@ -35,10 +35,11 @@ class Leaves:
 
 class Fields:
     """Particles and cracks at one time; arrays as in the file. deformation (n, 3, 3): F; edges (n, 3, 3): the undeformed
-    edge vectors of a particle's box, one a row, in 2D two and a row of zeros [m]."""
+    edge vectors of a particle's box, one a row, in 2D two and a row of zeros [m]. written: times of all frames of the file [s]."""
 
-    def __init__(self, time, particles, crack, leaves=None):
+    def __init__(self, time, particles, crack, leaves=None, written=()):
         self.time = time
+        self.written = sorted(written)
         self.position = particles["position"]
         self.displacement = particles["displacement"]
         self.stress = particles.get("stress")  # None where the run had heat alone
@@ -78,6 +79,19 @@ class Fields:
         return np.linalg.eigvalsh(tensor)[:, -1]
 
 
+def far_frame(fields, time):
+    """A line that names the time of the frame where that is not the time asked for [s], else None: where this lies outside of
+    the frames, or more than half of their usual interval from the nearest one."""
+    first, last = fields.written[0], fields.written[-1]
+    rounding = 1.0e-6 * max(abs(first), abs(last))
+    interval = float(np.median(np.diff(fields.written))) if len(fields.written) > 1 else 0.0
+    if first - rounding <= time <= last + rounding and abs(fields.time - time) <= 0.5 * interval + rounding:
+        return None
+    count = len(fields.written)
+    frames = f"the only frame is at {first:.6g} s" if count == 1 else f"the {count} frames are from {first:.6g} to {last:.6g} s"
+    return f"There are no fields at {time:.6g} s; those at {fields.time:.6g} s are drawn ({frames})."
+
+
 def read_crack(group):
     if group is None or "points" not in group or group["points"].shape[0] == 0:
         return None
@@ -104,9 +118,8 @@ def read_fields(folder, time=None):
             times = sorted((name for name in file if name[:1] == "t" and name[1:].isdigit()), key=lambda n: int(n[1:]))
             if not times:
                 raise Problem(f"{path} holds no written time; the run was cut off before its first fields.")
-            name = times[-1]
-            if time is not None:
-                name = min(times, key=lambda n: abs(float(file[n].attrs["time"]) - time))
+            written = {name: float(file[name].attrs["time"]) for name in times}
+            name = times[-1] if time is None else min(times, key=lambda n: abs(written[n] - time))
             chosen = file[name]
             group = chosen["particles"]
             names = ["position", "displacement", "deformation", "edges"]
@@ -114,7 +127,7 @@ def read_fields(folder, time=None):
             names += ["temperature"] if "temperature" in group else []
             particles = {name: np.asarray(group[name], dtype=float) for name in names}
             fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
-                            read_leaves(chosen.get("leaves")))
+                            read_leaves(chosen.get("leaves")), written.values())
     except (OSError, KeyError, RuntimeError, ValueError, IndexError) as error:
         raise Problem(f"{path} can't be read; it is truncated, still being written or not a file of fields ({error}).")
     if fields.position.shape[0] == 0:

@@ -25,6 +25,8 @@ ENERGIES = [
     ("merged", "merged", "#999933"),
     ("residual", "residual", "#888888"),
 ]
+SMALLEST_RANGE = 0.02  # of an axis of values, over their size
+SMALLEST_WARMING = 1.0e-4  # the same for temperatures, which are absolute: rises of a tenth of a kelvin are results
 FEW = 4  # fronts that can be distinguished in one panel; of more, the range and the mean are drawn
 
 
@@ -70,6 +72,14 @@ def width(i, count, thinnest=1.6):
 
 def legend(axes):
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, handlelength=2.6)
+
+
+def widen(axes, fraction=SMALLEST_RANGE):
+    """Gives the axis of values a range of at least this fraction of their size, so that rounding is not drawn as a change."""
+    low, high = axes.get_ylim()
+    least = fraction * max(abs(low), abs(high))
+    if high - low < least:
+        axes.set_ylim(0.5 * (low + high - least), 0.5 * (low + high + least))
 
 
 def draw_references(axes, drawn, factor, unit):
@@ -165,6 +175,7 @@ def draw_release(axes, history, summary, time, per_second=1.0):
     draw_ends(axes, ends(summary), per_second)
     axes.set_title("Energy release rate")
     axes.set_ylabel(f"G [{unit}]")
+    widen(axes)
     axes.margins(x=0)
     legend(axes)
 
@@ -193,6 +204,7 @@ def draw_intensities(axes, found, time, summary=None):
         draw_error(axes, summary, front, f"K_{mode}", time, samples, factor, colour)
     axes.set_title("Stress intensity")
     axes.set_ylabel(f"K [{unit} √m]")
+    widen(axes)
     axes.margins(x=0)
     legend(axes)
 
@@ -218,6 +230,7 @@ def draw_pressures(axes, cracks, time):
         axes.plot(time, samples * factor, color=colour, label=name + (": mean" if along else ""))
     axes.set_title("Pressure in cracks")
     axes.set_ylabel(f"pressure [{unit}]")
+    widen(axes)
     axes.margins(x=0)
     legend(axes)
 
@@ -240,6 +253,7 @@ def draw_temperatures(axes, columns, time):
     axes.set_title("Temperature")
     axes.set_ylabel("temperature [K]")
     axes.ticklabel_format(axis="y", useOffset=False)
+    widen(axes, SMALLEST_WARMING)
     axes.margins(x=0)
     legend(axes)
 
@@ -255,6 +269,7 @@ def draw_energies(axes, history, time):
                       ls="-" if name != "residual" else ":", lw=1.6 if name != "residual" else 1.2)
     axes.set_title("Energy")
     axes.set_ylabel(f"energy [{unit}]")
+    widen(axes)
     axes.margins(x=0)
     legend(axes)
 
@@ -358,14 +373,6 @@ def draw_history(history, summary, title, path):
                                 layout="constrained")
     for panel, ax in zip(panels, axes[:, 0]):
         panel(ax)
-        if len(time) == 1:
-            for line in ax.lines:
-                line.set_marker("o")
-            low, high = ax.get_ylim()  # from zero, so that differences of a few 1e-4 do not fill the picture
-            if low > 0.0:
-                ax.set_ylim(bottom=0.0, top=1.1 * high)
-            elif high < 0.0:
-                ax.set_ylim(bottom=1.1 * low, top=0.0)
     axes[-1, 0].set_xlabel(f"time [{unit}]")
     figure.suptitle(title, x=0.01, ha="left", fontsize=13, fontweight="bold")
     style.save(figure, path)

@@ -2,16 +2,17 @@
 
 import unittest
 
-from tool import ToolTest  # first, as it finds the Python for all others
+from tool import ToolTest, picture_size, run  # first, as it finds the Python for all others
 
 import made_up_run
 import numpy as np
 
 from rhegma_tools import style
 from rhegma_tools.history import read_history
-from rhegma_tools.history_picture import draw_energies, draw_growth, draw_pressures, draw_release, draw_temperatures
-from rhegma_tools.history_picture import ends, error_estimate, growth, pressures, references, temperatures
+from rhegma_tools.history_picture import draw_energies, draw_growth, draw_history, draw_pressures, draw_release, draw_temperatures
+from rhegma_tools.history_picture import ends, error_estimate, growth, pressures, references, temperatures, widen
 from rhegma_tools.interpreter import Problem
+from rhegma_tools.state_picture import draw_group, draw_state, draw_table, groups_of
 from rhegma_tools.style import plt, scale
 from rhegma_tools.summary import look_up, read_summary
 
@@ -172,6 +173,100 @@ class History(ToolTest):
         for (_, position), time in zip(marks, (0.4, 0.6)):
             self.assertAlmostEqual(position, time)
         plt.close(figure)
+
+    def test_rounding_does_not_fill_an_axis(self):
+        """Values that differ by 1e-9 get an axis of 2 % of their size around them; those that differ by more are drawn as they
+        are, but for the margin of 5 % that matplotlib adds at both ends."""
+        for values, span in (([100.0, 100.0 + 1e-7], 2.0), ([-100.0 - 1e-7, -100.0], 2.0), ([95.0, 100.0], 5.0), ([0.0, 1e-7], 1e-7)):
+            figure, axes = plt.subplots()
+            axes.plot([0.0, 1.0], values)
+            widen(axes)
+            low, high = axes.get_ylim()
+            plt.close(figure)
+            self.assertLess(low, min(values))
+            self.assertGreater(high, max(values))
+            self.assertGreater(high - low, 0.999 * span)
+            self.assertLess(high - low, 1.11 * span)
+
+    def test_small_rises_of_temperature_remain_visible(self):
+        """0.1 K of 293 K fills the axis; 1e-9 K does not, and is drawn in a range of 1e-4 of 293 K."""
+        for rise, span in ((0.1, 0.1), (1e-9, 0.0293)):
+            figure, axes = plt.subplots()
+            draw_temperatures(axes, [("Gauge", np.array([293.0, 293.0 + rise]))], np.array([0.0, 1.0]))
+            low, high = axes.get_ylim()
+            plt.close(figure)
+            self.assertGreater(high - low, 0.999 * span)
+            self.assertLess(high - low, 1.11 * span)
+
+    def test_the_picture_of_a_history_widens_its_axes(self):
+        """A G of 0.5 J/m2 that is constant to rounding."""
+        made_up_run.write_history(self.folder, {"time": [0.0, 1.0, 2.0], "A.0.G_J": [0.5, 0.5 + 1e-12, 0.5]})
+        found = []
+        save, style.save = style.save, lambda figure, path: (found.extend(figure.axes), plt.close(figure))
+        try:
+            draw_history(read_history(self.folder), None, "made up", self.path("history.png"))
+        finally:
+            style.save = save
+        low, high = found[0].get_ylim()
+        self.assertGreaterEqual(high - low, 0.0199 * 500.0)  # mJ/m2
+
+
+class OneSample(ToolTest):
+    """A history of one row: bars with their values."""
+
+    def drawn(self, group):
+        """(names, texts, lengths of bars) of a group of bars."""
+        figure, axes = plt.subplots()
+        draw_group(axes, group)
+        names = [label.get_text() for label in axes.get_yticklabels()]
+        texts = [text.get_text() for text in axes.texts]
+        lengths = [bar.get_width() for bar in axes.patches]
+        plt.close(figure)
+        return names, texts, lengths
+
+    def test_shows_values_and_what_to_compare_them_with(self):
+        made_up_run.beam(self.folder)
+        summary = read_summary(self.folder)
+        summary["propagation"] = {"initiation_toughness": 0.75}
+        summary["cracks"][0]["fronts"][0]["G_J_error_estimate"] = 0.02
+        made_up_run.write_history(self.folder, {
+            "time": [3e-3], "kinetic": [0.0], "strain": [2e-6], "external_work": [4e-6], "residual": [-1e-9],
+            "Notch.0.G_closure": [0.4925], "Notch.0.G_J": [0.5], "Notch.0.K_I": [2e4], "Notch.0.K_II": [np.nan],
+            "Notch.pressure": [1e6], "Gauge.temperature": [293.5]})
+        groups = groups_of(read_history(self.folder), summary)
+        self.assertEqual([group.title for group in groups],
+                         ["Energy release rate", "Stress intensity", "Pressure in cracks", "Temperature", "Energy"])
+        self.assertEqual(groups[0].bars[0][3], 0.02)
+        self.assertEqual(self.drawn(groups[0])[:2], (["J integral", "crack closure", "reference", "initiation toughness"],
+                                                     ["500 mJ/m²", "492.5 mJ/m²", "490 mJ/m²", "750 mJ/m²"]))
+        np.testing.assert_allclose(self.drawn(groups[0])[2], [500.0, 492.5, 490.0, 750.0])
+        self.assertEqual([self.drawn(group)[1] for group in groups[1:]],
+                         [["20 kPa √m"], ["1 MPa"], ["293.5 K"], ["4 µJ", "2 µJ", "-0.001 µJ"]])
+        status, output, messages = run("rhegma-plot", self.folder)
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn(f"Wrote {self.path('history.png')}: 1 sample, 1 crack front.", output)
+        self.assertGreater(picture_size(self.path("history.png"))[1], 500)
+
+    def test_many_fronts_are_drawn_by_their_mean_and_range(self):
+        made_up_run.write_history(self.folder, {"time": [1.0], **{f"Penny.{i}.G_J": [100.0 + i] for i in range(12)}})
+        group, = groups_of(read_history(self.folder), None)
+        self.assertEqual(self.drawn(group)[:2], ([f"J integral, {what} of 12 fronts" for what in ("mean", "lowest", "highest")],
+                                                 ["105.5 J/m²", "100 J/m²", "111 J/m²"]))
+
+    def test_values_that_no_bar_is_for_are_a_table(self):
+        columns = {"time": [2.0], "momentum_x": [0.5], "Rim.force_x": [-3.0]}
+        made_up_run.write_history(self.folder, columns)
+        history = read_history(self.folder)
+        self.assertEqual(draw_state(history, None, "made up", self.path("table.png")), 0)
+        self.assertGreater(picture_size(self.path("table.png"))[0], 900)
+        figure, axes = plt.subplots()
+        self.assertEqual(draw_table(axes, history), [("time", "2"), ("momentum_x", "0.5"), ("Rim.force_x", "-3")])
+        plt.close(figure)
+        made_up_run.write_history(self.folder, {**columns, **{f"Rim.{i}.force": [i] for i in range(97)}})
+        figure, axes = plt.subplots()
+        rows = draw_table(axes, read_history(self.folder))
+        plt.close(figure)
+        self.assertEqual((len(rows), rows[-1]), (40, ("...", "and 61 more columns in history.csv")))
 
 
 del ToolTest  # so that importing this module's names brings tests only

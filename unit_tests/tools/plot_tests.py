@@ -14,7 +14,7 @@ from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.field_picture import choose_view, close_up, colour_scale, crack_segments, drawn_fronts, in_slice
 from rhegma_tools.field_picture import read_slice, stop_after, stopped_nodes
-from rhegma_tools.fields import Crack, read_fields
+from rhegma_tools.fields import Crack, far_frame, read_fields
 from rhegma_tools.history import read_history
 
 
@@ -76,6 +76,17 @@ class Plot(ToolTest):
         self.assertEqual((status, messages), (0, ""))
         self.assertIn(f"Wrote {self.path('path.png')}: 21 states of equilibrium, 2 loads.", output)
         self.assertGreater(picture_size(self.path("path.png"))[1], 500)
+
+    def test_names_the_time_of_a_frame_that_is_not_the_one_asked_for(self):
+        made_up_run.beam(self.folder)  # with fields at 0 and 3 ms
+        status, output, messages = run("rhegma-plot", self.folder, "--time", "0.01")
+        self.assertEqual((status, messages), (0, ""))
+        self.assertEqual(output.count("There are no fields"), 1)
+        self.assertIn("There are no fields at 0.01 s; those at 0.003 s are drawn (the 2 frames are from 0 to 0.003 s).", output)
+        status, output, messages = run("rhegma-plot", self.folder, "--time", "2.9e-3")
+        self.assertEqual((status, messages), (0, ""))
+        self.assertNotIn("There are no fields", output)
+        self.assertIn("particles at 0.003 s", output)
 
     def test_draws_what_there_is(self):
         made_up_run.beam(self.folder)
@@ -192,6 +203,17 @@ class FieldPicture(ToolTest):
         fields = read_fields(self.folder)
         self.assertEqual((fields.time, fields.dimension), (3.0e-3, 2))
         self.assertEqual(fields.crack.cells.shape, (40, 2))
+
+    def test_a_frame_is_far_beyond_half_of_the_interval(self):
+        """Frames each 1 ms, with one of them missing at 4 ms: it is missed by 1 ms, the others by half at most."""
+        made_up_run.beam(self.folder)
+        with_times = read_fields(self.folder)
+        for written, asked, nearest, far in (([0, 1, 2, 3, 5, 6], 4.0, 3, True), ([0, 1, 2, 3, 5, 6], 2.4, 2, False),
+                                             ([0, 1, 2], -0.1, 0, True), ([0, 1, 2], 2.1, 2, True), ([0, 1, 2], 2.0000001, 2, False),
+                                             ([2], 2.0, 2, False), ([2], 1.9, 2, True)):
+            with_times.written, with_times.time = [1e-3 * t for t in written], 1e-3 * nearest
+            self.assertEqual(far_frame(with_times, 1e-3 * asked) is not None, far, (written, asked))
+        self.assertIn("the only frame is at 0.002 s", far_frame(with_times, 1.9e-3))
 
     def test_reads_the_time_nearest_to_the_one_asked_for(self):
         made_up_run.beam(self.folder)  # with fields at 0 and 3 ms
