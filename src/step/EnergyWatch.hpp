@@ -32,25 +32,32 @@ public:
   /// come apart there is no release of growth
   void sample(const EnergyBalance& energy, bool ended = false)
   {
-    exchanged_ =
-        std::max(exchanged_, std::fabs(energy.start) + std::fabs(energy.externalWork) +
-                                 std::fabs(energy.combustion) + std::fabs(energy.heat) + energy.roundOff);
-    supplied_ = std::max(supplied_, energy.start + energy.externalWork + energy.combustion + energy.heat);
-    residual_ = energy.residual();
-    largest_ = std::max(largest_, residual_);
-    bursts_ = residual_ > burst * exchanged_ ? bursts_ + 1 : 0;
-    now_ = energy.kinetic + energy.strain;
-    if (ended)
-      return;
-    fracture_ = energy.fracture;
-    ofGrowth_ = residual_;
-    if (!(fracture_ > 0.0))
-      beforeGrowth_ = residual_;
+    supply(energy, std::fabs(energy.heat) + energy.roundOff, energy.heat);
+    watch(energy, ended);
+  }
+
+  /// The same in equilibrium. Heat is not counted as supplied, as some millionths of it become mechanical
+  /// energy; where there is heat, what bodies store and dissipate mechanically is counted.
+  /// \param thermalStrain energy of thermal strain (energyOfThermalStrain) [J]
+  void sampleOfEquilibrium(const EnergyBalance& energy, bool ended, double thermalStrain)
+  {
+    supply(energy, energy.roundOff, 0.0);
+    if (energy.heat != 0.0)
+    {
+      const double has = energy.strain + energy.plastic + energy.fracture;
+      exchanged_ = std::max(exchanged_, has + errorOfPath * thermalStrain + energy.roundOff / noticeable);
+      supplied_ = std::max(supplied_, has);
+    }
+    watch(energy, ended);
   }
 
   /// Whether the run, up to the last sample, has created no more energy than it was given: a state worth
   /// storing.
   bool sound() const { return std::isfinite(residual_) && residual_ <= exchanged_; }
+
+  /// What cracks had left open in the balance up to where a front reaches a surface, less what was open
+  /// before they grew [J]: in equilibrium, where the load steps before may leave more than the growth.
+  double residualOfGrowth() const { return ofGrowth_ - beforeGrowth_; }
 
   void serialize(Archive& archive)
   {
@@ -121,9 +128,34 @@ public:
   }
 
 private:
+  /// Counts what was given. \param more its size in addition to mechanical energies \param heat of it [J]
+  void supply(const EnergyBalance& energy, double more, double heat)
+  {
+    exchanged_ = std::max(exchanged_, std::fabs(energy.start) + std::fabs(energy.externalWork) +
+                                          std::fabs(energy.combustion) + more);
+    supplied_ = std::max(supplied_, energy.start + energy.externalWork + energy.combustion + heat);
+  }
+
+  void watch(const EnergyBalance& energy, bool ended)
+  {
+    residual_ = energy.residual();
+    largest_ = std::max(largest_, residual_);
+    bursts_ = residual_ > burst * exchanged_ ? bursts_ + 1 : 0;
+    now_ = energy.kinetic + energy.strain;
+    if (ended)
+      return;
+    fracture_ = energy.fracture;
+    ofGrowth_ = residual_;
+    if (!(fracture_ > 0.0))
+      beforeGrowth_ = residual_;
+  }
+
   static constexpr double burst = 10.0;     ///< times the energy that was given: an unstable run
   static constexpr int burstsInARow = 3;    ///< because the energy balance of the very first steps is rough
   static constexpr double noticeable = 0.1; ///< fraction of the energy that is reported
+  /// Part of the energy of thermal strain that is not missed: its work is that of a straight path to the end
+  /// of the step, which is wrong by the order of the strain.
+  static constexpr double errorOfPath = 0.01;
   static constexpr long fewSteps = 50; ///< velocities lag by half a step, which dominates in shorter runs
 
   static std::string advice(int subcycledLevels)
