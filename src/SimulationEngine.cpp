@@ -78,7 +78,18 @@ public:
     }
   }
 
-  bool trySolve() override { return run_->trySolve(); }
+  bool trySolve(bool onlyLoads) override { return run_->trySolve(onlyLoads); }
+
+  /// What growth left open in the energy balance of an equilibrium, without what was open before it.
+  void judgeGrowthInEquilibrium(nlohmann::json& summary) const
+  {
+    if (!run_->state().method.equilibrium() || !summary.contains("propagation"))
+      return;
+    nlohmann::json& growth = summary["propagation"];
+    const double required = growth.value("energy_of_new_faces", 0.0);
+    if (required > 0.0)
+      growth["residual_fraction"] = run_->energyWatch().residualOfGrowth() / required;
+  }
 
   nlohmann::json report(std::size_t mostBodies) const override
   {
@@ -100,6 +111,7 @@ public:
     for (const Effect<D>& effect : run_->plan().effects)
       if (effect.report)
         effect.report(state, summary);
+    judgeGrowthInEquilibrium(summary);
     summary["warnings"] = foldMessages(summary["warnings"].get<std::vector<std::string>>());
     return summary;
   }

@@ -1,5 +1,6 @@
 #include "program/Answer.hpp"
 
+#include "base/Counted.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "program/RunEnd.hpp"
@@ -25,8 +26,7 @@ std::string howItEnded(const nlohmann::json& summary)
   if (!isFinished(endOf(summary))) // time and step are in it
     return status;
   return "the run " + status + " at t = " + readableTime(numberOrZero(summary, "time")) + " after " +
-         std::to_string(summary.value("steps", 0L)) + " steps" +
-         (summary.value("settled", false) ? ", at rest" : "");
+         counted(summary.value("steps", 0L), "step") + (summary.value("settled", false) ? ", at rest" : "");
 }
 
 /// "4 of 32 front nodes of " where a front has several. \param stop of a front in the summary
@@ -99,8 +99,13 @@ std::string energyBalance(const nlohmann::json& summary)
   if (!summary.value("equilibrium", nlohmann::json::object()).value("last_step_complete", true))
     return "energy balance: not given, as the run stopped within a load step, which has no equilibrium";
   double given = 0.0;
+  const bool isEquilibrium = summary.contains("equilibrium");
+  const bool heated = isEquilibrium && numberOrZero(energy, "heat") != 0.0;
+  // Millionths of heat become mechanical energy: of an equilibrium only that says whether the balance closes.
+  const auto isJudged = [&](const std::string& name)
+  { return name != "residual" && !(heated && (name == "heat" || name == "thermal")); };
   for (const auto& [name, value] : energy.items())
-    if (isEnergy(name, value) && name != "residual")
+    if (isEnergy(name, value) && isJudged(name))
       given = std::max(given, std::fabs(value.get<double>()));
   const double residual = numberOrZero(energy, "residual"), start = numberOrZero(energy, "start");
   if (!std::isfinite(given) || !std::isfinite(residual))
@@ -112,7 +117,6 @@ std::string energyBalance(const nlohmann::json& summary)
   // A body that is unloaded has given its energy back: the residual is that of all of it.
   const double supplied = numberOrZero(summary, "largest_energy_supplied");
   const bool unloaded = supplied > 1.01 * given;
-  const bool isEquilibrium = summary.contains("equilibrium");
   return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +
          ", strain " + readableEnergy(numberOrZero(energy, "strain")) + ", kinetic " +
          readableEnergy(numberOrZero(energy, "kinetic")) + ", fracture " +
@@ -124,6 +128,7 @@ std::string energyBalance(const nlohmann::json& summary)
          "; not accounted for " + readableEnergy(residual) + " (" +
          formatShort(100.0 * std::fabs(residual) / std::max(given, supplied)) +
          (unloaded ? " % of the " + readableEnergy(supplied) + " supplied at most)"
+          : heated ? " % of the largest of these without heat)"
                    : " % of the largest of these)") +
          (isUnstableGrowth(summary) ? "; this includes what unstable growth of cracks under given loads "
                                       "releases above the toughness; it would become motion"
