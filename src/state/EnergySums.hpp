@@ -14,11 +14,11 @@ namespace Rhegma
 template <int D>
 void measureEnergy(State<D>& state);
 
-/// Elastic energy that bodies would have at their temperatures if they could not expand at all [J]: 9 K
-/// (theta
-/// - 1)^2 / 2 of each particle. Zero without heat. Collective.
+/// Bound of what the work of thermal strain along a straight path misses [J]: the elastic energy that
+/// particles would have at their temperatures if they could not expand at all, 9 K (theta - 1)^2 / 2, times
+/// their thermal strain. Zero without heat. Collective.
 template <int D>
-double energyOfThermalStrain(const State<D>& state);
+double errorOfThermalPath(const State<D>& state);
 
 /// The energy balance summed over all ranks; the entries of this rank do not change. Collective.
 template <int D>

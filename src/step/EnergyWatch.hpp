@@ -38,14 +38,14 @@ public:
 
   /// The same in equilibrium. Heat is not counted as supplied, as some millionths of it become mechanical
   /// energy; where there is heat, what bodies store and dissipate mechanically is counted.
-  /// \param thermalStrain energy of thermal strain (energyOfThermalStrain) [J]
-  void sampleOfEquilibrium(const EnergyBalance& energy, bool ended, double thermalStrain)
+  /// \param ofPath what the work of thermal strain may miss (errorOfThermalPath) [J]
+  void sampleOfEquilibrium(const EnergyBalance& energy, bool ended, double ofPath)
   {
     supply(energy, energy.roundOff, 0.0);
     if (energy.heat != 0.0)
     {
       const double has = energy.strain + energy.plastic + energy.fracture;
-      exchanged_ = std::max(exchanged_, has + errorOfPath * thermalStrain + energy.roundOff / noticeable);
+      exchanged_ = std::max(exchanged_, has + (ofPath + energy.roundOff) / noticeable);
       supplied_ = std::max(supplied_, has);
     }
     watch(energy, ended);
@@ -153,9 +153,6 @@ private:
   static constexpr double burst = 10.0;     ///< times the energy that was given: an unstable run
   static constexpr int burstsInARow = 3;    ///< because the energy balance of the very first steps is rough
   static constexpr double noticeable = 0.1; ///< fraction of the energy that is reported
-  /// Part of the energy of thermal strain that is not missed: its work is that of a straight path to the end
-  /// of the step, which is wrong by the order of the strain.
-  static constexpr double errorOfPath = 0.01;
   static constexpr long fewSteps = 50; ///< velocities lag by half a step, which dominates in shorter runs
 
   static std::string advice(int subcycledLevels)

@@ -293,7 +293,7 @@ void Run<D>::observe()
     beforeObserve(state_);
   plan_.run(Stage::Observe, state_);
   if (state_.method.equilibrium())
-    energyWatch_.sampleOfEquilibrium(state_.energy, anyEnded(state_.cracks), energyOfThermalStrain(state_));
+    energyWatch_.sampleOfEquilibrium(state_.energy, anyEnded(state_.cracks), errorOfThermalPath(state_));
   else
     energyWatch_.sample(state_.energy, anyEnded(state_.cracks));
   if (state_.failure.empty())

@@ -196,11 +196,11 @@ TEST(EnergyWatch, JudgesAnEquilibriumByMechanicalEnergies)
   heated.strain = 6e-4;
   heated.thermal = 66.0 - 3.6e-4; // open by 40 % of the strain energy
   EnergyWatch watch;
-  watch.sampleOfEquilibrium(heated, false, 0.05);
+  watch.sampleOfEquilibrium(heated, false, 1e-5);
   EXPECT_TRUE(contains(watch.warningInEquilibrium({}), "40 % of the energy supplied"));
   EXPECT_EQ(watch.supplied(), heated.strain);
   EnergyWatch ofFreeBody;
-  ofFreeBody.sampleOfEquilibrium(heated, false, 0.25);
+  ofFreeBody.sampleOfEquilibrium(heated, false, 3e-4);
   EXPECT_EQ(ofFreeBody.warningInEquilibrium({}), "");
   EnergyWatch ofMotion;
   ofMotion.sample(heated);
