@@ -99,9 +99,10 @@ public:
     const EnergyWatch& watch = run_->energyWatch();
     const std::string ofEnergy =
         state.method.equilibrium()
-            ? watch.warningInEquilibrium({state.cracks.growth.area > 0.0,
-                                          state.method.analysis == Analysis::LoadFactor,
-                                          anyEnded(state.cracks), isNonlinear(state)})
+            ? watch.warningInEquilibrium(
+                  {state.cracks.growth.area > 0.0, state.method.analysis == Analysis::LoadFactor,
+                   anyEnded(state.cracks), isNonlinear(state),
+                   state.method.heldTemperatures && state.method.analysis == Analysis::Static})
             : watch.warning(state.method.picFraction > 0.0, state.clock.step, state.mesh.subcycledLevels);
     if (!ofEnergy.empty() && state.failure.empty())
       summary["warnings"].push_back(ofEnergy);

@@ -113,10 +113,10 @@ std::pair<double, bool> largestOf(const nlohmann::json& energy, bool isEquilibri
 /// What is to be known of a residual.
 std::string noteOnResidual(const nlohmann::json& summary, bool heated, double fraction)
 {
-  if (heated && fraction > noticeable)
+  const bool flows = numberOrZero(summary["energy"], "plastic") > 0.0;
+  if (heated && !flows && fraction > noticeable)
     return "; in a load step the work of thermal strain is that of a straight path, wrong by the order of "
-           "the "
-           "strain, on which stresses do not depend";
+           "the strain, on which stresses do not depend";
   return isUnstableGrowth(summary)
              ? "; this includes what unstable growth of cracks under given loads releases "
                "above the toughness; it would become motion"

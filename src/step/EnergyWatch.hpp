@@ -16,10 +16,11 @@ namespace Rhegma
 /// What the energy balance of an analysis of equilibrium depends on, in addition to energies.
 struct GrowthInEquilibrium
 {
-  bool grown = false;     ///< whether cracks have grown
-  bool factor = false;    ///< whether loads are such that fronts advance at their toughness
-  bool ended = false;     ///< whether a whole front has reached a surface or another crack
-  bool nonlinear = false; ///< whether bodies flow plastically or strains are large
+  bool grown = false;        ///< whether cracks have grown
+  bool factor = false;       ///< whether loads are such that fronts advance at their toughness
+  bool ended = false;        ///< whether a whole front has reached a surface or another crack
+  bool nonlinear = false;    ///< whether bodies flow plastically or strains are large
+  bool heatedAtOnce = false; ///< whether the first load step has the temperatures of the end
 };
 
 /// Checks the energy balance from sample to sample. An unstable step multiplies the energy of a few
@@ -188,8 +189,13 @@ private:
       return "where G rises above the toughness in a load step, what is released above it is not "
              "dissipated by the crack, and would become motion; if growth is stable (propagation > "
              "unstable_from in summary.json is null), more Time > Load Steps reduce it";
-    return "in a load step forces are taken to rise in proportion to displacements, which does not hold for "
-           "plastic flow or large strain; use more Time > Load Steps";
+    return std::string(
+               "in a load step forces are taken to rise in proportion to displacements, which does not "
+               "hold for plastic flow or large strain; use ") +
+           (growth.heatedAtOnce
+                ? "Time > Analysis = Quasi-Static and temperatures that change over several load "
+                  "steps (History), as Static has those of the end in its first one"
+                : "more Time > Load Steps");
   }
 
   /// Of the energy supplied; of what was exchanged, where the bodies only gave energy.
