@@ -109,7 +109,7 @@ bool Simulation::continueFields(const std::string& folder, std::string* why)
 double Simulation::stepFraction() const { return engine_->stepFraction(); }
 double Simulation::stableTimeStep() const { return engine_->stableTimeStep(); }
 void Simulation::advance(double time) { engine_->advance(time); }
-bool Simulation::trySolve() { return engine_->trySolve(); }
+bool Simulation::trySolve(bool onlyLoads) { return engine_->trySolve(onlyLoads); }
 
 void Simulation::sampleEvery(double interval, std::function<void(double, const Row&)> observer)
 {

@@ -89,8 +89,10 @@ public:
   void advance(double time);
 
   /// Of an analysis of equilibrium: solves the first linear system of the next load step, which is not taken,
-  /// to learn what that costs. Throws RunError. \return whether the analysis is one of equilibrium
-  bool trySolve();
+  /// to learn what that costs. Throws RunError.
+  /// \param onlyLoads solves nothing, and only adds a warning to the report if loads on free bodies do not
+  /// balance \return whether the analysis is one of equilibrium
+  bool trySolve(bool onlyLoads = false);
 
   /// Makes advance() sample at the end of each interval and call `observer` with the row. Without it there
   /// are no samples. \param interval time between samples [s] \param observer gets the time [s] and the row

@@ -78,7 +78,18 @@ public:
     }
   }
 
-  bool trySolve() override { return run_->trySolve(); }
+  bool trySolve(bool onlyLoads) override { return run_->trySolve(onlyLoads); }
+
+  /// What growth left open in the energy balance of an equilibrium, without what was open before it.
+  void judgeGrowthInEquilibrium(nlohmann::json& summary) const
+  {
+    if (!run_->state().method.equilibrium() || !summary.contains("propagation"))
+      return;
+    nlohmann::json& growth = summary["propagation"];
+    const double required = growth.value("energy_of_new_faces", 0.0);
+    if (required > 0.0)
+      growth["residual_fraction"] = run_->energyWatch().residualOfGrowth() / required;
+  }
 
   nlohmann::json report(std::size_t mostBodies) const override
   {
@@ -88,9 +99,10 @@ public:
     const EnergyWatch& watch = run_->energyWatch();
     const std::string ofEnergy =
         state.method.equilibrium()
-            ? watch.warningInEquilibrium({state.cracks.growth.area > 0.0,
-                                          state.method.analysis == Analysis::LoadFactor,
-                                          anyEnded(state.cracks), isNonlinear(state)})
+            ? watch.warningInEquilibrium(
+                  {state.cracks.growth.area > 0.0, state.method.analysis == Analysis::LoadFactor,
+                   anyEnded(state.cracks), isNonlinear(state),
+                   state.method.heldTemperatures && state.method.analysis == Analysis::Static})
             : watch.warning(state.method.picFraction > 0.0, state.clock.step, state.mesh.subcycledLevels);
     if (!ofEnergy.empty() && state.failure.empty())
       summary["warnings"].push_back(ofEnergy);
@@ -100,6 +112,7 @@ public:
     for (const Effect<D>& effect : run_->plan().effects)
       if (effect.report)
         effect.report(state, summary);
+    judgeGrowthInEquilibrium(summary);
     summary["warnings"] = foldMessages(summary["warnings"].get<std::vector<std::string>>());
     return summary;
   }

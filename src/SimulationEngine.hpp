@@ -37,7 +37,7 @@ public:
   virtual double stableTimeStep() const = 0;
   virtual double stepFraction() const = 0;
   virtual void advance(double until) = 0;
-  virtual bool trySolve() = 0;
+  virtual bool trySolve(bool onlyLoads) = 0;
   virtual nlohmann::json report(std::size_t mostBodies) const = 0;
   virtual std::string plan() const = 0;
   virtual std::map<std::string, double> stageSeconds() const = 0;

@@ -1,5 +1,6 @@
 #include "propagation/Report.hpp"
 
+#include "base/Counted.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "propagation/FrontEnd.hpp"
@@ -74,7 +75,7 @@ std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& f
 {
   std::string text = "initiated at t = " + readableTime(runs.front().initiation);
   if (runs.size() > 1)
-    text += ", arrested and reinitiated " + std::to_string(runs.size() - 1) + " times";
+    text += ", arrested and reinitiated " + counted(static_cast<long>(runs.size()) - 1, "time");
   return text + ", " + extensionAsText(runs, front, own);
 }
 
@@ -124,8 +125,11 @@ template <int D>
 void reportEnergy(const State<D>& state, double required, nlohmann::json& summary)
 {
   const EnergyBalance& energy = state.energy;
-  const double given =
-      energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) + std::fabs(energy.heat);
+  const double mechanical = energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion);
+  // Of the heat of an equilibrium some millionths do work.
+  const double given = !state.method.equilibrium() ? mechanical + std::fabs(energy.heat)
+                       : energy.heat != 0.0        ? std::max(mechanical, energy.strain + energy.fracture)
+                                                   : mechanical;
   const double inFlight = summary.value("energy_in_flight", 0.0);
   summary["propagation"] = {
       {"energy_of_new_faces", required},

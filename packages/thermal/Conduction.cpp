@@ -4,6 +4,7 @@
 #include "state/Subdomain.hpp"
 #include "thermal/CellExpansion.hpp"
 #include "thermal/MeetingMaterials.hpp"
+#include "thermal/SteadyExtremes.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>
@@ -236,6 +237,8 @@ void Conduction<D>::solveSteady(State<D>& state)
   }
   if (changed > passTolerance * range && state.failure.empty())
     state.failure = "steady conduction with conductivities that depend on temperature did not converge";
+  if (state.failure.empty())
+    state.failure = failureOfSteady(state, *this);
   reportFronts(state);
   pending = 0.0;
   waited = 0;

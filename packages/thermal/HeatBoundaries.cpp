@@ -2,6 +2,7 @@
 
 #include "base/Attempts.hpp"
 #include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
 #include "boundary/Contradictions.hpp"
 #include "thermal/Start.hpp"
 #include "transfer/PushNodes.hpp"
@@ -88,6 +89,25 @@ void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, State<D>& st
     if (heated.coefficient > 0.0)
       warn(heated.surface.points.name(), "Ambient Temperature",
            heated.ambient * heated.history(state.clock.time));
+}
+
+template <int D>
+std::string HeatBoundaries<D>::asText() const
+{
+  std::string text;
+  const auto add = [&](const std::string& name, const char* parameter, double value, const char* unit)
+  {
+    text += (text.empty() ? "Boundaries > " : ", Boundaries > ") + name + " > " + parameter + " (" +
+            formatShort(value) + " " + unit + ")";
+  };
+  for (const HeatedSurface<D>& heated : surfaces_)
+    if (const std::string& name = heated.surface.points.name(); heated.coefficient > 0.0)
+      add(name, "Coefficient", heated.coefficient, "W/(m2 K)");
+    else
+      add(name, "Flux", heated.flux, "W/m2");
+  for (const HeldTemperature<D>& held : held_)
+    add(held.name, "Temperature", held.temperature, "K");
+  return text;
 }
 
 template <int D>

@@ -63,6 +63,10 @@ public:
   /// Longest step that convection allows [s], for the capacity of a layer of cells.
   double stepLimit(double capacity, double spacing) const;
 
+  /// All of them with the parameters that are their sizes, such as "Boundaries > Air > Coefficient (20 W/(m2
+  /// K))".
+  std::string asText() const;
+
 private:
   std::vector<HeldTemperature<D>> held_;
   std::vector<HeatedSurface<D>> surfaces_;

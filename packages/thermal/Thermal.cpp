@@ -93,6 +93,7 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
                                      : method == "Super Time Stepping" ? Method::SuperTimeStepping
                                      : method == "Steady"              ? Method::Steady
                                                                        : Method::Explicit;
+  state.method.heldTemperatures = run.conduction.integrator.method == Method::Steady;
   run.conduction.integrator.stepRatio = list.get<double>("Step Ratio");
   run.conduction.frontFraction = list.get<double>("Front Heat Fraction");
   if (list.isParameter("Front Radius"))

@@ -1,3 +1,4 @@
+#include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "boundary/BoundaryParts.hpp"
 
@@ -14,16 +15,24 @@ namespace
 using SceneValues::text;
 using Teuchos::ParameterList;
 
+/// The rows of nodes next to a box along the axes along which it contains none, such as "y = 0.02 m"; empty
+/// if it contains a node.
 template <int D>
-bool holdsNode(const Grid<D>& grid, const Vector<D>& lower, const Vector<D>& upper)
+std::string missedRows(const Grid<D>& grid, const Vector<D>& lower, const Vector<D>& upper)
 {
+  std::string rows;
   for (int d = 0; d < D; ++d)
   {
     const double from = std::max(lower[d], grid.lower[d]), to = std::min(upper[d], grid.upper[d]);
-    if (!(std::ceil(grid.inCells(from, d) - 1e-9) <= grid.inCells(to, d) + 1e-9))
-      return false;
+    if (std::ceil(grid.inCells(from, d) - 1e-9) <= grid.inCells(to, d) + 1e-9)
+      continue;
+    const double first = std::ceil(grid.inCells(grid.lower[d], d) - 1e-9),
+                 last = std::floor(grid.inCells(grid.upper[d], d) + 1e-9),
+                 row = std::round(grid.inCells(0.5 * (lower[d] + upper[d]), d));
+    const double x = grid.origin[d] + grid.spacing * std::min(std::max(row, first), last);
+    rows += (rows.empty() ? "" : " and ") + std::string(1, "xyz"[d]) + " = " + formatReal(x) + " m";
   }
-  return true;
+  return rows;
 }
 
 template <int D>
@@ -45,9 +54,12 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
     timed.constraint.holds[d] = false;
     timed.value[d] = 0.0;
   }
-  if (!timed.constraint.outside && !holdsNode(grid, timed.constraint.lower, timed.constraint.upper))
-    throw std::invalid_argument(where + ": the box contains no grid node inside the domain, so nothing is "
-                                        "prescribed; make it at least a cell thick or move it");
+  if (const std::string rows = missedRows(grid, timed.constraint.lower, timed.constraint.upper);
+      !timed.constraint.outside && !rows.empty())
+    throw std::invalid_argument(where +
+                                ": the box contains no grid node inside the domain, so nothing is "
+                                "prescribed; the nearest row of nodes is at " +
+                                rows + ", which the box must contain");
   for (const char letter : list.get<std::string>("Components"))
     if (letter >= 'x' && letter < 'x' + D)
       timed.constraint.holds[letter - 'x'] = true;

@@ -1,10 +1,10 @@
 #include "equilibrium/EquilibriumCore.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/Counted.hpp"
 #include "base/Numbers.hpp"
 #include "equilibrium/Newton.hpp"
 #include "state/ContactAdvice.hpp"
-#include "state/EnergySums.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Scatter.hpp"
@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <set>
 #include <stdexcept>
-#include <utility>
 
 namespace Rhegma::equilibrium
 {
@@ -70,7 +69,6 @@ struct Account
   double largestForces = 0.0; ///< of the run: norm of the loads or of the supports' forces [N]
   bool warned = false, warnedOfPieces = false;
   bool started = false;                    ///< not stored: used in the first step only
-  double fractionOfStart = 0.0;            ///< of that step (NewtonStep), until its particles have moved
   bool warnedOfCut = false;                ///< not stored: a run that continues says it again
   std::shared_ptr<LinearSystem<D>> system; ///< of the last step
 };
@@ -83,7 +81,8 @@ StepReport solveOnce(State<D>& state, Account<D>& account, const LastStep& last,
   step.reset(); // large: not two of them
   step = std::make_unique<NewtonStep<D>>(state, last.inPlace ? account.system : nullptr, boxes);
   account.system = step->system();
-  return step->solve(state, account.largestForces, last.trial ? 1 : mostIterations);
+  const int most = last.onlyLoads ? 0 : last.trial ? 1 : mostIterations;
+  return step->solve(state, account.largestForces, most);
 }
 
 /// Why pieces that have come free have no equilibrium; empty if they have one.
@@ -107,6 +106,22 @@ bool lacksContact(const State<D>& state)
   return !state.cracks.empty() && !state.cracks.contactEnergy;
 }
 
+/// What of the loads on a free piece does not balance, under all of them where they rise in proportion.
+template <int D>
+std::string imbalanceAsText(const FreePiece& piece, const State<D>& state)
+{
+  const Clock& clock = state.clock;
+  const bool hasFactor = state.method.analysis == Analysis::LoadFactor;
+  const bool inProportion = hasFactor || state.method.analysis == Analysis::Static;
+  const double part = hasFactor ? clock.factor.end : (clock.time + clock.dt) / clock.finalTime;
+  Imbalance all = piece.imbalance;
+  if (!inProportion || !(part > 0.0))
+    return all.asText(noticeableResultant) + " at t = " + readableTime(clock.time + clock.dt);
+  all.force /= part;
+  all.moment /= part;
+  return all.asText(noticeableResultant) + " under the loads of Time > Final Time";
+}
+
 template <int D, class IsNew>
 void warnOfFreePieces(const StepReport& report, const IsNew& isNew, State<D>& state, Account<D>& account)
 {
@@ -128,7 +143,7 @@ void warnOfFreePieces(const StepReport& report, const IsNew& isNew, State<D>& st
       state.warnings.push_back(
           "Time > Rigid Modes: the loads on " + piece.name() + ", which is free, do not " +
           "balance: inertia forces of a uniform " + (turns && !moves ? "angular " : "") +
-          "acceleration balance " + piece.imbalance.asText(noticeableResultant) + "; check " +
+          "acceleration balance " + imbalanceAsText(piece, state) + "; check " +
           (moves ? "directions and sizes" : "positions and directions") + " of the loads, or support " +
           (piece.isPart && lacksContact(state)
                ? "this part, or, if only a crack parts it from the rest, " + contactAdvice(state, true, false)
@@ -159,7 +174,9 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   { return last.freePiecesAreNew || (piece.isPart && state.cracks.growth.area > 0.0); };
   if (!last.trial && state.failure.empty())
     state.failure = failureOfFreePieces(report, isNew);
-  if (!report.converged || !state.failure.empty())
+  if (last.trial)
+    warnOfFreePieces(report, isNew, state, account);
+  if (last.trial || !report.converged || !state.failure.empty())
     return;
   if (!report.freeMotion.empty())
   {
@@ -179,7 +196,6 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
     account.started = true;
     state.energy.start += state.ranks.sum(step.workOfStart());
     state.energy.externalWork += step.workOfLoadsOnStart();
-    account.fractionOfStart = step.fractionOfStart();
   }
   state.energy.stabilised += step.ghostEnergy();
   if (report.unsupportedLoad > noticeableLoad * report.forces && !account.warnedOfPieces)
@@ -187,29 +203,22 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
     account.warnedOfPieces = true;
     char text[256];
     std::snprintf(text, sizeof text,
-                  "Time > Analysis: loads of %.3g N act on %d nodes of unsupported pieces of at most one "
+                  "Time > Analysis: loads of %.3g N act on %s of unsupported pieces of at most one "
                   "cell, which are held fixed; these loads do not act on the rest of the body",
-                  report.unsupportedLoad, step.unsupportedFields());
+                  report.unsupportedLoad, counted(step.unsupportedFields(), "node").c_str());
     state.warnings.push_back(text);
   }
   warnOfFreePieces(report, isNew, state, account);
 }
 
 template <int D>
-void toParticles(State<D>& state, Account<D>& account)
+void toParticles(State<D>& state)
 {
   state.clock.strainPass = {1.0, false};
   const double fastest = strainAndMove(state, StrainVelocity::Projection, true, true);
   if (!std::isfinite(fastest) && state.failure.empty())
     state.failure = "a particle is inverted in equilibrium; use smaller cells or more Time > Load Steps";
   state.clock.settled = true;
-  if (const double fraction = std::exchange(account.fractionOfStart, 0.0); fraction > 0.0)
-  {
-    // The solve takes temperatures as they are at the start. What stress at the start releases also warms or
-    // cools the particles (thermoelastic effect): this heat is a part of what they begin with.
-    measureEnergy(state);
-    state.energy.start += fraction * (state.energy.thermal - energyOfAllRanks(state).heat);
-  }
 }
 
 } // namespace
@@ -232,7 +241,7 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
             [=](State<D>& s) { solveStep(s, *account, *last); });
   core.call(Stage::OnParticles, "strain, stress and position of particles",
             {quantity::nodalMotion, quantity::projection}, {quantity::particleStress}, {},
-            [account](State<D>& s) { toParticles(s, *account); });
+            [](State<D>& s) { toParticles(s); });
   core.memory = [account, last](State<D>&, Archive& archive)
   {
     archive("iterations", account->iterations);

@@ -16,6 +16,7 @@ struct LastStep
   bool inPlace = false; ///< set by the loop: the step adds no load to the one before, whose matrix serves it
   bool freePiecesAreNew = false; ///< whether all pieces that are free were held or joined when the run began
   bool trial = false;            ///< set by the loop: one iteration is done, to learn what it costs
+  bool onlyLoads = false;        ///< of a trial: no iteration is done, to learn whether the loads balance
   bool converged = false;
   int iterations = 0;
   std::vector<double> residuals; ///< fractions of the forces, before each iteration and after the last

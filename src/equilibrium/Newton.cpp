@@ -332,7 +332,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   }
   explain(state, report);
   report.freePieces = freePieces(state, report.converged);
-  findWork(state, atStart);
+  if (most > 0)
+    findWork(state, atStart);
   return report;
 }
 

@@ -76,7 +76,8 @@ public:
 
   /// Finds the displacement under the nodal forces of the state. \return how; `displacement` then holds it
   /// \param largestForces of earlier steps [N]: residuals are fractions of the largest forces of the run
-  /// \param most iterations after which the step counts as failed
+  /// \param most iterations after which the step counts as failed; 0: only the loads are looked at, without
+  /// works
   StepReport solve(const State<D>& state, double largestForces, int most = mostIterations);
 
   const Values& displacement() const { return displacement_; }
@@ -94,8 +95,6 @@ public:
   /// is, with the other sign, half of the work that these do over the displacement of the stress: added to
   /// their work, it leaves that over the displacement that they cause themselves.
   double workOfLoadsOnStart() const { return workOfLoadsOnStart_; }
-  /// Fraction of that in all work of the first step, 0 .. 1: the rest is done by loads and supports.
-  double fractionOfStart() const { return fractionOfStart_; }
   const RowGraph& graph() const { return graph_; }
 
 private:
@@ -174,7 +173,7 @@ private:
   std::shared_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;
   Values load_, displacement_, residual_, reaction_;
-  double workOfSupports_ = 0.0, workOfStart_ = 0.0, workOfLoadsOnStart_ = 0.0, fractionOfStart_ = 0.0;
+  double workOfSupports_ = 0.0, workOfStart_ = 0.0, workOfLoadsOnStart_ = 0.0;
 };
 
 } // namespace Rhegma::equilibrium

@@ -54,9 +54,8 @@ void NewtonStep<D>::findWork(const State<D>& state, const Values& atStart)
     works[1] += owners_.owns(k / D) ? 0.5 * load_(k) * displacement_(k) : 0.0;
   owners_.ranks().sum(works, 3);
   const double ofStart = std::fabs(works[0]), all = ofStart + std::fabs(works[1]) + std::fabs(works[2]);
-  fractionOfStart_ = all > 0.0 ? ofStart / all : 0.0;
   // Only as much of it: loads follow a path of their own.
-  workOfStart_ += fractionOfStart_ * workOfBentPath(state);
+  workOfStart_ += all > 0.0 ? ofStart / all * workOfBentPath(state) : 0.0;
 }
 
 template <int D>

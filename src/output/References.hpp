@@ -14,8 +14,9 @@ namespace Rhegma
 /// A Quantity is a path of names with dots between; an entry of a list is chosen by its position, from 0, or
 /// by its `name`: cracks.0.fronts.0.G_J, cracks.Notch.pressure. Tolerance bounds |value - reference| /
 /// |reference|; where the reference is 0 it bounds |value|, and relative_error holds that. A quantity that is
-/// not there or is not a number is outside of its tolerance and `problem` says why. \param section validated
-/// `Reference` section; may be empty \return whether all are within their tolerances
+/// not there or is not a number is outside of its tolerance and `problem` says why. A time of growth in a run
+/// whose loads have a factor is not compared: `within` is null, and `left_out` says why. \param section
+/// validated `Reference` section; may be empty \return whether all are within their tolerances
 bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summary);
 
 /// Throws std::invalid_argument, a line per quantity, for quantities that a summary does not contain, so that

@@ -1,5 +1,6 @@
 #include "plausibility/Judges.hpp"
 
+#include "base/Counted.hpp"
 #include "base/NonNumbers.hpp"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ Messages firstTen(Messages messages)
   const std::size_t more = messages.size() - most;
   const std::string kind = messages[most].substr(0, messages[most].find(" > "));
   messages.resize(most);
-  messages.push_back(kind + ": " + std::to_string(more) + " more warnings like the last");
+  messages.push_back(kind + ": " + counted(static_cast<long>(more), "more warning") + " like the last");
   return messages;
 }
 

@@ -1,5 +1,6 @@
 #include "program/Answer.hpp"
 
+#include "base/Counted.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "program/RunEnd.hpp"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace Rhegma::program
 {
@@ -25,8 +27,7 @@ std::string howItEnded(const nlohmann::json& summary)
   if (!isFinished(endOf(summary))) // time and step are in it
     return status;
   return "the run " + status + " at t = " + readableTime(numberOrZero(summary, "time")) + " after " +
-         std::to_string(summary.value("steps", 0L)) + " steps" +
-         (summary.value("settled", false) ? ", at rest" : "");
+         counted(summary.value("steps", 0L), "step") + (summary.value("settled", false) ? ", at rest" : "");
 }
 
 /// "4 of 32 front nodes of " where a front has several. \param stop of a front in the summary
@@ -65,6 +66,9 @@ bool isEnergy(const std::string& name, const nlohmann::json& value)
 /// Energies below this part of the largest are not named.
 constexpr double rounding = 1e-9;
 
+/// Part of the largest energy that is open, from which on a reason is given.
+constexpr double noticeable = 0.1;
+
 /// The terms of the energy balance that not every scene has, where they are more than rounding.
 /// \param given the largest of those that every scene has [J]
 std::string otherEnergies(const nlohmann::json& energy, double given)
@@ -90,18 +94,45 @@ bool isUnstableGrowth(const nlohmann::json& summary)
   return from.is_object() && !from.contains("load_factor");
 }
 
+/// The largest term of the energy balance [J], and whether it is one without heat: millionths of heat become
+/// mechanical energy, and in equilibrium only that says whether the balance closes, if it is more than
+/// rounding.
+std::pair<double, bool> largestOf(const nlohmann::json& energy, bool isEquilibrium)
+{
+  double mechanical = 0.0, heat = 0.0;
+  for (const auto& [name, value] : energy.items())
+    if (isEnergy(name, value) && name != "residual")
+    {
+      double& largest = name == "heat" || name == "thermal" ? heat : mechanical;
+      largest = std::max(largest, std::fabs(value.get<double>()));
+    }
+  const bool heated = isEquilibrium && heat > 0.0 && mechanical > rounding * heat;
+  return {heated ? mechanical : std::max(mechanical, heat), heated};
+}
+
+/// What is to be known of a residual.
+std::string noteOnResidual(const nlohmann::json& summary, bool heated, double fraction)
+{
+  const bool flows = numberOrZero(summary["energy"], "plastic") > 0.0;
+  if (heated && !flows && fraction > noticeable)
+    return "; in a load step the work of thermal strain is that of a straight path, wrong by the order of "
+           "the strain, on which stresses do not depend";
+  return isUnstableGrowth(summary)
+             ? "; this includes what unstable growth of cracks under given loads releases "
+               "above the toughness; it would become motion"
+             : "";
+}
+
 /// What the energy balance does not account for, of its largest term.
 std::string energyBalance(const nlohmann::json& summary)
 {
   const nlohmann::json energy = summary.value("energy", nlohmann::json::object());
   if (!energy.contains("residual"))
     return {};
+  const bool isEquilibrium = summary.contains("equilibrium");
   if (!summary.value("equilibrium", nlohmann::json::object()).value("last_step_complete", true))
     return "energy balance: not given, as the run stopped within a load step, which has no equilibrium";
-  double given = 0.0;
-  for (const auto& [name, value] : energy.items())
-    if (isEnergy(name, value) && name != "residual")
-      given = std::max(given, std::fabs(value.get<double>()));
+  const auto [given, heated] = largestOf(energy, isEquilibrium);
   const double residual = numberOrZero(energy, "residual"), start = numberOrZero(energy, "start");
   if (!std::isfinite(given) || !std::isfinite(residual))
     return "energy balance: not available, because energies are not finite";
@@ -112,7 +143,7 @@ std::string energyBalance(const nlohmann::json& summary)
   // A body that is unloaded has given its energy back: the residual is that of all of it.
   const double supplied = numberOrZero(summary, "largest_energy_supplied");
   const bool unloaded = supplied > 1.01 * given;
-  const bool isEquilibrium = summary.contains("equilibrium");
+  const double fraction = std::fabs(residual) / std::max(given, supplied);
   return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +
          ", strain " + readableEnergy(numberOrZero(energy, "strain")) + ", kinetic " +
          readableEnergy(numberOrZero(energy, "kinetic")) + ", fracture " +
@@ -121,13 +152,11 @@ std::string energyBalance(const nlohmann::json& summary)
                                                                : ", stored at the start ") +
                                          readableEnergy(start)
                                    : std::string()) +
-         "; not accounted for " + readableEnergy(residual) + " (" +
-         formatShort(100.0 * std::fabs(residual) / std::max(given, supplied)) +
+         "; not accounted for " + readableEnergy(residual) + " (" + formatShort(100.0 * fraction) +
          (unloaded ? " % of the " + readableEnergy(supplied) + " supplied at most)"
+          : heated ? " % of the largest of these without heat)"
                    : " % of the largest of these)") +
-         (isUnstableGrowth(summary) ? "; this includes what unstable growth of cracks under given loads "
-                                      "releases above the toughness; it would become motion"
-                                    : "");
+         noteOnResidual(summary, heated, fraction);
 }
 
 /// Warnings that are named, and the longest name [characters].

@@ -1,5 +1,6 @@
 #include "program/CheckText.hpp"
 
+#include "base/Counted.hpp"
 #include "base/MemoryNeed.hpp"
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
@@ -57,13 +58,15 @@ std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::Parameter
     text += "  All forces and masses are those of a thickness of " +
             readableLength(domain.get<double>("Thickness")) + " (Domain > Thickness)\n";
   const std::size_t all = sublistNames(scene.sublist("Bodies")).size();
-  return text + (all > shown ? "  and " + std::to_string(all - shown) + " more bodies\n" : "");
+  return text + (all > shown ? "  and " + std::to_string(all - shown) +
+                                   (all - shown == 1 ? " more body\n" : " more bodies\n")
+                             : "");
 }
 
 std::string cellsAsText(const nlohmann::json& summary, long particles)
 {
   const double largest = summary["cells"]["largest"], smallest = summary["cells"]["smallest"];
-  return std::to_string(particles) + " particles in cells of " + readableLength(largest) +
+  return counted(particles, "particle") + " in cells of " + readableLength(largest) +
          (smallest < largest ? ", the finest of " + readableLength(smallest) : "");
 }
 

@@ -1,5 +1,6 @@
 #include "program/Forecast.hpp"
 
+#include "base/Counted.hpp"
 #include "base/RunError.hpp"
 #include "base/UtcTime.hpp"
 #include "plan/EffectSchema.hpp"
@@ -86,11 +87,6 @@ std::string cost(const Forecast& forecast)
   return seconds(forecast.seconds);
 }
 
-std::string counted(long number, const std::string& noun)
-{
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
-
 /// What takes the time: steps, or linear systems of so many unknowns.
 std::string workAsText(const Forecast& forecast)
 {
@@ -119,7 +115,7 @@ std::string sourceAsText(const Forecast& forecast)
 
 std::string costLine(int particles, const Forecast& forecast)
 {
-  return std::to_string(particles) + " particles, " + cost(forecast) +
+  return counted(particles, "particle") + ", " + cost(forecast) +
          (forecast.kept ? "; rates of " + utcTime(forecast.rates.measured) : "") + "\n";
 }
 

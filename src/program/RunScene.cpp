@@ -226,6 +226,21 @@ bool mayRun(const Options& options, const nlohmann::json& summary, std::set<std:
   return false;
 }
 
+/// Adds a warning to the report if loads on bodies that may move freely do not balance.
+void warnOfUnbalancedLoads(Simulation& simulation, const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  if (time.get<std::string>("Rigid Modes") != "Remove" || simulation.time() >= time.get<double>("Final Time"))
+    return;
+  try
+  {
+    simulation.trySolve(true);
+  }
+  catch (const RunError&) // the first steps of the forecast meet it, too, and say so
+  {
+  }
+}
+
 /// \param start processor time that the program took before it read the scene [s]
 int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
                std::ostream& out, std::ostream& err)
@@ -235,6 +250,7 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   Simulation& simulation = keepToTheEnd(new Simulation(world(), scene, true));
   initialize(simulation, *scene, options, err);
   const double setup = processorSeconds();
+  warnOfUnbalancedLoads(simulation, *scene);
   const nlohmann::json& summary = keepToTheEnd(new nlohmann::json(simulation.report(bodiesInText)));
   std::set<std::string> printed;
   if (!mayRun(options, summary, printed, err))

@@ -81,6 +81,28 @@ void measureEnergy(State<D>& state)
 }
 
 template <int D>
+double errorOfThermalPath(const State<D>& state)
+{
+  if (state.materials.thermo.empty() || !state.method.mechanics)
+    return 0.0;
+  const ThermoTables tables = state.materials.thermo;
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto temperature = state.particles.scalar(fields::temperature);
+  const auto material = state.particles.integer(fields::material);
+  double energy = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::errorOfThermalPath", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum) {
+        const ThermoPoint at(tables, material(p), temperature(p));
+        const double strain = at.stretch() - 1.0;
+        sum += volume(p) * 4.5 * at.properties().bulk * strain * strain * std::fabs(strain);
+      },
+      energy);
+  energy = state.ranks.sum(energy);
+  return std::isfinite(energy) ? energy : 0.0;
+}
+
+template <int D>
 EnergyBalance energyOfAllRanks(const State<D>& state)
 {
   constexpr double EnergyBalance::*recorded[] = {&EnergyBalance::externalWork, &EnergyBalance::damped,
@@ -109,6 +131,8 @@ void sumEnergyBalance(State<D>& state)
 
 template void measureEnergy(State<2>&);
 template void measureEnergy(State<3>&);
+template double errorOfThermalPath(const State<2>&);
+template double errorOfThermalPath(const State<3>&);
 template EnergyBalance energyOfAllRanks(const State<2>&);
 template EnergyBalance energyOfAllRanks(const State<3>&);
 template void sumEnergyBalance(State<2>&);

@@ -14,6 +14,12 @@ namespace Rhegma
 template <int D>
 void measureEnergy(State<D>& state);
 
+/// Bound of what the work of thermal strain along a straight path misses [J]: the elastic energy that
+/// particles would have at their temperatures if they could not expand at all, 9 K (theta - 1)^2 / 2, times
+/// their thermal strain. Zero without heat. Collective.
+template <int D>
+double errorOfThermalPath(const State<D>& state);
+
 /// The energy balance summed over all ranks; the entries of this rank do not change. Collective.
 template <int D>
 EnergyBalance energyOfAllRanks(const State<D>& state);

@@ -16,10 +16,11 @@ namespace Rhegma
 /// What the energy balance of an analysis of equilibrium depends on, in addition to energies.
 struct GrowthInEquilibrium
 {
-  bool grown = false;     ///< whether cracks have grown
-  bool factor = false;    ///< whether loads are such that fronts advance at their toughness
-  bool ended = false;     ///< whether a whole front has reached a surface or another crack
-  bool nonlinear = false; ///< whether bodies flow plastically or strains are large
+  bool grown = false;        ///< whether cracks have grown
+  bool factor = false;       ///< whether loads are such that fronts advance at their toughness
+  bool ended = false;        ///< whether a whole front has reached a surface or another crack
+  bool nonlinear = false;    ///< whether bodies flow plastically or strains are large
+  bool heatedAtOnce = false; ///< whether the first load step has the temperatures of the end
 };
 
 /// Checks the energy balance from sample to sample. An unstable step multiplies the energy of a few
@@ -32,25 +33,32 @@ public:
   /// come apart there is no release of growth
   void sample(const EnergyBalance& energy, bool ended = false)
   {
-    exchanged_ =
-        std::max(exchanged_, std::fabs(energy.start) + std::fabs(energy.externalWork) +
-                                 std::fabs(energy.combustion) + std::fabs(energy.heat) + energy.roundOff);
-    supplied_ = std::max(supplied_, energy.start + energy.externalWork + energy.combustion + energy.heat);
-    residual_ = energy.residual();
-    largest_ = std::max(largest_, residual_);
-    bursts_ = residual_ > burst * exchanged_ ? bursts_ + 1 : 0;
-    now_ = energy.kinetic + energy.strain;
-    if (ended)
-      return;
-    fracture_ = energy.fracture;
-    ofGrowth_ = residual_;
-    if (!(fracture_ > 0.0))
-      beforeGrowth_ = residual_;
+    supply(energy, std::fabs(energy.heat) + energy.roundOff, energy.heat);
+    watch(energy, ended);
+  }
+
+  /// The same in equilibrium. Heat is not counted as supplied, as some millionths of it become mechanical
+  /// energy; where there is heat, what bodies store and dissipate mechanically is counted.
+  /// \param ofPath what the work of thermal strain may miss (errorOfThermalPath) [J]
+  void sampleOfEquilibrium(const EnergyBalance& energy, bool ended, double ofPath)
+  {
+    supply(energy, energy.roundOff, 0.0);
+    if (energy.heat != 0.0)
+    {
+      const double has = energy.strain + energy.plastic + energy.fracture;
+      exchanged_ = std::max(exchanged_, has + (ofPath + energy.roundOff) / noticeable);
+      supplied_ = std::max(supplied_, has);
+    }
+    watch(energy, ended);
   }
 
   /// Whether the run, up to the last sample, has created no more energy than it was given: a state worth
   /// storing.
   bool sound() const { return std::isfinite(residual_) && residual_ <= exchanged_; }
+
+  /// What cracks had left open in the balance up to where a front reaches a surface, less what was open
+  /// before they grew [J]: in equilibrium, where the load steps before may leave more than the growth.
+  double residualOfGrowth() const { return ofGrowth_ - beforeGrowth_; }
 
   void serialize(Archive& archive)
   {
@@ -121,6 +129,28 @@ public:
   }
 
 private:
+  /// Counts what was given. \param more its size in addition to mechanical energies \param heat of it [J]
+  void supply(const EnergyBalance& energy, double more, double heat)
+  {
+    exchanged_ = std::max(exchanged_, std::fabs(energy.start) + std::fabs(energy.externalWork) +
+                                          std::fabs(energy.combustion) + more);
+    supplied_ = std::max(supplied_, energy.start + energy.externalWork + energy.combustion + heat);
+  }
+
+  void watch(const EnergyBalance& energy, bool ended)
+  {
+    residual_ = energy.residual();
+    largest_ = std::max(largest_, residual_);
+    bursts_ = residual_ > burst * exchanged_ ? bursts_ + 1 : 0;
+    now_ = energy.kinetic + energy.strain;
+    if (ended)
+      return;
+    fracture_ = energy.fracture;
+    ofGrowth_ = residual_;
+    if (!(fracture_ > 0.0))
+      beforeGrowth_ = residual_;
+  }
+
   static constexpr double burst = 10.0;     ///< times the energy that was given: an unstable run
   static constexpr int burstsInARow = 3;    ///< because the energy balance of the very first steps is rough
   static constexpr double noticeable = 0.1; ///< fraction of the energy that is reported
@@ -159,8 +189,13 @@ private:
       return "where G rises above the toughness in a load step, what is released above it is not "
              "dissipated by the crack, and would become motion; if growth is stable (propagation > "
              "unstable_from in summary.json is null), more Time > Load Steps reduce it";
-    return "in a load step forces are taken to rise in proportion to displacements, which does not hold for "
-           "plastic flow or large strain; use more Time > Load Steps";
+    return std::string(
+               "in a load step forces are taken to rise in proportion to displacements, which does not "
+               "hold for plastic flow or large strain; use ") +
+           (growth.heatedAtOnce
+                ? "Time > Analysis = Quasi-Static and temperatures that change over several load "
+                  "steps (History), as Static has those of the end in its first one"
+                : "more Time > Load Steps");
   }
 
   /// Of the energy supplied; of what was exchanged, where the bodies only gave energy.

@@ -114,15 +114,16 @@ void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
 }
 
 template <int D>
-void EquilibriumSteps<D>::trySolve(Plan<D>& plan, State<D>& state)
+void EquilibriumSteps<D>::trySolve(Plan<D>& plan, State<D>& state, bool onlyLoads)
 {
   last_->trial = true;
+  last_->onlyLoads = onlyLoads;
   state.clock.dt = std::min(steps_.next, state.clock.finalTime - state.clock.time);
   const auto factor = state.clock.factor;
   state.clock.factor = {factor.end, factor.end + 0.01};
   runBetweenSteps(plan, state);
   runStages(plan, state, {Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
-  last_->trial = false;
+  last_->trial = last_->onlyLoads = false;
   state.clock.factor = factor; // nothing has moved
 }
 

@@ -44,7 +44,8 @@ public:
   void inspect(const Teuchos::ParameterList& scene, Plan<D>& plan, State<D>& state);
 
   /// Solves the first linear system of the next step, which is not taken.
-  void trySolve(Plan<D>& plan, State<D>& state);
+  /// \param onlyLoads solves nothing, and only warns of loads on free bodies that do not balance
+  void trySolve(Plan<D>& plan, State<D>& state, bool onlyLoads = false);
 
   /// Takes a step, not beyond `until`, but for its sample.
   void take(Plan<D>& plan, State<D>& state, double until);

@@ -11,6 +11,7 @@
 #include "plan/KnownEffects.hpp"
 #include "plausibility/Judges.hpp"
 #include "scene/SceneParts.hpp"
+#include "state/EnergySums.hpp"
 #include "state/StateArchive.hpp"
 #include "state/Subdomain.hpp"
 #include "step/CoreStep.hpp"
@@ -276,11 +277,11 @@ void Run<D>::strainBeforeForces()
 }
 
 template <int D>
-bool Run<D>::trySolve()
+bool Run<D>::trySolve(bool onlyLoads)
 {
   if (!state_.method.equilibrium())
     return false;
-  equilibrium_.trySolve(plan_, state_);
+  equilibrium_.trySolve(plan_, state_, onlyLoads);
   return true;
 }
 
@@ -291,7 +292,10 @@ void Run<D>::observe()
   if (beforeObserve)
     beforeObserve(state_);
   plan_.run(Stage::Observe, state_);
-  energyWatch_.sample(state_.energy, anyEnded(state_.cracks));
+  if (state_.method.equilibrium())
+    energyWatch_.sampleOfEquilibrium(state_.energy, anyEnded(state_.cracks), errorOfThermalPath(state_));
+  else
+    energyWatch_.sample(state_.energy, anyEnded(state_.cracks));
   if (state_.failure.empty())
     state_.failure = energyWatch_.failure(state_.mesh.subcycledLevels);
   if (!state_.failure.empty())

@@ -40,8 +40,9 @@ public:
   void step(double until, bool sample);
 
   /// Of an analysis of equilibrium: solves the first linear system of the next load step, which is not taken,
-  /// so that its cost can be measured. Throws RunError. \return whether this is such an analysis
-  bool trySolve();
+  /// so that its cost can be measured. Throws RunError. \param onlyLoads solves nothing, and only warns of
+  /// loads on free bodies that do not balance \return whether this is such an analysis
+  bool trySolve(bool onlyLoads = false);
 
   /// Saves or loads all persistent data of the run. Load after initialize().
   void serialize(Archive& archive);

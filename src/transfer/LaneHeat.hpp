@@ -19,6 +19,11 @@
 /// of temperature at fixed strain since that stress was computed (conduction, sources) nor viscosity of the
 /// law: half of the step moves against that stress and not against the law's, and the work of the difference
 /// is recorded. (The force is that of the middle between two steps.)
+///
+/// A step of equilibrium balances the stress at the temperatures of its start. It therefore strains particles
+/// at T, whose stress stays that of this equilibrium, and temperatures follow from e afterwards, as if they
+/// changed at fixed strain before the next step. Where temperatures are held (steady conduction) they do not
+/// follow: a particle gets the heat e(F', T) - e - work.
 
 #include "material/ThermoLaw.hpp"
 #include "transfer/LaneStress.hpp"
@@ -45,6 +50,9 @@ struct HeatLanes
   double internal[lanes];      ///< [J/m3]
   double firstFraction[lanes]; ///< fraction of the step in which the force at its start acts; 1 except in
                                ///< substeps
+  double supplied[lanes];      ///< out: heat that holds the temperature; zero where it is not held [J/m3]
+  double isothermal = 0.0;     ///< 1 where the strain is at the temperature of the start, else 0
+  double held = 0.0;           ///< 1 where temperatures are held, else 0
 };
 
 /// Work per undeformed volume that the half of the first force which lies in this step does beyond that of
@@ -97,7 +105,8 @@ struct HeatOfLanes
     // Change of the trace of stress with that of strain: 3 K, in plane stress E / (1 - nu).
     const double stiffness =
         P == Plane::Stress ? 2.0 * (properties.planeLambda + properties.mu) : 3.0 * properties.bulk;
-    const double cooling = dt * alpha * stiffness / capacity, push = 3.0 * properties.bulk * alpha;
+    const double free = 1.0 - heat.isothermal;
+    const double cooling = free * dt * alpha * stiffness / capacity, push = 3.0 * properties.bulk * alpha;
     const double adiabatic = push * push / (capacity * properties.density);
     for (int l = from; l < to; ++l)
     {
@@ -150,12 +159,15 @@ struct HeatOfLanes
         has += (1.0 - material.plasticHeat) * flow;
       }
       heat.internal[l] += work;
-      const double rise = (heat.internal[l] - has) / capacity, after = T + rise;
+      const double excess = heat.internal[l] - has, rise = (1.0 - heat.held) * excess / capacity,
+                   after = T + rise;
+      heat.supplied[l] = -heat.held * excess;
+      heat.internal[l] += heat.supplied[l];
       heat.temperature[l] = after;
       const double wave = Law::template waveSpeed<D, P>(properties, own, memory);
       at.speed[l] =
           good && finite && after > 0.0 ? at.speed[l] + std::sqrt(wave * wave + after * adiabatic) : infinity;
-      addThermalStress<D, P>(alpha * stiffness, rise, tau);
+      addThermalStress<D, P>(free * alpha * stiffness, rise, tau);
       storeLane(at, l, F, tau);
     }
   }
@@ -203,7 +215,8 @@ struct HeatByTables
     const bool finite = determinant<D>(F) < infinity;
     bool good = evaluate(start, {strainedBefore, duration, before}, F, tau, own, memory, now);
     double work = lag + now.spent() - old.spent();
-    T += (heat.internal[l] + work - now.internal) / start.capacity();
+    const double free = 1.0 - heat.isothermal;
+    T += free * (heat.internal[l] + work - now.internal) / start.capacity();
     if (start.material.coupled)
     {
       const ThermoPoint end(tables, material, T);
@@ -213,7 +226,10 @@ struct HeatByTables
     else
       now.internal += ThermoPoint(tables, material, T).heat() - start.heat(); // the rest is the same at T
     heat.internal[l] += work;
-    const double rise = (heat.internal[l] - now.internal) / start.capacity(), alpha = start.expansion();
+    const double excess = heat.internal[l] - now.internal;
+    heat.supplied[l] = -heat.held * excess;
+    heat.internal[l] += heat.supplied[l];
+    const double rise = (1.0 - heat.held) * excess / start.capacity(), alpha = free * start.expansion();
     T += rise;
     if constexpr (D == 2)
     {

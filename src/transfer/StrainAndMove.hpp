@@ -28,7 +28,9 @@ struct ParticleHeat
   ThermoTables tables;
   BorrowedView<double*> temperature, internal;
   BorrowedView<double*>
-      firstFraction; ///< fraction of the step in which the force at its start acts; empty: all of it
+      firstFraction;       ///< fraction of the step in which the force at its start acts; empty: all of it
+  View<double*> supplied;  ///< out: heat that holds the temperature [J/m3]; empty where none is held
+  bool isothermal = false; ///< whether strain is at the temperature of the start of the step
 };
 
 /// What happens to the particles of one bundle once the nodes have given them a velocity and its gradient:
@@ -176,6 +178,9 @@ struct BundleMotion
         own.internal[p - begin] = heat.internal(p);
         own.firstFraction[p - begin] = heat.firstFraction.extent(0) > 0 ? heat.firstFraction(p) : 1.0;
       }
+      const bool held = heat.supplied.extent(0) > 0;
+      own.held = held ? 1.0 : 0.0;
+      own.isothermal = heat.isothermal ? 1.0 : 0.0;
       for (int k = 0; k < symmetricSize<D>; ++k)
         for (int p = begin; p < end; ++p)
           at.tau[k][p - begin] = stress(p, k);
@@ -201,6 +206,8 @@ struct BundleMotion
       {
         heat.temperature(p) = own.temperature[p - begin];
         heat.internal(p) = own.internal[p - begin];
+        if (held)
+          heat.supplied(p) = own.supplied[p - begin];
       }
     }
   }
@@ -270,6 +277,9 @@ BundleMotion<D, Heat> bundleMotion(State<D>& state, bool strain, bool move)
     kernel.heat.internal = state.particles.scalar(fields::internalEnergy);
     if (state.particles.has(fields::firstFraction))
       kernel.heat.firstFraction = state.particles.scalar(fields::firstFraction);
+    kernel.heat.isothermal = state.method.equilibrium();
+    if (state.method.heldTemperatures && strain)
+      kernel.heat.supplied = View<double*>("rhegma::heatThatHolds", state.particles.size());
   }
   kernel.materials = state.materials.device;
   kernel.axes = state.bodies.axes;
@@ -299,6 +309,20 @@ BundleMotion<D, Heat> bundleMotion(State<D>& state, bool strain, bool move)
   return kernel;
 }
 
+/// Records the heat that holds temperatures. \param supplied of the particles [J/m3]; may be empty
+template <int D>
+void recordSupply(State<D>& state, const View<double*>& supplied)
+{
+  if (supplied.extent(0) == 0)
+    return;
+  const auto volume = state.particles.scalar(fields::volume);
+  double heat = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::heatThatHolds", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum) { sum += volume(p) * supplied(p); }, heat);
+  state.energy.heat += heat;
+}
+
 template <class Heat, int D, int Width, class Connect>
 double strainAndMoveWith(State<D>& state, const Connect& connect, const View<double* [Width]>& nodal,
                          bool strain, bool move)
@@ -309,6 +333,8 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
   Kokkos::parallel_reduce(strain ? "rhegma::strainAndMove" : "rhegma::move",
                           Kokkos::RangePolicy<ExecSpace>(0, state.mesh.blocks.numBundles), kernel,
                           Kokkos::Max<double>(fastest));
+  if constexpr (Heat::on)
+    recordSupply(state, kernel.particles.heat.supplied);
   const auto strays = Rhegma::onHost(state.mesh.blocks.strays);
   if (strays(0) != 0)
     state.particles.sorted = false;

@@ -188,6 +188,25 @@ TEST(EnergyWatch, SuppliedIsTheMostAtASample)
   EXPECT_DOUBLE_EQ(watch.supplied(), 8.0);
 }
 
+/// Heat does not hide what is open in an equilibrium; what thermal strain misses along its path is allowed.
+TEST(EnergyWatch, JudgesAnEquilibriumByMechanicalEnergies)
+{
+  EnergyBalance heated;
+  heated.heat = 66.0;
+  heated.strain = 6e-4;
+  heated.thermal = 66.0 - 3.6e-4; // open by 40 % of the strain energy
+  EnergyWatch watch;
+  watch.sampleOfEquilibrium(heated, false, 1e-5);
+  EXPECT_TRUE(contains(watch.warningInEquilibrium({}), "40 % of the energy supplied"));
+  EXPECT_EQ(watch.supplied(), heated.strain);
+  EnergyWatch ofFreeBody;
+  ofFreeBody.sampleOfEquilibrium(heated, false, 3e-4);
+  EXPECT_EQ(ofFreeBody.warningInEquilibrium({}), "");
+  EnergyWatch ofMotion;
+  ofMotion.sample(heated);
+  EXPECT_EQ(ofMotion.warningInEquilibrium({}), "");
+}
+
 /// Work that was done and recovered still counts for the comparison.
 TEST(EnergyWatch, RemembersTheMostThatWasGiven)
 {
