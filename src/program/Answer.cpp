@@ -115,8 +115,8 @@ std::string noteOnResidual(const nlohmann::json& summary, bool heated, double fr
 {
   const bool flows = numberOrZero(summary["energy"], "plastic") > 0.0;
   if (heated && !flows && fraction > noticeable)
-    return "; in a load step the work of thermal strain is that of a straight path, wrong by the order of "
-           "the strain, on which stresses do not depend";
+    return "; the work of thermal strain is found with an error of the order of that strain, which more load "
+           "steps reduce (Time > Analysis = Quasi-Static); stresses do not have this error";
   return isUnstableGrowth(summary)
              ? "; this includes what unstable growth of cracks under given loads releases "
                "above the toughness; it would become motion"

@@ -55,8 +55,9 @@ class CutInTwo(EquilibriumTest):
         self.assertEqual(answer.status, 2, answer)
         message = answer.messages.splitlines()[-1]
         for words in ("the run stopped at t = ", "a part of Bodies > Plate (", "has come off its supports and can move along x",
-                      "its loads do not balance: a force of ", "support this part (Boundaries)", "Analysis = Dynamic", "--restart"):
+                      "its loads do not balance: a force of ", "support this part (Boundaries)", "Analysis = Dynamic"):
             self.assertIn(words, message)
+        self.assertNotIn("--restart", message)  # it is the first load step
         mass = float(message.split("Plate (")[1].split(" kg")[0])
         force = float(message.split("a force of ")[1].split(" N")[0])
         self.assertAlmostEqual(force / (mass * gravity), 1.0, delta=1e-3)  # printed in four digits
