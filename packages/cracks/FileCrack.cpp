@@ -98,7 +98,7 @@ surface::CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std:
                     });
     return own ? BorderKind::FrontIfMaterialAhead : BorderKind::SurfaceBreaking;
   };
-  warnOfLigament(surface::markBorder(mesh, kindOf, isIn, context.cell), name, warnings);
+  warnOfLigament(surface::markBorder(mesh, kindOf, isIn, context.front), name, context.front, warnings);
   return mesh;
 }
 

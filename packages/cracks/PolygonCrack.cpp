@@ -126,23 +126,23 @@ surface::CrackMesh<3> meshPlane(const Plane& plane, const std::vector<Vector<2>>
     const bool isOnIt = surface::nearestEdge(outline, x, rounding * context.cell) >= 0;
     return chosen.empty() || !isOnIt ? BorderKind::FrontIfMaterialAhead : BorderKind::Front;
   };
-  const surface::BrokenLigament broken = surface::markBorder(mesh, kindOf, isIn, context.cell);
-  warnOfLigament(broken, where, warnings);
+  warnOfLigament(surface::markBorder(mesh, kindOf, isIn, context.front), where, context.front, warnings);
   return mesh;
 }
 
 } // namespace
 
-void warnOfLigament(const surface::BrokenLigament& broken, const std::string& where,
+void warnOfLigament(const surface::BrokenLigament& broken, const std::string& where, double cell,
                     std::vector<std::string>& warnings)
 {
   if (broken.length > 0.0)
-    warnings.push_back(where + ": less than a cell of material is left ahead of " +
-                       readableLength(broken.length) + " of the crack's border, as at " +
-                       formatReal(broken.middle[0]) + ", " + formatReal(broken.middle[1]) + ", " +
-                       formatReal(broken.middle[2]) +
-                       ", so it is treated as broken through there and no energy release is found; use "
-                       "smaller cells (Domain > Cell Size), or let the crack end at the surface");
+    warnings.push_back(
+        where + ": less than a cell of material is left ahead of " + readableLength(broken.length) +
+        " of the crack's border, as at " + formatReal(broken.middle[0]) + ", " +
+        formatReal(broken.middle[1]) + ", " + formatReal(broken.middle[2]) + ", where cells are " +
+        readableLength(cell) +
+        ", so it is treated as broken through there and no energy release is found; use "
+        "smaller cells there (Domain > Cell Size, Adaptivity), or let the crack end at the surface");
 }
 
 surface::CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,

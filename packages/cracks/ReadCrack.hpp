@@ -45,8 +45,8 @@ surface::CrackMesh<D> readCrack(const Teuchos::ParameterList& list, const std::s
                                 const ReadingContext<D>& context, std::vector<std::string>& warnings);
 
 /// Warns where edges of a crack in 3D are too near to a surface of the body to be fronts.
-/// \param where parameter's path \param warnings are added to
-void warnOfLigament(const surface::BrokenLigament& broken, const std::string& where,
+/// \param where parameter's path \param cell size of cells at fronts [m] \param warnings are added to
+void warnOfLigament(const surface::BrokenLigament& broken, const std::string& where, double cell,
                     std::vector<std::string>& warnings);
 
 /// The 3D ones. A polygon must be flat to a hundredth of a cell; the rim of a disk is a polygon of its area

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <set>
 #include <stdexcept>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 #include <zlib.h>
@@ -222,10 +223,15 @@ void History::close()
     return;
   if (!held_.empty() && lost_.empty())
     flush();
+  struct stat now = {};
+  const bool known = fstat(fileno(file_.get()), &now) == 0 && S_ISREG(now.st_mode);
   if (std::fclose(file_.release()) != 0)
     throw OutputError(path_ + " can't be written: " + std::strerror(errno));
   if (!lost_.empty())
     throw OutputError(lost_);
+  if (known && (now.st_nlink == 0 || now.st_size != written_.bytes))
+    throw OutputError(path_ + " was " + (now.st_nlink == 0 ? "removed" : "changed") +
+                      " by another program during the run, so rows are missing");
 }
 
 } // namespace Rhegma

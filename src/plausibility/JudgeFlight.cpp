@@ -157,7 +157,9 @@ private:
     const Vector<D> extents = group.bounds.upper - group.bounds.lower;
     const double size = *std::max_element(extents.c, extents.c + D), far = norm(by);
     // Fifty times its stretch is where waves have crossed the body ten times: c^2 T^2 / (2 L^2).
-    constexpr double flies = 50.0, unbalanced = 0.1, visible = 0.03; // of its length
+    constexpr double flies = 50.0, unbalanced = 0.1;
+    // Of its length; a run that waits for rest gets there only without any such motion.
+    const double visible = judged_.state.clock.stopWhenSettled ? 0.0 : 0.03;
     const double stretch = stretchOf(pushed);
     const bool carried =
         far > std::max(flies * stretch, visible * size) && far * group.mass > unbalanced * pushed.moments;

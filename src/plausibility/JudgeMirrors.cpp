@@ -5,6 +5,7 @@
 #include "plausibility/Judges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma
 {
@@ -89,12 +90,41 @@ std::string messageOn(const Mirror& mirror, const std::string& body, double part
               : "cut the body at the plane, move the plane to its surface, or leave it out for a whole body");
 }
 
+/// Planes of symmetry that a scene has twice: the second adds nothing, and probably another was meant.
+Messages repeatedMirrors(const ParameterList& scene, double slack)
+{
+  Messages messages;
+  if (!scene.isSublist("Boundaries"))
+    return messages;
+  std::vector<Mirror> earlier;
+  for (const std::string& name : sublistNames(scene.sublist("Boundaries")))
+  {
+    const ParameterList& list = scene.sublist("Boundaries").sublist(name);
+    if (list.get<std::string>("Type") != "Symmetry")
+      continue;
+    const Mirror mirror{name, list.get<std::string>("Axis")[0] - 'x', list.get<double>("Position"), false,
+                        false};
+    const auto same = std::find_if(earlier.begin(), earlier.end(),
+                                   [&](const Mirror& other) {
+                                     return other.axis == mirror.axis &&
+                                            std::fabs(other.position - mirror.position) <= slack;
+                                   });
+    if (same != earlier.end())
+      messages.push_back("Boundaries > " + name + ": it is the same plane as Boundaries > " + same->name +
+                         ", " + std::string(1, static_cast<char>('x' + mirror.axis)) + " = " +
+                         readableLength(mirror.position) +
+                         ", so it adds nothing; check Axis and Position, or leave one of them out");
+    earlier.push_back(mirror);
+  }
+  return messages;
+}
+
 } // namespace
 
 template <int D>
 Messages judgeMirrors(const JudgedScene<D>& judged)
 {
-  Messages messages;
+  Messages messages = repeatedMirrors(judged.scene, 0.05 * judged.state.mesh.grid.spacing);
   if (!judged.state.method.mechanics)
     return messages;
   std::vector<Mirror> mirrors = reachedMirrors(judged);

@@ -66,6 +66,28 @@ char axisAcross(const std::set<int>& cracks, const State<D>& state)
   return static_cast<char>('x' + (std::max_element(sizes.c, sizes.c + D) - sizes.c));
 }
 
+/// Bodies next to one, which hold its pieces as supports do: bodies that touch have one motion.
+template <int D>
+std::vector<BoundaryRegion> neighboursOf(std::size_t body, const std::vector<BodyMeasure<D>>& bodies,
+                                         char axis)
+{
+  std::vector<BoundaryRegion> regions;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    BoundaryRegion region;
+    region.kind = BoundaryRegion::Kind::Held;
+    region.axes = std::string(1, axis);
+    for (int d = 0; d < D; ++d)
+    {
+      region.from[d] = bodies[b].lower[d];
+      region.to[d] = bodies[b].upper[d];
+    }
+    if (b != body)
+      regions.push_back(region);
+  }
+  return regions;
+}
+
 /// The supports that hold an axis.
 std::vector<BoundaryRegion> holding(char axis, std::vector<BoundaryRegion> supports)
 {
@@ -104,7 +126,10 @@ Messages judgeSevered(const JudgedScene<D>& judged)
     if (cutters.empty())
       continue;
     const char axis = axisAcross(cutters, state);
-    if (!anyUnsupported(holding(axis, supports), pieces.all(), state.mesh.grid.spacing))
+    std::vector<BoundaryRegion> holders = holding(axis, supports);
+    for (const BoundaryRegion& neighbour : neighboursOf(b, judged.bodies, axis))
+      holders.push_back(neighbour);
+    if (!anyUnsupported(holders, pieces.all(), state.mesh.grid.spacing))
       continue;
     const Piece<D>& smallest = pieces.smallest();
     messages.push_back(namesOf(cutters, state) + ": at the start Bodies > " + judged.bodies[b].name +

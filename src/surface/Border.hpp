@@ -18,14 +18,16 @@ enum class BorderKind
 /// The kind of a border edge by its middle [m].
 using KindOfBorder = std::function<BorderKind(const Vector<3>&)>;
 
-/// Edges with some material ahead of them, but less than for a cell, that count as surface-breaking.
+/// Edges with some material ahead of them, but less than for a cell, that count as surface-breaking: along
+/// more than a cell, because each front that leaves a body obliquely has less material ahead at its end.
 struct BrokenLigament
 {
   double length = 0.0; ///< of the edges together [m]
   Vector<3> middle{};  ///< of the longest edge [m]
 };
 
-/// Finds what lies beyond the edges of a surface whose triangles have one orientation.
+/// Finds what lies beyond the edges of a surface whose triangles have one orientation. Where material is
+/// missing along less than a cell between two fronts, they are one.
 /// \param bodies where there is material \param cell its size [m]
 /// \return what FrontIfMaterialAhead left as surface-breaking, though the body goes on
 BrokenLigament markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>& bodies, double cell);

@@ -25,6 +25,11 @@ TEST(Border, IsAFrontWhereMaterialIsAhead)
   markBorder(
       mesh, [](const Vector<3>&) { return BorderKind::Front; }, isIn, 1.0);
   EXPECT_EQ(mesh.beyond[0][0], facet::front);
+  const auto nearly = [](const Vector<3>& x) { return x[0] < 1.999; };
+  const BrokenLigament oblique = markBorder(
+      mesh, [](const Vector<3>&) { return BorderKind::FrontIfMaterialAhead; }, nearly, 1.001);
+  EXPECT_EQ(mesh.beyond[0][0], facet::front); // an edge shorter than a cell between two fronts
+  EXPECT_EQ(oblique.length, 0.0);
   const BrokenLigament none = markBorder(
       mesh, [](const Vector<3>&) { return BorderKind::SurfaceBreaking; }, isIn, 1.0);
   EXPECT_EQ(none.length, 0.0);
