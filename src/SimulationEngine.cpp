@@ -85,10 +85,12 @@ public:
   {
     if (!run_->state().method.equilibrium() || !summary.contains("propagation"))
       return;
-    nlohmann::json& growth = summary["propagation"];
-    const double required = growth.value("energy_of_new_faces", 0.0);
-    if (required > 0.0)
-      growth["residual_fraction"] = run_->energyWatch().residualOfGrowth() / required;
+    const EnergyWatch& watch = run_->energyWatch();
+    nlohmann::json& fraction = summary["propagation"]["residual_fraction"];
+    if (watch.fractureOfGrowth() > 0.0)
+      fraction = watch.residualOfGrowth() / watch.fractureOfGrowth();
+    else // the first sample with growth is one in which a front has ended
+      fraction = nullptr;
   }
 
   nlohmann::json report(std::size_t mostBodies) const override
@@ -101,8 +103,7 @@ public:
         state.method.equilibrium()
             ? watch.warningInEquilibrium(
                   {state.cracks.growth.area > 0.0, state.method.analysis == Analysis::LoadFactor,
-                   anyEnded(state.cracks), isNonlinear(state),
-                   state.method.heldTemperatures && state.method.analysis == Analysis::Static})
+                   anyEnded(state.cracks), isNonlinear(state), state.energy.heat != 0.0})
             : watch.warning(state.method.picFraction > 0.0, state.clock.step, state.mesh.subcycledLevels);
     if (!ofEnergy.empty() && state.failure.empty())
       summary["warnings"].push_back(ofEnergy);

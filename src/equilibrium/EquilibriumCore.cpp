@@ -175,7 +175,8 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   if (!last.trial && state.failure.empty())
     state.failure = failureOfFreePieces(report, isNew);
   if (last.trial)
-    warnOfFreePieces(report, isNew, state, account);
+    warnOfFreePieces(
+        report, [](const FreePiece&) { return false; }, state, account);
   if (last.trial || !report.converged || !state.failure.empty())
     return;
   if (!report.freeMotion.empty())

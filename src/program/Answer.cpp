@@ -114,13 +114,14 @@ std::pair<double, bool> largestOf(const nlohmann::json& energy, bool isEquilibri
 std::string noteOnResidual(const nlohmann::json& summary, bool heated, double fraction)
 {
   const bool flows = numberOrZero(summary["energy"], "plastic") > 0.0;
+  if (isUnstableGrowth(summary))
+    return "; this includes what unstable growth of cracks under given loads releases above the toughness; "
+           "it "
+           "would become motion";
   if (heated && !flows && fraction > noticeable)
-    return "; the work of thermal strain is found with an error of the order of that strain, which more load "
-           "steps reduce (Time > Analysis = Quasi-Static); stresses do not have this error";
-  return isUnstableGrowth(summary)
-             ? "; this includes what unstable growth of cracks under given loads releases "
-               "above the toughness; it would become motion"
-             : "";
+    return "; a part of this can be the error in the work of thermal strain, which is small only if "
+           "temperatures change over several load steps; stresses do not have this error";
+  return {};
 }
 
 /// What the energy balance does not account for, of its largest term.

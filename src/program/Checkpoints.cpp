@@ -18,8 +18,9 @@ namespace
 /// A copy in memory is made when the time since the last one is this multiple of its cost.
 constexpr int timeBetweenCopies = static_cast<int>(1.0 / costOfCopies);
 
-/// Copies that are made whatever they cost, so that a short run that fails is not lost as a whole.
-constexpr double copiesAtLeast = 5.0;
+/// Copies that a run makes so that a short one that fails is not lost as a whole, and the time that they may
+/// take together [s].
+constexpr double copiesAtLeast = 5.0, secondsOfCopies = 0.01;
 
 } // namespace
 
@@ -50,12 +51,14 @@ void Checkpoints::afterSample()
   const Clock::time_point end = Clock::now();
   nextHold_ = end + timeBetweenCopies * (end - begin);
   ++cost_.copies;
+  secondsOfCopies_ += std::chrono::duration<double>(end - begin).count();
   cost_.seconds += std::chrono::duration<double>(end - begin).count();
 }
 
 bool Checkpoints::copyIsDue(Clock::time_point now) const
 {
-  return now >= nextHold_ || simulation_.time() >= simulation_.heldTime() + longestWithoutCopy_;
+  return now >= nextHold_ || (secondsOfCopies_ < secondsOfCopies &&
+                              simulation_.time() >= simulation_.heldTime() + longestWithoutCopy_);
 }
 
 bool Checkpoints::historyIsWritten()
@@ -150,8 +153,8 @@ std::string Checkpoints::atFailure()
   {
     if (simulation_.holds() && isAhead(simulation_.heldTime()))
       writeCopy();
-    else if (written_ < 0.0 && !simulation_.holds())
-      why = history_.whyLost().empty() ? "the energy balance was never sound" : history_.whyLost();
+    else if (written_ < 0.0)
+      why = whyNone();
   }
   catch (const std::bad_alloc&)
   {
@@ -164,6 +167,13 @@ std::string Checkpoints::atFailure()
   if (why.empty())
     return whereToGoOn();
   return whereToGoOn() + "; no " + (written_ < 0.0 ? "" : "later ") + "checkpoint could be written: " + why;
+}
+
+std::string Checkpoints::whyNone() const
+{
+  if (simulation_.holds())
+    return simulation_.time() > longestWithoutCopy_ ? "no state after the start was copied" : "";
+  return history_.whyLost().empty() ? "the energy balance was never sound" : history_.whyLost();
 }
 
 std::string Checkpoints::whereToGoOn() const

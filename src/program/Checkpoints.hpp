@@ -22,7 +22,8 @@ constexpr double costOfCopies = 1.0 / 400.0;
 ///
 /// A failure is detected within a step, when the state is inconsistent, and its cause may be much earlier.
 /// Therefore a copy of the state is stored in memory at samples with a sound energy balance, as often as
-/// costOfCopies allows and at each fifth of the run's simulated time; it is written when the run fails. The history up to a copy is in
+/// costOfCopies allows and, in short runs, at each fifth of the simulated time; it is written when the run
+/// fails. The history up to a copy is in
 /// its file before the copy is made, so that the copy can be used when later rows can't be written.
 class Checkpoints
 {
@@ -75,6 +76,8 @@ private:
   bool isAhead(double time) const { return time > written_ && time > 0.0; }
   void write();
   void writeCopy();
+  /// Why no checkpoint can be written of a run that has written none; empty where none was due.
+  std::string whyNone() const;
   std::string whereToGoOn() const;
 
   bool wanted_;
@@ -90,6 +93,7 @@ private:
   Clock::time_point lastWrite_; ///< or the start
   Clock::time_point nextHold_;  ///< no copy before, but at fifths of the run
   double longestWithoutCopy_;   ///< a fifth of the run [s]
+  double secondsOfCopies_ = 0.0;
   Cost cost_;
 };
 

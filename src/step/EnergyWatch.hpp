@@ -16,11 +16,11 @@ namespace Rhegma
 /// What the energy balance of an analysis of equilibrium depends on, in addition to energies.
 struct GrowthInEquilibrium
 {
-  bool grown = false;        ///< whether cracks have grown
-  bool factor = false;       ///< whether loads are such that fronts advance at their toughness
-  bool ended = false;        ///< whether a whole front has reached a surface or another crack
-  bool nonlinear = false;    ///< whether bodies flow plastically or strains are large
-  bool heatedAtOnce = false; ///< whether the first load step has the temperatures of the end
+  bool grown = false;     ///< whether cracks have grown
+  bool factor = false;    ///< whether loads are such that fronts advance at their toughness
+  bool ended = false;     ///< whether a whole front has reached a surface or another crack
+  bool nonlinear = false; ///< whether bodies flow plastically or strains are large
+  bool heated = false;    ///< whether bodies got or gave heat
 };
 
 /// Checks the energy balance from sample to sample. An unstable step multiplies the energy of a few
@@ -39,26 +39,35 @@ public:
 
   /// The same in equilibrium. Heat is not counted as supplied, as some millionths of it become mechanical
   /// energy; where there is heat, what bodies store and dissipate mechanically is counted.
-  /// \param ofPath what the work of thermal strain may miss (errorOfThermalPath) [J]
+  /// \param ofPath what the work of thermal strain may miss if the temperatures of this sample came in one
+  /// load step (errorOfThermalPath) [J]
   void sampleOfEquilibrium(const EnergyBalance& energy, bool ended, double ofPath)
   {
     supply(energy, energy.roundOff, 0.0);
+    heat_ = std::max(heat_, std::fabs(energy.heat));
     if (energy.heat != 0.0)
     {
+      // The cube root is proportional to temperatures, of which those of the load step count.
+      const double root = std::cbrt(ofPath), change = std::fabs(root - pathRoot_);
+      pathRoot_ = root;
+      pathError_ += change * change * change;
       const double has = energy.strain + energy.plastic + energy.fracture;
-      exchanged_ = std::max(exchanged_, has + (ofPath + energy.roundOff) / noticeable);
+      exchanged_ = std::max(exchanged_, has + (pathError_ + energy.roundOff) / noticeable);
       supplied_ = std::max(supplied_, has);
     }
     watch(energy, ended);
   }
 
   /// Whether the run, up to the last sample, has created no more energy than it was given: a state worth
-  /// storing.
-  bool sound() const { return std::isfinite(residual_) && residual_ <= exchanged_; }
+  /// storing. In equilibrium heat counts here, because a balance that is open by the work of thermal strain
+  /// does not make a state wrong.
+  bool sound() const { return std::isfinite(residual_) && residual_ <= exchanged_ + heat_; }
 
   /// What cracks had left open in the balance up to where a front reaches a surface, less what was open
   /// before they grew [J]: in equilibrium, where the load steps before may leave more than the growth.
   double residualOfGrowth() const { return ofGrowth_ - beforeGrowth_; }
+  /// The energy of new faces up to the same sample [J].
+  double fractureOfGrowth() const { return fracture_; }
 
   void serialize(Archive& archive)
   {
@@ -71,6 +80,9 @@ public:
     archive("fracture", fracture_);
     archive("before_growth", beforeGrowth_);
     archive("of_growth", ofGrowth_);
+    archive("heat", heat_);
+    archive("path_error", pathError_);
+    archive("path_root", pathRoot_);
   }
 
   /// \param subcycledLevels of the state
@@ -141,7 +153,7 @@ private:
   {
     residual_ = energy.residual();
     largest_ = std::max(largest_, residual_);
-    bursts_ = residual_ > burst * exchanged_ ? bursts_ + 1 : 0;
+    bursts_ = residual_ > burst * (exchanged_ + heat_) ? bursts_ + 1 : 0;
     now_ = energy.kinetic + energy.strain;
     if (ended)
       return;
@@ -192,10 +204,10 @@ private:
     return std::string(
                "in a load step forces are taken to rise in proportion to displacements, which does not "
                "hold for plastic flow or large strain; use ") +
-           (growth.heatedAtOnce
-                ? "Time > Analysis = Quasi-Static and temperatures that change over several load "
-                  "steps (History), as Static has those of the end in its first one"
-                : "more Time > Load Steps");
+           (growth.heated ? "temperatures that change over several load steps (Time > Analysis = "
+                            "Quasi-Static, with History of the boundaries that prescribe them), because the "
+                            "first load step has all of those that are constant"
+                          : "more Time > Load Steps");
   }
 
   /// Of the energy supplied; of what was exchanged, where the bodies only gave energy.
@@ -209,6 +221,9 @@ private:
   double residual_ = 0.0, largest_ = 0.0, now_ = 0.0;
   double fracture_ = 0.0; ///< dissipated by new faces, up to where a front reaches a surface
   double beforeGrowth_ = 0.0, ofGrowth_ = 0.0; ///< residual before cracks grew, and with `fracture_`
+  double heat_ = 0.0;                          ///< largest that bodies had got or given in equilibrium [J]
+  double pathError_ = 0.0;                     ///< what the work of thermal strain may have missed so far [J]
+  double pathRoot_ = 0.0; ///< cube root of what it would have missed in one load step [J^(1/3)]
   int bursts_ = 0;
 };
 

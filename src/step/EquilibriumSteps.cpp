@@ -116,15 +116,24 @@ void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
 template <int D>
 void EquilibriumSteps<D>::trySolve(Plan<D>& plan, State<D>& state, bool onlyLoads)
 {
+  const auto factor = state.clock.factor;
+  struct Restore // also after an exception: nothing has moved
+  {
+    decltype(last_)& last;
+    decltype(state.clock.factor)& current;
+    decltype(state.clock.factor) before;
+    ~Restore()
+    {
+      last->trial = last->onlyLoads = false;
+      current = before;
+    }
+  } const restore{last_, state.clock.factor, factor};
   last_->trial = true;
   last_->onlyLoads = onlyLoads;
   state.clock.dt = std::min(steps_.next, state.clock.finalTime - state.clock.time);
-  const auto factor = state.clock.factor;
   state.clock.factor = {factor.end, factor.end + 0.01};
   runBetweenSteps(plan, state);
   runStages(plan, state, {Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
-  last_->trial = last_->onlyLoads = false;
-  state.clock.factor = factor; // nothing has moved
 }
 
 template <int D>
