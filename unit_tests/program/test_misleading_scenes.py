@@ -110,6 +110,37 @@ class EdgesNearASurface(MisleadingTest):
         self.none(self.said(block(points, **{"Front Edges": [2]})), "material is left ahead")
 
 
+class PlanesAndPieces(MisleadingTest):
+    def test_a_plane_of_symmetry_that_is_given_twice(self):
+        scene = bare().set("Boundaries", {"Left": {"Type": "Symmetry", "Axis": "x", "Position": 0.0},
+                                          "Low": {"Type": "Symmetry", "Axis": "y", "Position": 0.0}})
+        self.none(self.said(scene), "the same plane")
+        line = self.one(self.said(scene.set("Boundaries > Low > Axis", "x")), "^warning: Boundaries > L[eo][fw].* is the same plane")
+        self.assertIn("so it adds nothing; check Axis and Position", line)
+
+    def test_a_piece_that_another_body_holds_is_not_free(self):
+        """The crack divides the left body and ends in the right one."""
+        end = self.rng.uniform(0.6, 0.7)  # the bodies meet at 0.5
+        scene = bare().set("Cracks", {"Notch": {"Points": [0.0, 0.52, end, 0.52]}})
+        scene.set("Bodies > Plate > Upper Corner", [0.5, 1.0])
+        load = {"Type": "Traction", "From": [0.0, 1.0], "To": [0.5, 1.0], "Stress": [0.0, 1e5], "Body": "Plate"}
+        low = {**load, "From": [0.0, 0.0], "To": [0.5, 0.0], "Stress": [0.0, -1e5]}
+        scene.set("Boundaries", {"High": load, "Low": low})
+        self.one(self.said(scene), "is cut in 2 pieces")
+        scene.set("Bodies > Right", {"Material": "Polymer", "Shape": "Box", "Lower Corner": [0.5, 0.0], "Upper Corner": [1.0, 1.0],
+                                     "Bonded To": "Plate"})
+        self.none(self.said(scene), "is cut in 2 pieces")
+
+    def test_drift_of_a_run_that_waits_for_rest(self):
+        """Two tractions along the same direction: the body drifts by less than 3 % of its length."""
+        scene = bare().set("Time > Final Time", 1e-2)
+        load = {"Type": "Traction", "Body": "Plate", "From": [0.0, 1.0], "To": [1.0, 1.0], "Stress": [0.0, self.rng.uniform(50.0, 100.0)]}
+        scene.set("Boundaries", {"High": load, "Low": {**load, "From": [0.0, 0.0], "To": [1.0, 0.0]}})
+        self.none(self.said(scene), "no load balances it")
+        scene.set("Damping", {"Mass Rate": 100.0, "Stop When Settled": True})
+        self.one(self.said(scene), "no load balances it")
+
+
 def bimaterial(modulus, border=0.7):
     """The notch of the plate runs to the right, where another material begins."""
     scene = bare().set("Cracks", {"Notch": {"Points": [0.0, 0.52, 0.32, 0.52]}}).set("Energy Release", {"Crack Closure": False})
