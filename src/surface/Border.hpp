@@ -30,6 +30,7 @@ struct BrokenLigament
 /// missing along less than a cell between two fronts, they are one.
 /// \param bodies where there is material \param cell its size [m]
 /// \return what FrontIfMaterialAhead left as surface-breaking, though the body goes on
-BrokenLigament markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>& bodies, double cell);
+BrokenLigament markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>& bodies,
+                          double cell);
 
 } // namespace Rhegma::surface

@@ -64,9 +64,9 @@ def of_polyline(points, front, cell, where):
     length = math.dist(end, inner)
     along = min(abs(e - i) for e, i in zip(end, inner)) < ALONG * length
     far = cell if along else STEP * cell
-    if length < 2.0 * far:
-        raise Problem(f"{where}: its last segment is {length:g} m long, and must be {2.0 * far:g} m or longer, so that the crack can be "
-                      f"shorter by {far:g} m.")
+    if length < 2.0 * far * (1.0 - 1e-9):
+        raise Problem(f"{where}: its last segment is {length:.9g} m long, and must be {2.0 * far:.9g} m or longer, so that the crack can be "
+                      f"shorter by {far:g} m, {far / cell:g} cells; use smaller cells, or draw the crack with one long last segment.")
     changed = []
     for step in (-far, far):
         moved = list(points)
