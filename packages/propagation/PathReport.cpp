@@ -5,6 +5,7 @@
 #include "base/ShortNumber.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma::propagation
 {
@@ -62,6 +63,41 @@ void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summar
 
 } // namespace
 
+double hoopStressLoad(double turn)
+{
+  const double t = std::min(std::fabs(turn), std::acos(1.0 / 3.0) - 1e-6);
+  const double shear = std::sin(t) / (3.0 * std::cos(t) - 1.0); // K_II / K_I, where the shear stress is zero
+  const double half = std::cos(0.5 * t);
+  return std::sqrt(1.0 + shear * shear) / (half * half * half + 1.5 * shear * half * std::sin(t));
+}
+
+namespace
+{
+
+/// The largest angle by which a front turned as it started [rad].
+double largestTurn(const nlohmann::json& summary)
+{
+  double largest = 0.0;
+  for (const nlohmann::json& crack : summary.value("cracks", nlohmann::json::array()))
+    for (const nlohmann::json& front : crack.value("fronts", nlohmann::json::array()))
+      if (const auto turn = front.find("first_turn"); turn != front.end() && turn->is_number())
+        largest = std::max(largest, std::fabs(turn->get<double>()));
+  return largest * std::atan(1.0) / 45.0;
+}
+
+/// What shear does to the load at which cracks start, if it is more than half a per cent; empty otherwise.
+std::string shearAsText(double factor, double turn)
+{
+  const double load = hoopStressLoad(turn);
+  if (load > 0.995)
+    return {};
+  return "; a front turned by " + formatShort(turn * 45.0 / std::atan(1.0)) +
+         " degrees as it started: by the largest hoop stress it starts at " + formatShort(load) +
+         " of this load, at " + formatShort(load * factor) + " times the loads of Time > Final Time";
+}
+
+} // namespace
+
 PathEvents eventsOf(const std::vector<PathState>& path)
 {
   PathEvents events;
@@ -105,6 +141,7 @@ void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor,
   std::string text = "cracks start at " + formatShort(path.front().factor) +
                      " times the loads of Time > Final Time; the largest factor is " +
                      asText(path[events.largest]);
+  text += shearAsText(path.front().factor, largestTurn(summary));
   if (events.falls < 0)
     text += path.size() > 1 ? "; growth is stable under these loads" : "";
   else

@@ -29,8 +29,15 @@ struct PathEvents
 /// The events of a path whose loads have a factor.
 PathEvents eventsOf(const std::vector<PathState>& path);
 
+/// Load at which the largest hoop stress makes a front start and turn, over that at which G of a straight
+/// extension reaches the toughness (Erdogan and Sih, J. Basic Eng. 85 (1963) 519). \param turn angle by which
+/// it turns, of either sign, at most that of shear alone, 70.5 degrees [rad]
+double hoopStressLoad(double turn);
+
 /// Adds to `propagation` of the summary, and to the answers, at which load cracks start, which is the
-/// largest, and where growth is unstable. \param hasFactor whether the loads have a factor
+/// largest, and where growth is unstable; where a front turned as it started, also the lower load at which
+/// the largest hoop stress makes it start. \param hasFactor whether the loads have a factor
+/// \param summary with `first_turn` of fronts
 void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor, nlohmann::json& summary);
 
 /// Saves or loads the path.

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include <cmath>
+
 using namespace Rhegma;
 using namespace Rhegma::propagation;
 
@@ -82,4 +84,33 @@ TEST(PathReport, OfGivenLoadsFindsWhereGRises)
   summary.clear();
   reportPathOfEquilibrium(path, false, summary);
   EXPECT_TRUE(summary["propagation"]["unstable_from"].is_null());
+}
+
+/// In shear alone a crack starts at K_II = sqrt(3)/2 K_Ic, turned by arccos(1/3); without shear at K_Ic.
+/// Between them K_I and K_II of the angle satisfy both equations of Erdogan and Sih.
+TEST(PathReport, LoadOfTheLargestHoopStress)
+{
+  EXPECT_EQ(hoopStressLoad(0.0), 1.0);
+  EXPECT_NEAR(hoopStressLoad(-std::acos(1.0 / 3.0)), 0.5 * std::sqrt(3.0), 1e-6);
+  for (const double ratio : {0.1, 0.25, 0.5, 1.0, 3.0}) // K_II / K_I
+  {
+    const double t = 2.0 * std::atan((1.0 - std::sqrt(1.0 + 8.0 * ratio * ratio)) / (4.0 * ratio));
+    const double hoop = std::pow(std::cos(0.5 * t), 3) - 1.5 * ratio * std::cos(0.5 * t) * std::sin(t);
+    EXPECT_NEAR(hoopStressLoad(t), std::sqrt(1.0 + ratio * ratio) / hoop, 1e-9);
+  }
+}
+
+TEST(PathReport, NamesTheLoadOfFrontsThatTurn)
+{
+  const std::vector<PathState> path{{0.0, 2.0, 1.0, 0.0, 0.0}};
+  nlohmann::json summary = {
+      {"cracks", {{{"fronts", {{{"first_turn", nullptr}}, {{"first_turn", -41.04}}}}}}}};
+  reportPathOfEquilibrium(path, true, summary);
+  const auto text = summary["answers"][0].get<std::string>();
+  EXPECT_NE(text.find("turned by 41.04 degrees"), std::string::npos) << text;
+  EXPECT_NE(text.find("at 0.8663 of this load, at 1.733 times"), std::string::npos) << text;
+  summary["cracks"][0]["fronts"][1]["first_turn"] = 2.0;
+  summary["answers"].clear();
+  reportPathOfEquilibrium(path, true, summary);
+  EXPECT_EQ(summary["answers"][0].get<std::string>().find("turned by"), std::string::npos);
 }
