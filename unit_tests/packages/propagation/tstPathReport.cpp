@@ -6,8 +6,6 @@
 
 #include <cmath>
 
-#include <cmath>
-
 using namespace Rhegma;
 using namespace Rhegma::propagation;
 
