@@ -20,7 +20,7 @@ constexpr int timeBetweenCopies = static_cast<int>(1.0 / costOfCopies);
 
 /// Copies that a run makes so that a short one that fails is not lost as a whole, and the time that they may
 /// take together [s].
-constexpr double copiesAtLeast = 5.0, secondsOfCopies = 0.01;
+constexpr double copiesAtLeast = 5.0, secondsOfCopies = 0.1;
 
 } // namespace
 

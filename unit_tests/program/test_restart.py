@@ -35,7 +35,8 @@ class GoesOn(RestartTest):
         with open(os.path.join(broken, "summary.json")) as file:
             summary = json.load(file)
         # A step without a sample is followed by one more, for the last row of the history; the run that continues has not made it.
-        self.assertIn(round((summary["time"] - stopped) / (summary["time"] / summary["steps"]), 6), (0.0, 1.0))
+        # Steps differ a little, with the speed of waves in strained particles.
+        self.assertIn(round((summary["time"] - stopped) / (summary["time"] / summary["steps"]), 2), (0.0, 1.0))
         self.assertLess(stopped, END)
         # Into a folder of its own, then in place.
         self.run_to_its_end(path, self.path("elsewhere"), "--restart", checkpoint)

@@ -117,7 +117,7 @@ LOADS = [
     ("wall_between_nodes",
      plate().set("Boundaries > Wall", {"Type": "Velocity", "Lower Corner": [0.01, 0.01], "Upper Corner": [0.04, 0.04],
      "Value": [0.0, 0.0]}),
-     one("Boundaries > Wall", "no grid node", "cell thick")),
+     one("Boundaries > Wall", "no grid node", "nearest row of nodes")),
     ("wall_outside_of_the_domain",
      plate().set("Boundaries > Wall", {"Type": "Velocity", "Lower Corner": [3.0, 3.0], "Upper Corner": [4.0, 4.0],
      "Value": [0.0, 0.0]}),
