@@ -44,8 +44,8 @@ template <int D>
 void toMotion(const NewtonStep<D>& step, State<D>& state)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const RowGraph graph = step.graph();
-  const Values displacement = step.displacement(), reaction = step.reaction();
+  const RowGraph& graph = step.graph();
+  const Values &displacement = step.displacement(), &reaction = step.reaction();
   const double perTime = 1.0 / state.clock.dt;
   Kokkos::parallel_for(
       "rhegma::equilibrium::motion", Kokkos::RangePolicy<ExecSpace>(0, graph.rows),
