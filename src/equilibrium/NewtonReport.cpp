@@ -15,7 +15,7 @@ namespace Rhegma::equilibrium
 template <int D>
 Values NewtonStep<D>::forcesOfStart(const State<D>& state, const Values& atStart) const
 {
-  const Values minusStored("rhegma::equilibrium::stored", D * graph_.rows);
+  Values minusStored("rhegma::equilibrium::stored", D * graph_.rows);
   if (state.materials.thermo.empty())
     return minusStored;
   const Values none("rhegma::equilibrium::none", D * graph_.rows),
