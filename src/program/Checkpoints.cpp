@@ -57,8 +57,9 @@ void Checkpoints::afterSample()
 
 bool Checkpoints::copyIsDue(Clock::time_point now) const
 {
-  return now >= nextHold_ || (secondsOfCopies_ < secondsOfCopies &&
-                              simulation_.time() >= simulation_.heldTime() + longestWithoutCopy_);
+  const bool isFree =
+      cost_.copies < 2 || secondsOfCopies_ < secondsOfCopies; // the second: the first after the start
+  return now >= nextHold_ || (isFree && simulation_.time() >= simulation_.heldTime() + longestWithoutCopy_);
 }
 
 bool Checkpoints::historyIsWritten()
