@@ -158,7 +158,7 @@ nlohmann::json compare(const std::string& name, const Teuchos::ParameterList& en
   result["reference"] = reference;
   result["tolerance"] = tolerance;
   result["source"] = entry.get<std::string>("Source");
-  if (problem.empty() && hasLoadFactor(summary) && isTimeOfGrowth(quantity))
+  if (hasLoadFactor(summary) && isTimeOfGrowth(quantity))
   {
     result["value"] = result["relative_error"] = result["within"] = nullptr;
     result["left_out"] = "with Propagation > Load Control = Load Factor times only count load steps; compare "
