@@ -82,7 +82,7 @@ int start(int argc, char** argv, std::ostream& out, std::ostream& err)
 int main(int argc, char** argv)
 {
   bindThreads(argv);
-  startWithoutHelper();
+  startWithoutNetwork();
   outliveReaders();
   MPI_Init(&argc, &argv);
   int rank = 0;

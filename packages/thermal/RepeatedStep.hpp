@@ -7,18 +7,17 @@ namespace Rhegma::thermal
 {
 
 /// What a step of conduction changes, as it was before the step. A load step of equilibrium that does not
-/// converge is tried again with a part of its length, and conducts for that part only.
+/// converge is tried again with a part of its length, and conducts for that part only. Steps at one time that
+/// follow an accepted solution (increments of growth, forces that a motion left out of balance) start from it.
 template <int D>
 class RepeatedStep
 {
 public:
-  /// Before a step of conduction: keeps the state if the time is a new one, and takes it back if it is not.
+  /// Before a step of conduction: keeps the state, or takes it back if the last solution was not accepted.
   void begin(State<D>& state, Conduction<D>& conduction)
   {
     FieldTable& particles = state.particles;
-    const bool again = kept_ && time_ == state.clock.time && step_ == state.clock.step &&
-                       static_cast<int>(temperature_.extent(0)) == particles.size();
-    if (again)
+    if (isTried(state))
     {
       Kokkos::deep_copy(particles.scalar(fields::temperature), temperature_);
       Kokkos::deep_copy(particles.scalar(fields::internalEnergy), internal_);
@@ -47,8 +46,18 @@ public:
     frontTemperature_ = conduction.frontTemperature;
   }
 
+  /// After particles have taken the displacements of the solution.
+  void accept() { kept_ = false; }
+
 private:
-  bool kept_ = false;
+  /// Whether the kept state is that before this step.
+  bool isTried(const State<D>& state) const
+  {
+    return kept_ && time_ == state.clock.time && step_ == state.clock.step &&
+           static_cast<int>(temperature_.extent(0)) == state.particles.size();
+  }
+
+  bool kept_ = false; ///< by a step whose solution is not accepted yet
   double time_ = 0.0, heat_ = 0.0, pending_ = 0.0;
   long step_ = 0, stepsTaken_ = 0;
   View<double*> temperature_, internal_;

@@ -5,6 +5,7 @@
 #include "base/ReadList.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
+#include "plan/LastStage.hpp"
 #include "plan/LoadOverStep.hpp"
 #include "step/CoreStep.hpp"
 #include "thermal/CellsForSources.hpp"
@@ -265,6 +266,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
               {quantity::temperature, quantity::frontTemperature}, {},
               [run, bodies = Teuchos::ParameterList(scene.sublist("Bodies"))](State<D>& state)
               { conduct(state, bodies, *run); });
+  if (isEquilibrium(scene))
+    effect.call(Stage::AfterSolve, "acceptance of conduction", {}, {}, {},
+                [run](State<D>&) { run->repeated.accept(); });
   effect.call(Stage::Observe, "temperatures", {quantity::temperature, quantity::frontTemperature}, {}, {},
               [run](State<D>& state) { observe(state, *run); });
   effect.report = [run](const State<D>& state, nlohmann::json& summary)

@@ -9,12 +9,24 @@
 namespace Rhegma::program
 {
 
+namespace
+{
+
+/// Whether mpirun has started the program as one of its ranks.
+bool isUnderMpi()
+{
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr ||
+         std::getenv("PMI_SIZE") != nullptr;
+}
+
+} // namespace
+
 void bindThreads(char** argv)
 {
 #ifdef KOKKOS_ENABLE_OPENMP
   if (std::getenv("OMP_PROC_BIND") != nullptr)
     return;
-  const bool underMpi = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
+  const bool underMpi = isUnderMpi();
   setenv("OMP_PROC_BIND", underMpi ? "false" : "spread", 1);
   if (!underMpi)
     setenv("OMP_PLACES", "threads", 0);
@@ -25,7 +37,13 @@ void bindThreads(char** argv)
 #endif
 }
 
-void startWithoutHelper() { setenv("OMPI_MCA_ess_singleton_isolated", "1", 0); }
+void startWithoutNetwork()
+{
+  if (isUnderMpi())
+    return;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  setenv("OMPI_MCA_pml", "ob1", 0); // else UCX looks for devices, 0.2 s
+}
 
 void outliveReaders() { std::signal(SIGPIPE, SIG_IGN); }
 

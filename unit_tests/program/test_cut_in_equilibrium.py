@@ -77,6 +77,30 @@ class CutInTwo(EquilibriumTest):
         self.assertTrue(any(warning.startswith("energy.residual") for warning in summary["warnings"]), summary["warnings"])
         self.assertTrue(any("unstable growth of cracks under given loads" in line for line in summary["answers"]))
 
+    def test_heat_without_expansion_changes_nothing(self):
+        """Many increments of growth within one load step: each continues from the one before, with heat as without."""
+        draw = random.Random(SEED)
+        height, toughness = draw.uniform(0.505, 0.545), draw.uniform(80.0, 150.0)
+        summaries = []
+        for heats in (False, True):
+            scene = cut_plate(height).set("Propagation > Toughness", str(toughness))
+            if heats:
+                for name, value in (("Specific Heat", 800.0), ("Conductivity", 1.0), ("Thermal Expansion", 0.0)):
+                    scene.set("Materials > Polymer > " + name, value)
+                scene.set("Thermal", {"Initial Temperature": draw.uniform(250.0, 400.0), "Conduction": "Implicit"})
+            answer, summary = self.run_scene(scene)
+            self.assertEqual(answer.status, 0, answer)
+            summaries.append(summary)
+        plain, heated = summaries
+        self.assertGreater(plain["energy"]["fracture"], 0.3 * toughness)  # grown by more than 0.3 m of a thickness of 1 m
+        work = plain["energy"]["external_work"]
+        for name, value in plain["energy"].items():
+            self.assertAlmostEqual(heated["energy"][name] / work, value / work, delta=1e-9, msg=name)
+        for one, other in zip(plain["cracks"], heated["cracks"]):
+            for front, again in zip(one["fronts"], other["fronts"]):
+                for x, y in zip(front["position"], again["position"]):
+                    self.assertAlmostEqual(x, y, delta=1e-9)
+
 
 class EnergyOfFewLoadSteps(EquilibriumTest):
     def residual(self, scene):
