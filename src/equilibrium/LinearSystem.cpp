@@ -37,8 +37,10 @@ constexpr double mostOperationsAtLast = 1e12;
 template <int D>
 constexpr int leastMultigridUnknowns = D == 2 ? 50000 : 5000;
 
-/// A multigrid of an earlier matrix is replaced once it needs so many times its first iterations.
-constexpr int mostAged = 2;
+/// A multigrid of an earlier matrix is replaced after a system for which it needs so many times its first
+/// iterations, and within a system, which is then solved anew, beyond the second number of times: its set-up
+/// takes as long as some 30 iterations.
+constexpr int mostAged = 2, mostTooOld = 4;
 
 } // namespace
 
@@ -307,12 +309,13 @@ void LinearSystem<D>::makeMultigrid()
 }
 
 template <int D>
-SolveResult LinearSystem<D>::runGradients(const View<double*>& diagonal)
+SolveResult LinearSystem<D>::runGradients(const View<double*>& diagonal, int most)
 {
   return gradients_->solve([this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
                            { matrix_.multiply(columns_->of(x), y); },
                            [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
-                           { precondition(diagonal, x, y); });
+                           { precondition(diagonal, x, y); },
+                           most);
 }
 
 template <int D>
@@ -342,7 +345,7 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
   const bool old = multigrid_ != nullptr && method_ == Method::Multigrid;
   if (!old)
     makeMultigrid();
-  SolveResult result = runGradients(diagonal);
+  SolveResult result = runGradients(diagonal, old ? mostTooOld * iterationsWhenNew_ : 0);
   int iterations = result.iterations;
   if (old && !result.converged)
   {

@@ -87,7 +87,7 @@ private:
   LinearAnswer solveDirectly(bool symmetric);
   LinearAnswer finish(LinearAnswer answer, bool symmetric, const Values& change);
   LinearAnswer iterate(double enough);
-  SolveResult runGradients(const View<double*>& diagonal);
+  SolveResult runGradients(const View<double*>& diagonal, int most = 0);
 
   RowGraph graph_;
   RowOwners owners_;

@@ -5,6 +5,7 @@
 #include "base/UtcTime.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
+#include "plan/LastStage.hpp"
 #include "program/Budget.hpp"
 #include "program/CheckText.hpp"
 #include "program/Checkpoints.hpp"
@@ -35,6 +36,9 @@ constexpr double measuringSeconds = 1.0;
 
 /// A run with the copies of its state for a restart, as a multiple of one without.
 constexpr double copies = 1.0 + costOfCopies;
+
+/// Particles from which a load step takes so long that it is announced: tens of seconds.
+constexpr double slowParticles = 3e5;
 
 /// Where a machine is this busy, who reads a forecast should know.
 constexpr double busyMachine = 1.3;
@@ -218,64 +222,68 @@ std::string asText(const Forecast& forecast)
   return text + busy;
 }
 
-std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList& scene, const Ranks& ranks,
-                           const Forecast* own, double start)
+void printCostOfAccuracy(const Options& options, const Teuchos::ParameterList& scene, const Ranks& ranks,
+                         const Forecast* own, double start, std::ostream& out)
 {
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
   if (!domain.isType<std::string>("Accuracy"))
-    return {};
+    return;
   const std::string chosen = domain.get<std::string>("Accuracy");
-  const auto world = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
-  std::string text;
-  for (const std::string& name : {chosen, std::string("3 %"), std::string("10 %")})
+  std::vector<std::string> names = {chosen};
+  for (const char* const coarser : {"3 %", "10 %"})
+    if (chosen != coarser)
+      names.emplace_back(coarser);
+  for (const std::string& name : names)
     try
     {
-      if (!text.empty() && name == chosen)
-        continue;
       const double before = processorSeconds();
       Options other = options;
       other.overrides.push_back("Domain:Accuracy=" + name);
       const SceneResult result = readScene(other.scene, other.overrides, effectSchema());
       if (!result.errors.empty())
       {
-        text += "  with " + name + ": not possible: " + toString(result.errors.front()) + "\n";
+        out << "  with " << name << ": not possible: " << toString(result.errors.front()) << "\n";
         continue;
       }
-      if (const double number = estimateParticles(*result.list);
-          number > manyParticles && (own == nullptr || name != chosen))
+      const bool known = own != nullptr && name == chosen;
+      const std::string begin = (name == chosen ? "Accuracy " : "  with ") + name + ": ";
+      const double number = estimateParticles(*result.list);
+      if (number > manyParticles && !known)
       {
         char line[160];
-        std::snprintf(line, sizeof line, "%s%s: about %.2g million particles, too many to be timed first\n",
-                      name == chosen ? "Accuracy " : "  with ", name.c_str(), 1e-6 * number);
-        text += line;
+        std::snprintf(line, sizeof line, "about %.2g million particles, too many to be timed first\n",
+                      1e-6 * number);
+        out << begin << line << std::flush;
         continue;
       }
+      if (number > slowParticles && !known && name == chosen && isEquilibrium(*result.list))
+        out << "solving for a load step, to forecast the run\n" << std::flush;
       Forecast forecast;
       int particles = 0;
-      if (name == chosen && own != nullptr)
+      if (known)
       {
         forecast = *own;
         particles = own->rates.particles;
       }
       else
       {
+        const auto world = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
         Simulation simulation(world, result.list, true);
         simulation.initialize();
         particles = simulation.particles();
         forecast = makeForecast(simulation, *result.list, ranks, start + processorSeconds() - before);
       }
       if (forecast.rates.failure.empty())
-        text += (name == chosen ? "Accuracy " : "  with ") + name + ": " + costLine(particles, forecast);
+        out << begin << costLine(particles, forecast) << std::flush;
     }
     catch (const std::invalid_argument& refusal)
     {
-      text += "  with " + name + ": not possible: " + refusal.what() + "\n";
+      out << "  with " << name << ": not possible: " << refusal.what() << "\n";
     }
     catch (const std::bad_alloc&)
     {
-      text += "  with " + name + ": more memory than there is\n";
+      out << "  with " << name << ": more memory than there is\n";
     }
-  return text;
 }
 
 } // namespace Rhegma::program

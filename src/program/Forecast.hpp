@@ -46,11 +46,11 @@ Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scen
 /// One line, without its end.
 std::string asText(const Forecast& forecast);
 
-/// For a scene that leaves its cells to Domain > Accuracy: what it costs, and what 3 % and 10 % would; a line
-/// each. Empty where it does not, or where the cost can't be found. Collective.
+/// For a scene that leaves its cells to Domain > Accuracy: prints what it costs, and what 3 % and 10 % would;
+/// a line each, once it is known. None where it does not, or where the cost can't be found. Collective.
 /// \param scene validated \param own forecast of the scene as it is, or null: it is made
 /// \param start processor time that the program took before it read the scene [s]
-std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList& scene, const Ranks& ranks,
-                           const Forecast* own, double start);
+void printCostOfAccuracy(const Options& options, const Teuchos::ParameterList& scene, const Ranks& ranks,
+                         const Forecast* own, double start, std::ostream& out);
 
 } // namespace Rhegma::program

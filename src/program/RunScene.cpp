@@ -276,8 +276,8 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
         << forecast.rates.failure << (options.strict ? " (an error by --strict)" : "") << "\n";
     return options.strict ? exitWrongScene : exitFinished;
   }
-  out << asText(forecast) << "\n"
-      << equilibriumAsText(*scene, ranks) << costOfAccuracy(options, *scene, ranks, &forecast, start);
+  out << asText(forecast) << "\n" << equilibriumAsText(*scene, ranks);
+  printCostOfAccuracy(options, *scene, ranks, &forecast, start, out);
   return exitFinished;
 }
 
@@ -290,8 +290,10 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   if (options.action == Options::Action::Run) // before the work of making all
     onFirstRank<std::invalid_argument>(ranks, [&] { refuseFolderInUse(folder); });
   if (options.action == Options::Action::Run && !options.quiet && options.restart.empty())
-    out << sizeAsText(*scene) << std::flush << costOfAccuracy(options, *scene, ranks, nullptr, start)
-        << std::flush;
+  {
+    out << sizeAsText(*scene) << std::flush;
+    printCostOfAccuracy(options, *scene, ranks, nullptr, start, out);
+  }
   Simulation simulation(world(), scene, !options.twice);
   const EarlierPart earlier = initialize(simulation, *scene, options, err);
   if (options.action == Options::Action::PrintPlan)

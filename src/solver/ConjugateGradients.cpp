@@ -93,14 +93,23 @@ public:
     settings->set("Block Size", 1); // for which the manager uses plain conjugate gradients
     settings->set("Convergence Tolerance", tolerance);
     settings->set("Implicit Residual Scaling", "None");
-    settings->set("Maximum Iterations", maximumIterations);
     settings->set("Verbosity", static_cast<int>(Belos::Errors));
     settings->set<RCP<std::ostream>>("Output Stream", rcp(new Teuchos::oblackholestream()));
     solver.setParameters(settings);
+    setMost(maximumIterations);
     solver.setProblem(problem);
   }
 
-  int size;
+  void setMost(int iterations)
+  {
+    if (iterations == most)
+      return;
+    const RCP<Teuchos::ParameterList> settings = Teuchos::parameterList();
+    settings->set("Maximum Iterations", most = iterations);
+    solver.setParameters(settings);
+  }
+
+  int size, most = 0;
   RCP<const Map> map;
   RCP<MultiVector> left, right;
   RCP<FunctionOperator> matrix, preconditioner;
@@ -125,7 +134,7 @@ BorrowedView<double*> ConjugateGradients::right() { return overwrite(*workspace_
 
 BorrowedView<const double*> ConjugateGradients::solution() const { return read(*workspace_->left); }
 
-SolveResult ConjugateGradients::solve(Apply apply, Apply precondition)
+SolveResult ConjugateGradients::solve(Apply apply, Apply precondition, int most)
 {
   Workspace& workspace = *workspace_;
   SolveResult result;
@@ -133,6 +142,7 @@ SolveResult ConjugateGradients::solve(Apply apply, Apply precondition)
   // The first residual is the right-hand side: no product with the zero vector.
   workspace.matrix->set({});
   workspace.problem->setProblem();
+  workspace.setMost(most > 0 ? most : maximumIterations_);
   workspace.matrix->set(std::move(apply));
   workspace.preconditioner->set(std::move(precondition));
   try

@@ -46,8 +46,8 @@ public:
   BorrowedView<const double*> solution() const;
 
   /// Finds x with A x = right() from x = 0. \param precondition called once for the first residual and for
-  /// each after
-  SolveResult solve(Apply apply, Apply precondition);
+  /// each after \param most iterations; 0: the maximum
+  SolveResult solve(Apply apply, Apply precondition, int most = 0);
 
 private:
   class Workspace;
