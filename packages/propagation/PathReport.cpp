@@ -89,7 +89,7 @@ double largestTurn(const nlohmann::json& summary)
 std::string shearAsText(double factor, double turn)
 {
   const double load = hoopStressLoad(turn);
-  if (load > 0.995)
+  if (load > leastEffectOfShear)
     return {};
   return "; a front turned by " + formatShort(turn * 45.0 / std::atan(1.0)) +
          " degrees as it started: by the largest hoop stress it starts at " + formatShort(load) +

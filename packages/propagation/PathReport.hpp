@@ -34,6 +34,9 @@ PathEvents eventsOf(const std::vector<PathState>& path);
 /// it turns, of either sign, at most that of shear alone, 70.5 degrees [rad]
 double hoopStressLoad(double turn);
 
+/// Loads above this fraction are not worth a word [-].
+constexpr double leastEffectOfShear = 0.995;
+
 /// Adds to `propagation` of the summary, and to the answers, at which load cracks start, which is the
 /// largest, and where growth is unstable; where a front turned as it started, also the lower load at which
 /// the largest hoop stress makes it start. \param hasFactor whether the loads have a factor

@@ -5,6 +5,7 @@
 #include "base/ShortNumber.hpp"
 #include "propagation/FrontEnd.hpp"
 #include "propagation/FrontWarnings.hpp"
+#include "propagation/PathReport.hpp"
 
 #include <cmath>
 #include <limits>
@@ -68,12 +69,31 @@ std::string growthAsText(const CrackFront<D>& front)
   return text + (front.arrival.happened() ? ", " + front.arrival.what : "");
 }
 
+/// Angle from a to b, counter-clockwise [degrees].
+double angleBetween(const Vector<2>& a, const Vector<2>& b)
+{
+  return std::atan2(a[0] * b[1] - a[1] * b[0], dot(a, b)) * 45.0 / std::atan(1.0);
+}
+
+/// What shear does to the load at which a front starts, if it is more than half a per cent; empty otherwise.
+std::string shearAsText(const FrontState<2>& own)
+{
+  const double turn = std::fabs(angleBetween(own.start.direction, own.start.first));
+  const double load = hoopStressLoad(turn * std::atan(1.0) / 45.0);
+  if (load > leastEffectOfShear)
+    return {};
+  return " and turned by " + formatShort(turn) + " degrees (by the largest hoop stress it starts at " +
+         formatShort(load) + " of the load at that time)";
+}
+
+std::string shearAsText(const FrontState<3>&) { return {}; }
+
 /// When, how often, how far, where to and how fast a front ran.
 template <int D>
 std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& front,
                        const FrontState<D>& own)
 {
-  std::string text = "initiated at t = " + readableTime(runs.front().initiation);
+  std::string text = "initiated at t = " + readableTime(runs.front().initiation) + shearAsText(own);
   if (runs.size() > 1)
     text += ", arrested and reinitiated " + counted(static_cast<long>(runs.size()) - 1, "time");
   return text + ", " + extensionAsText(runs, front, own);
@@ -94,12 +114,6 @@ PathPoint<2> settledMean(const std::vector<PathPoint<2>>& path, const std::pair<
   if (count == 0 || !(times.second > times.first))
     return {notYet, {{notYet, notYet}}};
   return {sum.time / count, {{sum.position[0] / count, sum.position[1] / count}}};
-}
-
-/// Angle from a to b, counter-clockwise [degrees].
-double angleBetween(const Vector<2>& a, const Vector<2>& b)
-{
-  return std::atan2(a[0] * b[1] - a[1] * b[0], dot(a, b)) * 45.0 / std::atan(1.0);
 }
 
 /// The path of a front with one node.

@@ -1,6 +1,7 @@
 #include "scene/Accuracy.hpp"
 
 #include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/SceneParts.hpp"
 #include "scene/Validation.hpp"
@@ -168,7 +169,15 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   cell = std::min(cell, mayRefine ? least * (1 << mostLevels) : least);
   ParameterList& domain = scene.sublist("Domain");
   if (domain.isType<double>("Cell Size"))
-    cell = domain.get<double>("Cell Size");
+  {
+    const double given = domain.get<double>("Cell Size");
+    if (!mayRefine && given > (1.0 + 1e-6) * cell)
+      throw std::invalid_argument(std::string("is ") + rule.name + ", which asks for cells of " +
+                                  formatShort(cell) + " m or smaller, and this scene cannot refine its " +
+                                  formatShort(given) +
+                                  " m; write a smaller Domain > Cell Size, or leave it out");
+    cell = given;
+  }
   else
   {
     refuseTiny(cell, read, needs, rule);

@@ -168,6 +168,19 @@ class OneRun(RestartTest):
         self.assertTrue(output.startswith("The run stopped at t = "), output)
         self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
 
+    def test_a_history_that_another_program_touches_is_reported(self):
+        def append(path):
+            with open(path, "a", encoding="utf-8") as file:
+                file.write("0\n" * 10**6)  # more than the rows to come, which replace what is appended
+
+        for name, change, word in (("removed", os.remove, "removed"), ("changed", append, "changed")):
+            folder = self.path(name)
+            _, run = self.start_long(folder)
+            change(os.path.join(folder, "history.csv"))
+            run.send_signal(signal.SIGTERM)
+            message = self.message_of(run)
+            self.assertIn(f"history.csv was {word} by another program during the run, so rows are missing", message)
+
     def test_no_comparison_in_a_folder_that_another_has_taken(self):
         folder, other = self.path("out"), "host: elsewhere\nprocess: 7\nstarted: 2020-01-01 00:00:00 UTC\n"
         run = self.start(self.write("scene.xml", scene().text()), "--output", folder, "--quiet", "--twice")

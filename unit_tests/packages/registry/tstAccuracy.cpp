@@ -141,6 +141,34 @@ TEST(Accuracy, LeavesWhatTheSceneGives)
   EXPECT_FALSE(scene.list->isSublist("Sub-Cycling"));
 }
 
+/// Cells of a running crack stay equal: a Cell Size that is larger than the accuracy asks for, and no other,
+/// is refused.
+TEST(Accuracy, RefusesCellsThatItCannotRefine)
+{
+  const std::string running = notch + R"xml(<ParameterList name="Energy Release"/>
+    <ParameterList name="Propagation"><Parameter name="Toughness" type="string" value="100"/></ParameterList>)xml";
+  const SceneResult chosen = sceneOf(plane + within("3 %"), strip, running);
+  ASSERT_TRUE(chosen.errors.empty()) << toString(chosen.errors.front());
+  ASSERT_EQ(levelsOf(chosen), 0);
+  std::random_device seeds;
+  const unsigned seed = seeds();
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> draw(0.3, 1.0);
+  for (const double factor :
+       {draw(engine), 1.7 + draw(engine)}) // the choice fits the body: up to 1.5 times finer
+  {
+    const std::string cell = R"xml(<Parameter name="Cell Size" type="double" value=")xml" +
+                             std::to_string(factor * cellOf(chosen)) + R"xml("/>)xml";
+    const SceneResult scene = sceneOf(plane + cell + within("3 %"), strip, running);
+    ASSERT_EQ(scene.errors.empty(), factor <= 1.0) << "seed " << seed;
+    if (factor <= 1.0)
+      continue;
+    EXPECT_NE(toString(scene.errors.front()).find("Domain > Accuracy: is 3 %, which asks for cells of "),
+              std::string::npos)
+        << toString(scene.errors.front());
+  }
+}
+
 /// Cells of 2 mm are asked for; the faces of the plate are 9, 51 and 90 mm from the domain's corner, so that
 /// cells of 1.5 mm are the largest below it that have all of them on their lines.
 TEST(Accuracy, FitsCellsToTheBodies)
