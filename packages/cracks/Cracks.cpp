@@ -64,7 +64,7 @@ std::shared_ptr<const SceneBodies<D>> readBodies(const Teuchos::ParameterList& s
 template <int D>
 struct Parts
 {
-  const Teuchos::ParameterList& section; ///< of the scene, which outlives the effect
+  const Teuchos::ParameterList& section;        ///< of the scene, which outlives the effect
   std::shared_ptr<const SceneBodies<D>> bodies; ///< none where a shape is wrong: then nothing starts
   MirroredSides mirrored;
   std::vector<surface::CrackMesh<D>> meshes; ///< as they were read, until they are judged

@@ -8,7 +8,7 @@ namespace Rhegma::thermal
 
 /// What a step of conduction changes, as it was before the step. A load step of equilibrium that does not
 /// converge is tried again with a part of its length, and conducts for that part only. Steps at one time that
-/// follow an accepted solution (increments of growth, forces that a motion left out of balance) start from it.
+/// follow an accepted solution (growth, forces that a motion left out of balance) start from it.
 template <int D>
 class RepeatedStep
 {
