@@ -8,6 +8,7 @@
 #include "propagation/PathReport.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -82,8 +83,13 @@ std::string shearAsText(const FrontState<2>& own)
   const double load = hoopStressLoad(turn * std::atan(1.0) / 45.0);
   if (load > leastEffectOfShear)
     return {};
-  return " and turned by " + formatShort(turn) + " degrees (by the largest hoop stress it starts at " +
-         formatShort(load) + " of the load at that time)";
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "; it turned by %.0f degrees as it started, for which the largest hoop stress needs about %.2f of "
+      "the load at that time",
+      turn, load);
+  return text;
 }
 
 std::string shearAsText(const FrontState<3>&) { return {}; }
@@ -93,10 +99,10 @@ template <int D>
 std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& front,
                        const FrontState<D>& own)
 {
-  std::string text = "initiated at t = " + readableTime(runs.front().initiation) + shearAsText(own);
+  std::string text = "initiated at t = " + readableTime(runs.front().initiation);
   if (runs.size() > 1)
     text += ", arrested and reinitiated " + counted(static_cast<long>(runs.size()) - 1, "time");
-  return text + ", " + extensionAsText(runs, front, own);
+  return text + ", " + extensionAsText(runs, front, own) + shearAsText(own);
 }
 
 /// Mean time and position of the points of a path between two times; not numbers where there are none.

@@ -27,6 +27,8 @@ public:
       conduction.stepsTaken = stepsTaken_;
       conduction.pending = pending_;
       conduction.frontTemperature = frontTemperature_;
+      conduction.fractureSeen = fractureSeen_;
+      conduction.frontHeat = frontHeat_;
       return;
     }
     kept_ = true;
@@ -44,6 +46,8 @@ public:
     stepsTaken_ = conduction.stepsTaken;
     pending_ = conduction.pending;
     frontTemperature_ = conduction.frontTemperature;
+    fractureSeen_ = conduction.fractureSeen;
+    frontHeat_ = conduction.frontHeat;
   }
 
   /// After particles have taken the displacements of the solution.
@@ -58,12 +62,12 @@ private:
   }
 
   bool kept_ = false; ///< by a step whose solution is not accepted yet
-  double time_ = 0.0, heat_ = 0.0, pending_ = 0.0;
+  double time_ = 0.0, heat_ = 0.0, pending_ = 0.0, fractureSeen_ = 0.0;
   long step_ = 0, stepsTaken_ = 0;
   View<double*> temperature_, internal_;
   View<double* [D]> gradient_;
   View<double * [gradientSize<D>]> deformation_;
-  std::vector<double> frontTemperature_;
+  std::vector<double> frontTemperature_, frontHeat_;
 };
 
 } // namespace Rhegma::thermal

@@ -38,9 +38,12 @@ template <int D>
 constexpr int leastMultigridUnknowns = D == 2 ? 50000 : 5000;
 
 /// A multigrid of an earlier matrix is replaced after a system for which it needs so many times its first
-/// iterations, and within a system, which is then solved anew, beyond the second number of times: its set-up
-/// takes as long as some 30 iterations.
-constexpr int mostAged = 2, mostTooOld = 4;
+/// iterations per decade of the residual, and within a system, which is then solved anew, beyond the second
+/// number of times.
+constexpr double mostAged = 2.0, mostTooOld = 4.0;
+
+/// Iterations that are no reason to replace a multigrid: its set-up takes longer.
+constexpr int fewIterations = 20;
 
 } // namespace
 
@@ -93,7 +96,7 @@ void LinearSystem<D>::adopt(LinearSystem& earlier)
   if (!earlier_.any())
     return;
   multigrid_ = std::move(earlier.multigrid_);
-  iterationsWhenNew_ = earlier.iterationsWhenNew_;
+  perDecade_ = earlier.perDecade_;
 }
 
 template <int D>
@@ -345,18 +348,21 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
   const bool old = multigrid_ != nullptr && method_ == Method::Multigrid;
   if (!old)
     makeMultigrid();
-  SolveResult result = runGradients(diagonal, old ? mostTooOld * iterationsWhenNew_ : 0);
+  const double decades = -std::log10(wanted);
+  const auto beyond = [&](double times)
+  { return std::max(fewIterations, static_cast<int>(times * perDecade_ * decades)); };
+  SolveResult result = runGradients(diagonal, old ? beyond(mostTooOld) : 0);
   int iterations = result.iterations;
   if (old && !result.converged)
   {
     makeMultigrid();
     result = runGradients(diagonal);
     iterations += result.iterations;
-    iterationsWhenNew_ = result.iterations;
+    perDecade_ = result.iterations / decades;
   }
   else if (!old)
-    iterationsWhenNew_ = result.iterations;
-  else if (result.iterations > mostAged * iterationsWhenNew_)
+    perDecade_ = result.iterations / decades;
+  else if (result.iterations > beyond(mostAged))
     multigrid_.reset(); // the next system gets its own
   if (multigrid_ && !result.converged && !(result.residual * scale < usefulResidual * size))
   {

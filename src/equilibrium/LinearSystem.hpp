@@ -108,8 +108,8 @@ private:
   std::unique_ptr<ConjugateGradients> gradients_;
   std::unique_ptr<ColumnValues> columns_;
   std::unique_ptr<Multigrid> multigrid_;
-  EarlierRows earlier_;       ///< where the multigrid is of an earlier system
-  int iterationsWhenNew_ = 0; ///< with the multigrid, when it was made
+  EarlierRows earlier_;    ///< where the multigrid is of an earlier system
+  double perDecade_ = 0.0; ///< iterations with the multigrid, when it was made, per decade of the residual
 };
 
 } // namespace Rhegma::equilibrium

@@ -230,9 +230,9 @@ void printCostOfAccuracy(const Options& options, const Teuchos::ParameterList& s
     return;
   const std::string chosen = domain.get<std::string>("Accuracy");
   std::vector<std::string> names = {chosen};
-  for (const char* const coarser : {"3 %", "10 %"})
-    if (chosen != coarser)
-      names.emplace_back(coarser);
+  for (const char* const other : {"3 %", "10 %"})
+    if (chosen != other)
+      names.emplace_back(other);
   for (const std::string& name : names)
     try
     {
@@ -256,8 +256,8 @@ void printCostOfAccuracy(const Options& options, const Teuchos::ParameterList& s
         out << begin << line << std::flush;
         continue;
       }
-      if (number > slowParticles && !known && name == chosen && isEquilibrium(*result.list))
-        out << "solving for a load step, to forecast the run\n" << std::flush;
+      if (number > slowParticles && !known && isEquilibrium(*result.list))
+        out << "solving for a load step with " << name << ", to forecast the run\n" << std::flush;
       Forecast forecast;
       int particles = 0;
       if (known)

@@ -13,8 +13,8 @@ namespace Rhegma::program
 void bindThreads(char** argv);
 
 /// Lets a program that was not started by mpirun do without the helper process that Open MPI would start for
-/// it, and without its search for networks: each takes longer than to read a scene. Settings of the user
-/// stay. Without effect on other kinds of MPI. Call before MPI_Init.
+/// it, and without its search for networks: each takes longer than to read a scene. Settings in the
+/// environment stay. Without effect on other kinds of MPI. Call before MPI_Init.
 void startWithoutNetwork();
 
 /// Ignores SIGPIPE: a reader of the output that ends early (such as head) does not end the run.

@@ -34,6 +34,9 @@ constexpr double linearFunctions = 0.03;
 /// Cells in the inner radius of a contour that keep it out of the cells of the front.
 constexpr double perContour = 2.0;
 
+/// What a cell size that was copied from a message may be too large by: it has four digits.
+constexpr double roundingOfText = 1e-3;
+
 /// Cells of a lattice whose nodes an int numbers.
 constexpr double mostCells = 2e9;
 
@@ -136,6 +139,15 @@ double cellOfParts(const CellNeeds& needs, const AccuracyRule& rule, bool moves)
   return graded ? needs.thickness / rule.perThickness : needs.across / rule.perLigament;
 }
 
+/// Whether a section of the scene refines cells. Also a scene for which cells have been chosen before has
+/// one.
+bool refinesItself(const ParameterList& scene, const SceneSchema& schema)
+{
+  return std::any_of(schema.effects().begin(), schema.effects().end(),
+                     [&scene](const auto& entry)
+                     { return entry.second.cells.refine && scene.isSublist(entry.first); });
+}
+
 /// Size of the cells, and levels below it at fronts.
 void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& schema,
             const CellNeeds& needs, const AccuracyRule& rule)
@@ -171,11 +183,11 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   if (domain.isType<double>("Cell Size"))
   {
     const double given = domain.get<double>("Cell Size");
-    if (!mayRefine && given > (1.0 + 1e-6) * cell)
-      throw std::invalid_argument(std::string("is ") + rule.name + ", which asks for cells of " +
-                                  formatShort(cell) + " m or smaller, and this scene cannot refine its " +
-                                  formatShort(given) +
-                                  " m; write a smaller Domain > Cell Size, or leave it out");
+    if (!mayRefine && !refinesItself(read, schema) && given > (1.0 + roundingOfText) * cell)
+      throw std::invalid_argument(std::string("is ") + rule.name + ", which asks for cells of at most " +
+                                  formatShort(cell) + " m, but Domain > Cell Size is " + formatShort(given) +
+                                  " m, and the cells of this scene cannot be refined; write a smaller Cell "
+                                  "Size, or leave it out");
     cell = given;
   }
   else

@@ -10,6 +10,7 @@
 #include <Tpetra_Operator.hpp>
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -142,7 +143,7 @@ SolveResult ConjugateGradients::solve(Apply apply, Apply precondition, int most)
   // The first residual is the right-hand side: no product with the zero vector.
   workspace.matrix->set({});
   workspace.problem->setProblem();
-  workspace.setMost(most > 0 ? most : maximumIterations_);
+  workspace.setMost(most > 0 ? std::min(most, maximumIterations_) : maximumIterations_);
   workspace.matrix->set(std::move(apply));
   workspace.preconditioner->set(std::move(precondition));
   try

@@ -33,8 +33,8 @@ using Cycle =
 constexpr int powerSteps = 40;
 
 /// Couplings, over the root of the product of the diagonals, below which nodes do not aggregate. Larger
-/// values leave nodes of cells that an edge cuts alone: with 0.02 a block that is turned relative to the
-/// cells takes half as many iterations again.
+/// values leave nodes of cells that an edge cuts alone: 0.02 takes 1.5 times the iterations in a block that
+/// is turned relative to the cells.
 constexpr double leastCoupling = 0.003;
 
 /// Chebyshev's polynomials of degree three smooth independently of the order of unknowns.
@@ -105,7 +105,7 @@ View<double*> withoutWeakRows(const SparseMatrix& matrix)
     any = any || weak(r);
   if (!any)
     return matrix.value;
-  const View<double*> value("rhegma::Multigrid::value", matrix.value.extent(0));
+  View<double*> value("rhegma::Multigrid::value", matrix.value.extent(0));
   for (int r = 0; r < n; ++r)
     for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
       value(k) = matrix.column(k) != r && (weak(r) || weak(matrix.column(k))) ? 0.0 : matrix.value(k);

@@ -53,10 +53,10 @@ class ShearAtStart(ProgramTest):
         line, front = self.front_after(angle)
         turn = math.radians(front["first_turn"])
         self.assertGreater(abs(turn), 0.3, line)  # the stress waves of the load are not those of its rest
-        said = re.search(r"initiated at t = .* and turned by ([\d.]+) degrees \(by the largest hoop stress it starts at ([\d.]+) of", line)
+        said = re.search(r"it turned by (\d+) degrees as it started, for which the largest hoop stress needs about ([\d.]+) of the load", line)
         self.assertIsNotNone(said, line)
-        self.assertAlmostEqual(float(said.group(1)), abs(front["first_turn"]), delta=0.05 * abs(front["first_turn"]))
-        self.assertAlmostEqual(float(said.group(2)), fraction_of_load(turn), delta=1e-3)
+        self.assertAlmostEqual(float(said.group(1)), abs(front["first_turn"]), delta=0.5)
+        self.assertAlmostEqual(float(said.group(2)), fraction_of_load(turn), delta=5.1e-3)
 
     def test_a_crack_across_the_load(self):
         line, _ = self.front_after(0.0)

@@ -139,6 +139,24 @@ TEST(Accuracy, LeavesWhatTheSceneGives)
   const SceneResult scene = sceneOf(plane + within("1 %"), strip, notch + own);
   EXPECT_EQ(levelsOf(scene), 1);
   EXPECT_FALSE(scene.list->isSublist("Sub-Cycling"));
+  const std::string coarse = R"xml(<Parameter name="Cell Size" type="double" value="0.01"/>)xml";
+  const SceneResult both = sceneOf(plane + coarse + within("1 %"), strip, notch + own);
+  EXPECT_TRUE(both.errors.empty()) << toString(both.errors.front());
+}
+
+/// A scene for which cells have been chosen is read again as it is, as a run with --twice does.
+TEST(Accuracy, AcceptsItsOwnChoice)
+{
+  const SceneResult scene = sceneOf(plane + within("1 %"), strip, notch);
+  ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
+  const double cell = cellOf(scene);
+  const int levels = levelsOf(scene);
+  ASSERT_GT(levels, 0);
+  std::vector<SceneError> errors;
+  validateList(*scene.list, effectSchema(), errors);
+  EXPECT_TRUE(errors.empty()) << toString(errors.front());
+  EXPECT_EQ(cellOf(scene), cell);
+  EXPECT_EQ(levelsOf(scene), levels);
 }
 
 /// Cells of a running crack stay equal: a Cell Size that is larger than the accuracy asks for, and no other,
