@@ -29,7 +29,7 @@ WITH_SPRINGS = 3.0 * ROUND_OFF
 CLOSURE = 1e3
 
 ENERGIES = ("kinetic", "strain", "external_work", "residual", "damped", "contact", "merged", "plastic", "thermal",
-            "heat", "fracture")
+            "heat", "fracture", "stabilised")
 
 
 def kind_of(name):
