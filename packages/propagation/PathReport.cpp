@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
 
 namespace Rhegma::propagation
 {
@@ -15,6 +18,11 @@ namespace
 
 /// Changes that count: the factor is found to within 1e-5, and G to its square.
 constexpr double noticeable = 1e-4;
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Loads above this fraction are not worth a word [-].
+constexpr double leastEffectOfShear = 0.995;
 
 bool fallsAfter(const std::vector<PathState>& path, std::size_t k, double PathState::*value)
 {
@@ -31,6 +39,39 @@ nlohmann::json entryOf(const std::vector<PathState>& path, int state)
   if (state < 0)
     return nullptr;
   return {{"load_factor", path[state].factor}, {"new_area", path[state].area}, {"time", path[state].time}};
+}
+
+/// A number of the entry of a front; another one where it has none.
+double numberOf(const nlohmann::json& front, const char* name, double otherwise)
+{
+  const auto entry = front.find(name);
+  if (entry == front.end() || !entry->is_number() || !std::isfinite(entry->get<double>()))
+    return otherwise;
+  return entry->get<double>();
+}
+
+/// Load at which the largest hoop stress makes a front start, over that of a straight extension; 1 if
+/// unknown.
+double loadOf(const nlohmann::json& front) { return numberOf(front, "hoop_stress_load", 1.0); }
+
+/// What shear does to the factor of the loads at which the first front starts; empty if nothing worth a word.
+std::string effectOfShearOnFactor(double factor, const nlohmann::json& summary)
+{
+  nlohmann::json first; // of those that start at the same time the one with the largest effect
+  std::string name;
+  std::pair<double, double> order(never, 1.0);
+  for (const nlohmann::json& crack : summary.value("cracks", nlohmann::json::array()))
+    for (const nlohmann::json& front : crack.value("fronts", nlohmann::json::array()))
+      if (const auto own = std::make_pair(numberOf(front, "initiated", never), loadOf(front)); own < order)
+      {
+        order = own;
+        first = front;
+        name = crack.value("name", std::string());
+      }
+  const std::string text = effectOfShear(first);
+  return text.empty() ? text
+                      : "; of a front of crack " + name + ": " + text + ", " +
+                            formatShort(loadOf(first) * factor) + " times the loads of Time > Final Time";
 }
 
 /// Of given loads: where G rises as cracks grow.
@@ -71,32 +112,19 @@ double hoopStressLoad(double turn)
   return std::sqrt(1.0 + shear * shear) / (half * half * half + 1.5 * shear * half * std::sin(t));
 }
 
-namespace
+std::string effectOfShear(const nlohmann::json& front)
 {
-
-/// The largest angle by which a front turned as it started [rad].
-double largestTurn(const nlohmann::json& summary)
-{
-  double largest = 0.0;
-  for (const nlohmann::json& crack : summary.value("cracks", nlohmann::json::array()))
-    for (const nlohmann::json& front : crack.value("fronts", nlohmann::json::array()))
-      if (const auto turn = front.find("first_turn"); turn != front.end() && turn->is_number())
-        largest = std::max(largest, std::fabs(turn->get<double>()));
-  return largest * std::atan(1.0) / 45.0;
-}
-
-/// What shear does to the load at which cracks start, if it is more than half a per cent; empty otherwise.
-std::string shearAsText(double factor, double turn)
-{
-  const double load = hoopStressLoad(turn);
+  const double load = loadOf(front);
   if (load > leastEffectOfShear)
     return {};
-  return "; a front turned by " + formatShort(turn * 45.0 / std::atan(1.0)) +
-         " degrees as it started: by the largest hoop stress it starts at " + formatShort(load) +
-         " of this load, at " + formatShort(load * factor) + " times the loads of Time > Final Time";
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "it turned by %.0f degrees as it started, for which the largest hoop stress needs about %.2f of "
+      "the load",
+      std::fabs(front["first_turn"].get<double>()), load);
+  return text;
 }
-
-} // namespace
 
 PathEvents eventsOf(const std::vector<PathState>& path)
 {
@@ -141,7 +169,7 @@ void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor,
   std::string text = "cracks start at " + formatShort(path.front().factor) +
                      " times the loads of Time > Final Time; the largest factor is " +
                      asText(path[events.largest]);
-  text += shearAsText(path.front().factor, largestTurn(summary));
+  text += effectOfShearOnFactor(path.front().factor, summary);
   if (events.falls < 0)
     text += path.size() > 1 ? "; growth is stable under these loads" : "";
   else

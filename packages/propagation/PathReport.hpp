@@ -34,8 +34,11 @@ PathEvents eventsOf(const std::vector<PathState>& path);
 /// it turns, of either sign, at most that of shear alone, 70.5 degrees [rad]
 double hoopStressLoad(double turn);
 
-/// Loads above this fraction are not worth a word [-].
-constexpr double leastEffectOfShear = 0.995;
+/// What shear does to the load at which a front starts, such as "it turned by 41 degrees as it started, for which
+/// the largest hoop stress needs about 0.87 of the load"; empty below half a per cent, and where directions are
+/// not those of the largest hoop stress. \param front its entry in the summary, with `first_turn` and
+/// `hoop_stress_load`
+std::string effectOfShear(const nlohmann::json& front);
 
 /// Adds to `propagation` of the summary, and to the answers, at which load cracks start, which is the
 /// largest, and where growth is unstable; where a front turned as it started, also the lower load at which

@@ -8,7 +8,6 @@
 #include "propagation/PathReport.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -76,33 +75,17 @@ double angleBetween(const Vector<2>& a, const Vector<2>& b)
   return std::atan2(a[0] * b[1] - a[1] * b[0], dot(a, b)) * 45.0 / std::atan(1.0);
 }
 
-/// What shear does to the load at which a front starts, if it is more than half a per cent; empty otherwise.
-std::string shearAsText(const FrontState<2>& own)
-{
-  const double turn = std::fabs(angleBetween(own.start.direction, own.start.first));
-  const double load = hoopStressLoad(turn * std::atan(1.0) / 45.0);
-  if (load > leastEffectOfShear)
-    return {};
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "; it turned by %.0f degrees as it started, for which the largest hoop stress needs about %.2f of "
-      "the load at that time",
-      turn, load);
-  return text;
-}
-
-std::string shearAsText(const FrontState<3>&) { return {}; }
-
 /// When, how often, how far, where to and how fast a front ran.
 template <int D>
 std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& front,
-                       const FrontState<D>& own)
+                       const FrontState<D>& own, const nlohmann::json& entry)
 {
   std::string text = "initiated at t = " + readableTime(runs.front().initiation);
   if (runs.size() > 1)
     text += ", arrested and reinitiated " + counted(static_cast<long>(runs.size()) - 1, "time");
-  return text + ", " + extensionAsText(runs, front, own) + shearAsText(own);
+  const std::string shear = effectOfShear(entry);
+  return text + ", " + extensionAsText(runs, front, own) +
+         (shear.empty() ? "" : "; " + shear + " at that time");
 }
 
 /// Mean time and position of the points of a path between two times; not numbers where there are none.
@@ -123,13 +106,18 @@ PathPoint<2> settledMean(const std::vector<PathPoint<2>>& path, const std::pair<
 }
 
 /// The path of a front with one node.
-void reportPath(const CrackFront<2>& front, const FrontState<2>& own, bool equilibrium, nlohmann::json& entry)
+void reportPath(const CrackFront<2>& front, const FrontState<2>& own, const Options& options,
+                nlohmann::json& entry)
 {
   const bool moved = own.increments > 0;
   const PathStart<2>& start = own.start;
-  entry["first_turn"] = moved ? angleBetween(start.direction, start.first) : notYet;
+  const double turn = moved ? angleBetween(start.direction, start.first) : notYet;
+  entry["first_turn"] = turn;
+  // The angle gives the modes only where it follows from them by this rule.
+  entry["hoop_stress_load"] =
+      options.direction == DirectionRule::HoopStress ? hoopStressLoad(turn * std::atan(1.0) / 45.0) : notYet;
   entry["turn"] = moved ? angleBetween(start.direction, front.position - start.position) : notYet;
-  if (equilibrium) // the time of its increments has no meaning
+  if (options.equilibrium) // the time of its increments has no meaning
     return;
   const FrontHistory& history = own.nodes.at(front.nodes[0].name).history;
   const double speed = history.meanSpeed();
@@ -169,17 +157,17 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
 /// The entry of a front. \return its runs
 template <int D>
 std::vector<CrackRun> reportFront(const CrackFront<D>& front, const FrontState<D>& own,
-                                  const FrontEnd<D>& end, bool equilibrium, nlohmann::json& entry)
+                                  const FrontEnd<D>& end, const Options& options, nlohmann::json& entry)
 {
   const bool moved = own.increments > 0;
   entry["increments"] = own.increments;
   entry["status"] = statusOf(front, end);
-  entry["running"] = own.running(front) && !equilibrium;
+  entry["running"] = own.running(front) && !options.equilibrium;
   entry["ended"] = front.ended;
   entry["stopped"] = front.numStopped() > 0;
   entry["initiated"] = moved ? own.firstTime : notYet;
   entry["last_advance"] = moved ? own.lastTime : notYet;
-  if (!equilibrium)
+  if (!options.equilibrium)
   {
     const double speed = own.settledSpeed();
     entry["settled_speed"] = speed > 0.0 ? speed : notYet; // too few increments
@@ -189,7 +177,7 @@ std::vector<CrackRun> reportFront(const CrackFront<D>& front, const FrontState<D
   std::vector<CrackRun> runs;
   if constexpr (D == 2)
   {
-    reportPath(front, own, equilibrium, entry);
+    reportPath(front, own, options, entry);
     runs = own.nodes.at(front.nodes[0].name).history.runs();
   }
   else if (moved) // nodes initiate and arrest one by one, and there is no single length
@@ -213,14 +201,14 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     const std::string name = frontName(state.cracks, front);
     required += front.budget.required;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-    const std::vector<CrackRun> runs = reportFront(front, own, end, options.equilibrium, entry);
+    const std::vector<CrackRun> runs = reportFront(front, own, end, options, entry);
     if (end.fate == Fate::Growing)
       compareContours(name, end.release, entry, summary);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
     if (moved && options.equilibrium && !stopped)
       summary["answers"].push_back(name + ": " + growthAsText(front));
     else if (moved || stopped)
-      summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front, own) + ", " : "") +
+      summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front, own, entry) + ", " : "") +
                                    fateAsText(front, own, end));
     else if (end.fate == Fate::NotInitiated && state.method.analysis != Analysis::LoadFactor)
       reportRest(state, front, own.closest(), options.rule.startTime, summary);

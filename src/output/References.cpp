@@ -206,15 +206,18 @@ std::string comparison(const nlohmann::json& result)
 bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summary)
 {
   nlohmann::json results = nlohmann::json::array();
-  bool all = true;
+  bool all = true, compared = false;
   for (auto item = section.begin(); item != section.end(); ++item)
     if (section.isSublist(section.name(item)))
     {
       results.push_back(compare(section.name(item), section.sublist(section.name(item)), summary));
-      all = all && (results.back().contains("left_out") || results.back()["within"].get<bool>());
+      if (results.back().contains("left_out"))
+        continue;
+      compared = true;
+      all = all && results.back()["within"].get<bool>();
     }
   summary["references"] = results;
-  return all;
+  return all && (compared || results.empty());
 }
 
 void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohmann::json& summary)
@@ -241,10 +244,13 @@ void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohma
 std::string referencesAsText(const nlohmann::json& summary)
 {
   std::string text;
-  if (summary.contains("references"))
-    for (const nlohmann::json& result : summary["references"])
-      text += comparison(result);
-  return text;
+  bool compared = false;
+  for (const nlohmann::json& result : summary.value("references", nlohmann::json::array()))
+  {
+    text += comparison(result);
+    compared = compared || !result.contains("left_out");
+  }
+  return text.empty() || compared ? text : text + "OUTSIDE  none of the references could be compared\n";
 }
 
 } // namespace Rhegma

@@ -16,7 +16,8 @@ namespace Rhegma
 /// |reference|; where the reference is 0 it bounds |value|, and relative_error holds that. A quantity that is
 /// not there or is not a number is outside of its tolerance and `problem` says why. A time of growth in a run
 /// whose loads have a factor is not compared: `within` is null, and `left_out` says why. \param section
-/// validated `Reference` section; may be empty \return whether all are within their tolerances
+/// validated `Reference` section; may be empty \return whether all that are compared are within their
+/// tolerances, and at least one is compared if there are any
 bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summary);
 
 /// Throws std::invalid_argument, a line per quantity, for quantities that a summary does not contain, so that

@@ -139,13 +139,32 @@ double cellOfParts(const CellNeeds& needs, const AccuracyRule& rule, bool moves)
   return graded ? needs.thickness / rule.perThickness : needs.across / rule.perLigament;
 }
 
-/// Whether a section of the scene refines cells. Also a scene for which cells have been chosen before has
-/// one.
-bool refinesItself(const ParameterList& scene, const SceneSchema& schema)
+/// Levels of cells that the sections of the scene allow. Also a scene for which cells have been chosen before
+/// has some.
+int ownLevels(const ParameterList& scene, const SceneSchema& schema)
 {
-  return std::any_of(schema.effects().begin(), schema.effects().end(),
-                     [&scene](const auto& entry)
-                     { return entry.second.cells.refine && scene.isSublist(entry.first); });
+  int levels = 0;
+  for (const auto& [section, effect] : schema.effects())
+    if (effect.cells.levels && scene.isSublist(section))
+      levels = std::max(levels, effect.cells.levels(scene.sublist(section)));
+  return levels;
+}
+
+/// Refuses cells that are too large for the accuracy, where none are chosen below them.
+/// \param given Domain > Cell Size [m] \param levels below it that the scene has \param most size of the
+/// smallest cells [m]
+void refuseLarge(double given, int levels, double most, const AccuracyRule& rule)
+{
+  const double smallest = std::ldexp(given, -levels);
+  if (smallest <= (1.0 + roundingOfText) * most)
+    return;
+  throw std::invalid_argument(
+      std::string("is ") + rule.name + ", which asks for cells of at most " + formatShort(most) +
+      " m, but Domain > Cell Size is " + formatShort(given) + " m, and " +
+      (levels > 0 ? "its smallest refined cells are " + formatShort(smallest) +
+                        " m; write more levels of refinement or a smaller Cell Size, or leave both out"
+                  : std::string("the cells of this scene cannot be refined; write a smaller Cell Size, or "
+                                "leave it out")));
 }
 
 /// Size of the cells, and levels below it at fronts.
@@ -183,11 +202,8 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   if (domain.isType<double>("Cell Size"))
   {
     const double given = domain.get<double>("Cell Size");
-    if (!mayRefine && !refinesItself(read, schema) && given > (1.0 + roundingOfText) * cell)
-      throw std::invalid_argument(std::string("is ") + rule.name + ", which asks for cells of at most " +
-                                  formatShort(cell) + " m, but Domain > Cell Size is " + formatShort(given) +
-                                  " m, and the cells of this scene cannot be refined; write a smaller Cell "
-                                  "Size, or leave it out");
+    if (!mayRefine)
+      refuseLarge(given, ownLevels(read, schema), cell, rule);
     cell = given;
   }
   else

@@ -44,7 +44,8 @@ Section domain()
       .optional()
       .meaning("Target error of G, K or a temperature rise. The program chooses Cell Size if it is absent, "
                "and adds Adaptivity and Sub-Cycling at crack fronts if the scene has neither. Values given "
-               "in the scene are kept, but a Cell Size that is too large for cells that cannot be refined is "
+               "in the scene are kept, but a Cell Size that is too large for cells that cannot be refined, "
+               "or not enough, is "
                "refused (docs/accuracy-and-cost.md).");
   s.choice("Shape Functions", {"Linear", "GIMP"})
       .byDefault("GIMP")

@@ -102,12 +102,17 @@ TEST(PathReport, NamesTheLoadOfFrontsThatTurn)
 {
   const std::vector<PathState> path{{0.0, 2.0, 1.0, 0.0, 0.0}};
   nlohmann::json summary = {
-      {"cracks", {{{"fronts", {{{"first_turn", nullptr}}, {{"first_turn", -41.04}}}}}}}};
+      {"cracks",
+       {{{"name", "Notch"},
+         {"fronts",
+          {{{"first_turn", nullptr}, {"hoop_stress_load", nullptr}, {"initiated", nullptr}},
+           {{"first_turn", -41.04}, {"hoop_stress_load", 0.8663}, {"initiated", 0.1}},
+           {{"first_turn", 70.0}, {"hoop_stress_load", 0.8661}, {"initiated", 0.2}}}}}}}};
   reportPathOfEquilibrium(path, true, summary);
   const auto text = summary["answers"][0].get<std::string>();
-  EXPECT_NE(text.find("turned by 41.04 degrees"), std::string::npos) << text;
-  EXPECT_NE(text.find("at 0.8663 of this load, at 1.733 times"), std::string::npos) << text;
-  summary["cracks"][0]["fronts"][1]["first_turn"] = 2.0;
+  EXPECT_NE(text.find("of a front of crack Notch: it turned by 41 degrees"), std::string::npos) << text;
+  EXPECT_NE(text.find("needs about 0.87 of the load, 1.733 times"), std::string::npos) << text;
+  summary["cracks"][0]["fronts"][1]["hoop_stress_load"] = 0.998;
   summary["answers"].clear();
   reportPathOfEquilibrium(path, true, summary);
   EXPECT_EQ(summary["answers"][0].get<std::string>().find("turned by"), std::string::npos);

@@ -139,9 +139,6 @@ TEST(Accuracy, LeavesWhatTheSceneGives)
   const SceneResult scene = sceneOf(plane + within("1 %"), strip, notch + own);
   EXPECT_EQ(levelsOf(scene), 1);
   EXPECT_FALSE(scene.list->isSublist("Sub-Cycling"));
-  const std::string coarse = R"xml(<Parameter name="Cell Size" type="double" value="0.01"/>)xml";
-  const SceneResult both = sceneOf(plane + coarse + within("1 %"), strip, notch + own);
-  EXPECT_TRUE(both.errors.empty()) << toString(both.errors.front());
 }
 
 /// A scene for which cells have been chosen is read again as it is, as a run with --twice does.
@@ -183,6 +180,35 @@ TEST(Accuracy, RefusesCellsThatItCannotRefine)
       continue;
     EXPECT_NE(toString(scene.errors.front()).find("Domain > Accuracy: is 3 %, which asks for cells of "),
               std::string::npos)
+        << toString(scene.errors.front());
+  }
+}
+
+/// Levels that a scene has of its own must reach the cells that the accuracy asks for: these are those of the
+/// scene without them, or up to 2 times larger, as levels are whole.
+TEST(Accuracy, RefusesTooFewLevels)
+{
+  const SceneResult chosen = sceneOf(plane + within("1 %"), strip, notch);
+  ASSERT_TRUE(chosen.errors.empty()) << toString(chosen.errors.front());
+  ASSERT_GT(levelsOf(chosen), 0);
+  const double smallest = std::ldexp(cellOf(chosen), -levelsOf(chosen));
+  std::random_device seeds;
+  const unsigned seed = seeds();
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> draw(0.5, 1.0);
+  const int level = std::uniform_int_distribution<int>(1, 3)(engine);
+  const std::string own =
+      R"xml(<ParameterList name="Adaptivity"><Parameter name="Maximum Level" type="int" value=")xml" +
+      std::to_string(level) + R"xml("/></ParameterList>)xml";
+  for (const double factor : {draw(engine), 2.0 + draw(engine)})
+  {
+    const std::string cell = R"xml(<Parameter name="Cell Size" type="double" value=")xml" +
+                             std::to_string(std::ldexp(factor * smallest, level)) + R"xml("/>)xml";
+    const SceneResult scene = sceneOf(plane + cell + within("1 %"), strip, notch + own);
+    ASSERT_EQ(scene.errors.empty(), factor <= 1.0) << "seed " << seed;
+    if (factor <= 1.0)
+      continue;
+    EXPECT_NE(toString(scene.errors.front()).find("write more levels of refinement"), std::string::npos)
         << toString(scene.errors.front());
   }
 }

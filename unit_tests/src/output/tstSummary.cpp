@@ -167,3 +167,18 @@ TEST(References, AllMustBeWithin)
             "within   energy.kinetic = 2, reference 2, error 0 %, tolerance 1 % (by hand)\n"
             "OUTSIDE  cracks.1.fronts.0.G_J = 101, reference 1, error 1e+04 %, tolerance 1 % (by hand)\n");
 }
+
+/// A run without a single comparison does not pass for one that has been compared.
+TEST(References, AtLeastOneIsCompared)
+{
+  ParameterList section;
+  addReference(section, "Start", "propagation.initiated", 1.0, 0.01);
+  json summary = someSummary();
+  summary["propagation"] = {{"load_factor", 2.0}, {"initiated", 1.0}};
+  EXPECT_FALSE(addReferences(section, summary));
+  EXPECT_NE(Rhegma::referencesAsText(summary).find("none of the references could be compared"),
+            std::string::npos);
+  addReference(section, "Good", "energy.kinetic", 2.0, 0.01);
+  EXPECT_TRUE(addReferences(section, summary));
+  EXPECT_EQ(Rhegma::referencesAsText(summary).find("none of the references"), std::string::npos);
+}
