@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Scenes that are damped until they rest next to the same scenes in static equilibrium: the table of docs/static-or-dynamic.md.
+
+    unit_tests/studies/static_twins.py build/serial/rhegma
+    unit_tests/studies/static_twins.py build/serial/rhegma dcb_h4 penny_tilted
+
+Each xml_inputs/verification/NAME_static.xml that has a damped NAME.xml, in alphabetical order. Prints the errors of both relative to the
+references that they have in common, their difference in percentage points, and processor seconds on one thread of both as whole processes."""
+
+import glob
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+
+INPUTS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "../../xml_inputs/verification")
+DAMPED = {"dcb": "dcb_h8"}  # whose name differs
+
+
+def run(program, name):
+    """({quantity: (value, reference)}, processor seconds)"""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run([program, os.path.join(INPUTS, name + ".xml"), "--output", folder, "--quiet"], stderr=subprocess.DEVNULL,
+                              env=dict(os.environ, OMP_NUM_THREADS="1"))
+        if done.returncode not in (0, 4):
+            sys.exit(f"{name}: exit status {done.returncode}")
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            references = json.load(file)["references"]
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return ({one["quantity"]: (one["value"], one["reference"]) for one in references if one["reference"] != 0.0},
+            after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime)
+
+
+def short(quantity):
+    """cracks.0.fronts.1.K_I as K_I, front 1"""
+    parts = quantity.split(".")
+    return parts[-1] + (f", front {parts[3]}" if len(parts) > 3 and parts[3] != "0" else "")
+
+
+def names():
+    for path in sorted(glob.glob(os.path.join(INPUTS, "*_static.xml"))):
+        name = os.path.basename(path)[:-len("_static.xml")]
+        if os.path.exists(os.path.join(INPUTS, DAMPED.get(name, name) + ".xml")):
+            yield name
+
+
+def main(program, chosen):
+    print("| scene | quantity | damped, error % | static, error % | points | damped s | static s | ratio |\n|:--|:--|--:|--:|--:|--:|--:|--:|")
+    for name in chosen:
+        (damped, slow), (static, fast) = run(program, DAMPED.get(name, name)), run(program, name + "_static")
+        times = f"{slow:.2f} | {fast:.2f} | {slow / fast:.0f}"
+        for quantity in static:
+            if quantity not in damped:
+                continue
+            errors = [100.0 * (value / reference - 1.0) for value, reference in (damped[quantity], static[quantity])]
+            print(f"| {name} | {short(quantity)} | {errors[0]:+.2f} | {errors[1]:+.2f} | {errors[1] - errors[0]:+.2f} | {times} |", flush=True)
+            name, times = "", " | |"
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2:] or list(names()))
