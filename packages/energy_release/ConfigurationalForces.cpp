@@ -92,7 +92,8 @@ struct ForceBlock
   Region<D> box;
   MeanMotion mean;
   ConfigurationalForces force;
-  FrontRows<D> rows; ///< of the nodes
+  View<double * [4 * D]> moments; ///< of accelerations (FrontRowTable)
+  FrontRows<D> rows;              ///< of the nodes
   BorrowedView<double* [D]> position;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
@@ -129,7 +130,7 @@ struct ForceBlock
   template <class Stencil>
   KOKKOS_INLINE_FUNCTION void add(int p, const Stencil& stencil) const
   {
-    Vector<D> v{}, a{};
+    Vector<D> v{};
     double dv[D][D] = {};
     if (moving)
     {
@@ -139,7 +140,6 @@ struct ForceBlock
       for (int i = 0; i < D; ++i)
       {
         v[i] = motion[i] - mean.velocity[i];
-        a[i] = motion[D + i];
         for (int j = 0; j < D; ++j)
           dv[i][j] = change[j][i];
       }
@@ -174,7 +174,7 @@ struct ForceBlock
           flux[k][j] += tau[symmetricIndex<D>(i, j)] * du[i][k];
           dvk += dv[j][i] * image[i][k];
         }
-        inertia[k] += density * (a[j] * du[j][k] - v[j] * dvk);
+        inertia[k] -= density * v[j] * dvk;
       }
       const Vector<D> along{image[0][k], image[1][k], image[2][k]};
       inertia[k] -= heat.energyAlong(p, material(p), law, F, tau, variables, along);
@@ -185,6 +185,10 @@ struct ForceBlock
       along[j] = pack(V * flux[0][j], V * flux[1][j], V * flux[2][j], 0.0);
     stencil.template addFlux<width>(force.data(), along);
     stencil.template addValue<width>(force.data(), pack(V * inertia[0], V * inertia[1], V * inertia[2], 0.0));
+    const double m = mass(p);
+    for (int i = 0; i < D && moving; ++i)
+      stencil.template addValue<4 * D>(moments.data() + 4 * i,
+                                       pack(m * du[i][0], m * du[i][1], m * du[i][2], 0.0));
   }
 };
 
@@ -207,6 +211,7 @@ ConfigurationalForces configurationalForces(const State<3>& state, const Region<
                                                box,
                                                mean,
                                                force,
+                                               kept.rows.clearMoments(state, nodes, moving),
                                                kept.rows.fillMotion(state, nodes, moving, acceleration),
                                                state.particles.real<D>(fields::position),
                                                state.particles.scalar(fields::mass),
@@ -222,6 +227,7 @@ ConfigurationalForces configurationalForces(const State<3>& state, const Region<
                        block.history = state.particles.table(fields::history);
                      kept.blocks.forEach("rhegma::configurationalForce", block);
                    });
+  kept.rows.addWorkOfAcceleration(state, nodes);
   return force;
 }
 

@@ -88,7 +88,8 @@ struct Integrand
     return x * x + y * y <= reach * reach;
   }
 
-  /// Velocity relative to the disk, acceleration and gradient of velocity at a particle.
+  /// Velocity relative to the disk, acceleration times weight (FrontRows) and gradient of velocity at a
+  /// particle.
   template <class Stencil>
   KOKKOS_INLINE_FUNCTION void readMotion(const Stencil& stencil, Vector<D>& v, Vector<D>& a,
                                          double (&dv)[D][D]) const
@@ -147,8 +148,8 @@ struct Integrand
     if (corrects)
       nearFront.add(r, -volume(p) * warming, q, sums + heatAt);
     if (!bent)
-      sums[0] += volume(p) * (dot(flux, du) - energy * dot(dq, image) +
-                              (density * (dot(a, du) - dot(v, dv1)) - warming) * q);
+      sums[0] += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * dot(a, du) -
+                              (density * dot(v, dv1) + warming) * q);
     else
       sums[0] += volume(p) * alongPath(p, weight, slope, energy, density, v, a, dv);
     if (!intensities)
@@ -185,10 +186,12 @@ struct Integrand
       const Vector<D> slope{{weightSlope[0][1 + k], weightSlope[1][1 + k]}};
       const Vector<D> flux{{tau[0] * slope[0] + tau[2] * slope[1], tau[2] * slope[0] + tau[1] * slope[1]}};
       const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
-      sum += dot(flux, du) - energy * dot(slope, image) +
-             (density * (dot(a, du) - dot(v, dvk)) -
+      sum += dot(flux, du) - energy * dot(slope, image) -
+             (density * dot(v, dvk) +
               heat.energyAlong(p, material(p), materials(material(p)), F, tau, variables, image)) *
                  weight[1 + k];
+      if (weight[0] > 0.0)
+        sum += density * dot(a, du) * weight[1 + k] / weight[0];
     }
     return sum;
   }
@@ -235,7 +238,7 @@ struct Integrand
       double reciprocal = 0.0;
       for (int i = 0; i < 2; ++i)
       {
-        const double pulled = fluxIn[i], pushed = density * aIn[i] * q;
+        const double pulled = fluxIn[i], pushed = density * aIn[i];
         m += (pulled + pushed) * w.gradient[i][0];
         reciprocal += (pulled + pushed) * w.displacement[i];
         for (int j = 0; j < 2; ++j)

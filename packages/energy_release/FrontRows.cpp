@@ -52,7 +52,10 @@ void FrontRowTable<2>::fillWeights(const State<2>& state, const Region<2>& box, 
         const Vector<2> shift = bent && q > 0.0 ? q * path(x) : Vector<2>{};
         rows(n, FrontRows<2>::weightAt) = q;
         for (int d = 0; d < 2; ++d)
+        {
           rows(n, FrontRows<2>::weightAt + 1 + d) = shift[d];
+          rows(n, FrontRows<2>::accelerationAt + d) *= q;
+        }
       });
 }
 
@@ -68,6 +71,38 @@ View<double* [4]> FrontRowTable<D>::clearForces(const State<D>& state, const Reg
           forces(n, k) = 0.0;
       });
   return forces;
+}
+
+template <int D>
+View<double* [4 * D]> FrontRowTable<D>::clearMoments(const State<D>& state, const Region<D>& box, bool moving)
+{
+  if (!moving)
+    return moments_ = {};
+  if (moments_.extent(0) < state.mesh.nodes.sums.extent(0))
+    moments_ = View<double * [4 * D]>("rhegma::momentsAroundFront", state.mesh.nodes.sums.extent(0));
+  const View<double * [4 * D]> moments = moments_;
+  forEachNodeIn(
+      "rhegma::clearMomentsAroundFront", state, box, KOKKOS_LAMBDA(const int n, const Vector<D>&) {
+        for (int k = 0; k < 4 * D; ++k)
+          moments(n, k) = 0.0;
+      });
+  return moments_;
+}
+
+template <int D>
+void FrontRowTable<D>::addWorkOfAcceleration(const State<D>& state, const Region<D>& box) const
+{
+  if (moments_.extent(0) == 0)
+    return;
+  const View<double * [FrontRows<D>::width]> rows = rows_;
+  const View<double * [4 * D]> moments = moments_;
+  const View<double* [4]> forces = forces_;
+  forEachNodeIn(
+      "rhegma::workOfAccelerationAroundFront", state, box, KOKKOS_LAMBDA(const int n, const Vector<D>&) {
+        for (int i = 0; i < D; ++i)
+          for (int k = 0; k < D; ++k)
+            forces(n, k) += rows(n, FrontRows<D>::accelerationAt + i) * moments(n, 4 * i + k);
+      });
 }
 
 template class FrontRowTable<2>;

@@ -9,8 +9,14 @@ namespace Rhegma::energy_release
 {
 
 /// A row a node, enriched fields included, of which a kernel interpolates all numbers at once. In 2D: the
-/// weight q, q times the direction of the crack, a spare number, velocity [m/s] and acceleration [m/s2]. In
-/// 3D: velocity, acceleration, two spare numbers.
+/// weight q, q times the direction of the crack, a spare number, velocity [m/s] and acceleration times q
+/// [m/s2]. In 3D: velocity, acceleration, two spare numbers.
+///
+/// The work of a node's forces on the virtual advance is that of its own weight. With the acceleration and
+/// the weight interpolated one by one, forces on nodes without weight, such as those that support a surface
+/// or load it, would do work on the particles between these nodes and those with a weight: where the crack
+/// ends at the surface within a cell of the outer radius, J was wrong by the energy density of the stress
+/// along the crack times a cell.
 template <int D>
 struct FrontRows
 {
@@ -27,19 +33,27 @@ public:
   FrontRows<D> fillMotion(const State<D>& state, const Region<D>& box, bool moving,
                           const NodalAcceleration<D>& acceleration);
 
-  /// Fills the weights of the nodes in a box (2D only). \param path of a bent crack; without simplices of a
-  /// straight one, whose rows have no direction
+  /// Fills the weights of the nodes in a box and multiplies their accelerations with them (2D only). \param
+  /// path of a bent crack; without simplices of a straight one, whose rows have no direction
   void fillWeights(const State<D>& state, const Region<D>& box, const NodalWeight<D>& weight,
                    const CrackPath& path);
 
   /// Forces that integrals sum on nodes, a row a node, zero in a box; the last column is spare.
   View<double* [4]> clearForces(const State<D>& state, const Region<D>& box);
 
+  /// Rows of mass times the gradient of displacement that integrals sum on nodes, zero in a box: one row of
+  /// the gradient after the other, each with a spare number [kg]. Empty where nodes do not move.
+  View<double * [4 * D]> clearMoments(const State<D>& state, const Region<D>& box, bool moving);
+
+  /// Adds to the forces in a box what accelerations do on the moments.
+  void addWorkOfAcceleration(const State<D>& state, const Region<D>& box) const;
+
 private:
   void reserve(const State<D>& state);
 
   View<double * [FrontRows<D>::width]> rows_;
   View<double* [4]> forces_;
+  View<double * [4 * D]> moments_; ///< empty where nodes do not move
 };
 
 template <>

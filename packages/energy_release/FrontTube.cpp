@@ -24,6 +24,15 @@ constexpr double leans = 0.6;
 /// Largest fraction of an open front that is left out at each end.
 constexpr double atAnEnd = 0.4;
 
+/// Length that is left out at an end of an open front, at most. A row of nodes lies within half a cell of its
+/// middle: where the front is long enough, this row counts.
+double leftOutAtEnds(double length, double cell)
+{
+  constexpr double motion = 0.1; // of the ends, with the body [cells]
+  return length > 2.0 * cell ? std::min(atAnEnd * length, 0.5 * (length - cell) - motion * cell)
+                             : std::max(atAnEnd * length, cell);
+}
+
 /// Distance from a front within which all nodes are surrounded by material; the ends of an open one, where
 /// the surface is, are left out.
 double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radius)
@@ -39,7 +48,8 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   const double cell = state.mesh.grid.spacing;
   double most = 1e300;
   for (const double length : line.open)
-    most = length > 0.0 ? std::min(most, atAnEnd * length) : most;
+    if (length > 0.0)
+      most = std::min(most, leftOutAtEnds(length, cell));
   double nearest = radius;
   Kokkos::parallel_reduce(
       "rhegma::clearOfSurfaces", Kokkos::RangePolicy<ExecSpace>(0, cover.box.count()),
@@ -48,7 +58,7 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
         if (!cover.isOpen(k) || norm(x - middle) > extent + radius)
           return;
         const FrontFoot foot = sight.locate(x);
-        const double end = std::fmin(cell + leans * foot.distance, std::fmax(cell, most));
+        const double end = std::fmin(cell + leans * foot.distance, most);
         if (foot.inside >= end && foot.distance < smallest)
           smallest = foot.distance;
       },
