@@ -4,6 +4,7 @@
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace Rhegma::equilibrium
 {
@@ -73,8 +74,13 @@ struct Filled
 {
   std::vector<double> all, plus, minus; ///< of all particles, of those on sides +1 and -1 of cracks [m3]
   std::vector<double> stiff;            ///< Young's modulus times volume [N m]
+  std::vector<double> young; ///< of leaves without particles: the largest Young's modulus next to them [Pa]
 
-  explicit Filled(int leaves) : all(leaves, 0.0), plus(leaves, 0.0), minus(leaves, 0.0), stiff(leaves, 0.0) {}
+  explicit Filled(int leaves)
+      : all(leaves, 0.0), plus(leaves, 0.0), minus(leaves, 0.0), stiff(leaves, 0.0), young(leaves, 0.0)
+  {
+  }
+  double modulus(int leaf) const { return all[leaf] > 0.0 ? stiff[leaf] / all[leaf] : young[leaf]; }
   double on(int leaf, int side) const
   {
     return all[leaf] - (side > 0 ? minus[leaf] : side < 0 ? plus[leaf] : 0.0);
@@ -139,10 +145,13 @@ private:
     return leaf.number < 0 ? -1 - leaf.number : grid_.numNodes + leaf.number;
   }
 
-  /// Lists the leaves over a face of those that are listed.
+  /// Lists the leaves over a face of those that are listed. Boxes reach over edges and corners of cells into
+  /// leaves that have no particles, as those over their faces have none: they get the modulus that is next to
+  /// them.
   void addNeighbours(std::vector<char>& listed)
   {
     const std::size_t before = leaves_.size();
+    std::vector<std::pair<int, double>> moduli; // of new leaves, from each of their neighbours
     for (std::size_t k = 0; k < before; ++k)
       for (int axis = 0; axis < D; ++axis)
         for (const int direction : {-1, 1})
@@ -159,7 +168,11 @@ private:
             if (listed[n] == 0)
               leaves_.push_back(next);
             listed[n] = 1;
+            if (filled_.modulus(n) == 0.0)
+              moduli.emplace_back(n, filled_.modulus(numberOf(leaves_[k])));
           }
+    for (const auto& [n, modulus] : moduli)
+      filled_.young[n] = std::max(filled_.young[n], modulus);
   }
 
   /// A point from the lowest corner of a leaf, in its edges.
@@ -183,7 +196,7 @@ private:
     if (next.level > leaf.level || (next.level == leaf.level && direction < 0))
       return; // found from the other side
     const int a = numberOf(leaf), b = numberOf(next);
-    if (filled_.all[a] + filled_.all[b] == 0.0)
+    if (filled_.modulus(a) + filled_.modulus(b) == 0.0)
       return;
     Line found[lines];
     for (int line = 0; line < lines; ++line)
@@ -235,7 +248,9 @@ private:
     { return filled_.on(number, side) / (std::pow(of.edge * grid_.spacing, D) * thickness_); };
     if (std::min(fraction(leaf, a), fraction(next, b)) >= fullCell)
       return 0.0;
-    const double stiff = (filled_.stiff[a] + filled_.stiff[b]) / (filled_.all[a] + filled_.all[b]);
+    const double both = filled_.all[a] + filled_.all[b];
+    const double stiff = both > 0.0 ? (filled_.stiff[a] + filled_.stiff[b]) / both
+                                    : std::max(filled_.modulus(a), filled_.modulus(b));
     return ghostFactor * stiff * std::pow(leaf.edge * grid_.spacing, D - 2) * thickness_ / lines;
   }
 
