@@ -56,6 +56,22 @@ double distanceToSurface(const State<D>& state, const Vector<D>& x, const Vector
   return -closeness;
 }
 
+std::vector<FrontNode<2>> innerNodes(const CrackFront<2>& front, double) { return front.nodes; }
+
+/// The nodes of a front that are further than a length, and a quarter of it, from the surfaces at which it
+/// ends; all nodes where there are none. What is ahead of the others, whose directions are along the surface,
+/// is this surface.
+std::vector<FrontNode<3>> innerNodes(const CrackFront<3>& front, double from)
+{
+  const FrontLine line = lineOf(front);
+  std::vector<FrontNode<3>> inner;
+  for (std::size_t k = 0; k < line.nodes.size(); ++k)
+    if (const double open = line.open[line.line[k]];
+        !(open > 0.0) || std::min(line.arc[k], open - line.arc[k]) > std::min(from, 0.25 * open))
+      inner.push_back(line.nodes[k]);
+  return inner.empty() ? line.nodes : inner;
+}
+
 /// Distance to the nearest front ahead, within 45 degrees of the direction [m].
 template <int D>
 double distanceToFronts(const State<D>& state, const FrontNode<D>& from)
@@ -86,11 +102,13 @@ FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const 
   constexpr std::size_t most = 8; // nodes of a front that are looked at
   const int ends = endsOf(state, front);
   FrontLengths lengths{crackLength(state, front) / ends, 0.0, ends, 0.0, 0.0};
-  const std::size_t count = front.nodes.size(), looked = std::min(count, most);
+  constexpr double atEnds = 2.0; // cells
+  const std::vector<FrontNode<D>> nodes = innerNodes(front, atEnds * state.mesh.grid.spacing);
+  const std::size_t count = nodes.size(), looked = std::min(count, most);
   double inverse = 0.0, armInverse = 0.0;
   for (std::size_t k = 0; k < looked; ++k)
   {
-    const FrontNode<D>& node = front.nodes[k * count / looked];
+    const FrontNode<D>& node = nodes[k * count / looked];
     const auto surface = [&](const Vector<D>& along)
     { return distanceToSurface(state, node.position, along, cover); };
     inverse += 1.0 / std::min(surface(node.direction), distanceToFronts(state, node));
