@@ -1,5 +1,7 @@
 #include "equilibrium/Newton.hpp"
 
+#include "parallel/StopTogether.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -301,6 +303,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
   for (int k = 0; k <= most; ++k)
   {
+    stopTogetherIfRequested(owners_.ranks());
     // A body that is unloaded has forces of its own size no longer.
     report.forces = std::max({report.forces, norm(load_, false), norm(residual_, true)});
     const double forces = report.forces, now = norm(residual_, false);
