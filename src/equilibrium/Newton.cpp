@@ -308,6 +308,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     report.forces = std::max({report.forces, norm(load_, false), norm(residual_, true)});
     const double forces = report.forces, now = norm(residual_, false);
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
+    if (onIteration_)
+      onIteration_(k, report.residuals.back());
     report.converged = !moved && now <= forceTolerance * forces;
     if (report.converged || k == most || (!keeps && !assemble(state)))
       break;

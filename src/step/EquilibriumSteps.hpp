@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace Rhegma
 {
@@ -32,6 +33,9 @@ class EquilibriumSteps
 public:
   /// What the last solution was, which the core's call of the plan writes.
   const std::shared_ptr<equilibrium::LastStep>& last() const { return last_; }
+
+  /// \sa equilibrium::LastStep::onIteration
+  void onIteration(std::function<void(int, double)> iteration) { last_->onIteration = std::move(iteration); }
 
   /// Sets the lengths of steps.
   void start(const Teuchos::ParameterList& scene) { steps_ = LoadSteps<D>(scene); }
