@@ -80,7 +80,7 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       warnings_(earlier.warnings())
 {
   if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
-    progress_.stopsAtRest(end->energyRatio, end->drift);
+    progress_.stopsAtRest(end->energyRatio, end->drift, end->notBefore);
   observe();
   if (continued_)
     takeUpFields();
@@ -131,6 +131,8 @@ void Production::observe()
                             if (unwritten_.empty())
                               unwritten_ = history_.whyLost();
                           });
+  simulation_.onIteration([this](int iteration, double residual)
+                          { progress_.iteration(simulation_.steps() + 1, iteration, residual); });
   simulation_.onStep(
       [this](double time, long step)
       {
