@@ -117,6 +117,10 @@ void Simulation::sampleEvery(double interval, std::function<void(double, const R
   engine_->observer = std::move(observer);
 }
 
+void Simulation::onIteration(std::function<void(int, double)> progress)
+{
+  engine_->onIteration = std::move(progress);
+}
 void Simulation::onStep(std::function<void(double, long)> progress)
 {
   engine_->afterStep = std::move(progress);

@@ -102,6 +102,11 @@ public:
   /// steps
   void onStep(std::function<void(double time, long step)> progress);
 
+  /// Makes advance() call `progress` within load steps of equilibrium, before each iteration of Newton's
+  /// method. \param progress gets the number of the iteration, from 0 for each solution, and the residual as
+  /// a fraction of the forces
+  void onIteration(std::function<void(int iteration, double residual)> progress);
+
   /// Makes the next step end with a sample, from which observe() and report() answer; the observer of
   /// sampleEvery() gets it only where its interval has passed. Collective. \return false: the last step was
   /// sampled, and nothing is to do

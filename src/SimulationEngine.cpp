@@ -43,6 +43,7 @@ public:
   void advance(double until) override
   {
     State<D>& state = run_->state();
+    run_->onIteration(onIteration);
     while (state.clock.time < until && !state.clock.ended())
     {
       const double dt = run_->stableTimeStep();

@@ -68,6 +68,7 @@ public:
   double interval = 0.0;
   std::function<void(double, const Row&)> observer;
   std::function<void(double, long)> afterStep;
+  std::function<void(int, double)> onIteration;
   bool sampleNext =
       false; ///< the next step ends with a sample, which the observer does not get unless it is due
   bool sampled = false; ///< the last step ended with a sample

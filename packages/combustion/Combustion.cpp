@@ -1,6 +1,7 @@
 #include "combustion/Combustion.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "combustion/BurnStep.hpp"
 #include "combustion/GasReport.hpp"
@@ -122,7 +123,15 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 EffectEntry combustionEntry()
 {
   EffectEntry entry{combustionSection(), checkCombustion, make<2>, make<3>, true};
-  entry.declare = [](const Teuchos::ParameterList&, RunOptions& options) { options.burning = true; };
+  entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
+  {
+    options.burning = true;
+    for (const std::string& name : sublistNames(list))
+      if (list.sublist(name).isType<double>("Ignition Time"))
+        options.driving.push_back(
+            {"Combustion > " + name + " > Ignition Time",
+             "t < " + formatExactly(list.sublist(name).get<double>("Ignition Time")) + " ? 0 : 1"});
+  };
   entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.facesLoaded = true; };
   return entry;
 }

@@ -22,11 +22,13 @@ void judgeLengths(double cell, State<D>& state)
   for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     if (const double length = extentOf(state, static_cast<int>(c));
         hasFront[c] && length < (fewest - 1e-6) * cell)
-      state.warnings.push_back("Cracks > " + state.cracks.cracks[c].name + ": it extends over " +
-                               readableLength(length) + " inside the bodies, " + formatShort(length / cell) +
-                               " cells of " + readableLength(cell) +
-                               "; below three cells its opening, G and K are meaningless: use smaller cells "
-                               "(Domain > Cell Size), or check its size (metres)");
+      state.warnings.push_back(
+          "Cracks > " + state.cracks.cracks[c].name + ": it extends over " + readableLength(length) +
+          " inside the bodies, " + formatShort(length / cell) + " cells of " + readableLength(cell) +
+          (length < (1.0 - 1e-6) * cell
+               ? "; below one cell its opening, G and K are meaningless"
+               : "; below three cells its opening, G and K can be wrong by 20 % or more") +
+          ": use smaller cells (Domain > Cell Size), or check its size (metres)");
 }
 
 } // namespace Rhegma::cracks

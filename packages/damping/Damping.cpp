@@ -174,7 +174,8 @@ Section section()
   s.boolean("Stop When Settled")
       .mayChange()
       .byDefault(false)
-      .meaning("If true, the run ends as soon as it has settled; Time > Final Time is then the upper limit.");
+      .meaning("If true, the run ends as soon as it has settled, but not before the last change of loads "
+               "that settle; Time > Final Time is then the upper limit.");
   s.real("Settled Energy Ratio")
       .mayChange()
       .above(0.0)
@@ -265,6 +266,31 @@ void reportSettled(double time, double change, nlohmann::json& summary)
         formatShort(100.0 * change) + " %");
 }
 
+/// Adds a warning of loads that still change after a run has settled, as one that never settles does.
+void reportLoads(const Changes& changes, double time, nlohmann::json& summary)
+{
+  const Changes::Change change = changes.after(time);
+  if (change.fraction > noticeableChange)
+    summary["warnings"].push_back(
+        "Damping > Stop When Settled: the run settled at t = " + readableTime(time) + ", but " +
+        (change.ofRate ? "the displacement of " : "") + change.where + " still changes by " +
+        formatShort(100.0 * change.fraction) +
+        " % of its largest value up to Time > Final Time: results are those of the loads at that time");
+}
+
+/// \param slowest motion of its bodies \param changes of the loads, where the run ends at rest; or null
+void reportRest(const Clock& clock, const Settling& settling, const SlowMotion& slowest,
+                const Changes* changes, nlohmann::json& summary)
+{
+  if (std::isfinite(slowest.frequency) && slowest.frequency > 0.0)
+    summary["slowest_motion"] = {{"name", slowest.name}, {"angular_frequency", slowest.frequency}};
+  if (!clock.settled)
+    return;
+  reportSettled(clock.time, settling.mayStillChange(), summary);
+  if (changes != nullptr)
+    reportLoads(*changes, clock.time, summary);
+}
+
 /// Whether the equilibrium of a scene can be solved for as well: small strain of elastic bodies at rest.
 template <int D>
 bool isLinear(const State<D>& state, const RunOptions& options)
@@ -301,6 +327,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   const double interval =
       output.isParameter("History Interval") ? output.get<double>("History Interval") : until / 200.0;
   const int samples = list.get<int>("Settled Samples");
+  const auto changes = std::make_shared<const Changes>(options.driving, until);
+  settling->waitForLoads(changes->last(), 0.0);
   const auto known = std::make_shared<Unsettled>(); // of whole bodies, before ranks divide them
   known->rate = rate;
   effect.judge = [=, holding = holdingOf(scene)](State<D>& s)
@@ -309,6 +337,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     {
       if (judged->slowest.known)
         known->estimated = judged->slowest;
+      if (judged->slowest.frequency > 0.0) // half a period
+        settling->waitForLoads(changes->last(), std::acos(-1.0) / judged->slowest.frequency);
       judgeDamping({rate, shear, bulk, std::min(end, until), stop ? drift : 1.0}, *judged, s);
     }
     known->linear = isLinear(s, options);
@@ -319,13 +349,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {}, {},
       [settling](State<D>& s)
       { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row, s.clock.time); });
-  effect.report = [stop, until, end, settling, known](const State<D>& s, nlohmann::json& summary)
+  effect.report = [stop, until, end, settling, known, changes](const State<D>& s, nlohmann::json& summary)
   {
-    if (std::isfinite(known->estimated.frequency) && known->estimated.frequency > 0.0)
-      summary["slowest_motion"] = {{"name", known->estimated.name},
-                                   {"angular_frequency", known->estimated.frequency}};
-    if (s.clock.settled)
-      reportSettled(s.clock.time, settling->mayStillChange(), summary);
+    reportRest(s.clock, *settling, known->estimated, stop ? changes.get() : nullptr, summary);
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
     summary["ended_before_settled"] = stop && over && !s.clock.settled && s.failure.empty();
     if (!summary["ended_before_settled"])

@@ -122,9 +122,21 @@ double Settling::creep(double strain) const
              : 0.0;
 }
 
+void Settling::forget()
+{
+  last_.clear();
+  motion_.clear();
+  watched_.clear();
+}
+
 bool Settling::sample(double kinetic, double strain, const HistoryRow& row, double time)
 {
   constexpr double most = 100.0; // times the drift, which is of a few samples
+  if (time < loadsChangeUntil_)
+  {
+    forget();
+    return false;
+  }
   motion_.emplace_back(time, kinetic);
   if (motion_.size() > mostWatched)
     motion_.pop_front();
@@ -146,6 +158,8 @@ bool Settling::sample(double kinetic, double strain, const HistoryRow& row, doub
   if (last_.size() > samples_)
     last_.pop_front();
   if (last_.size() < samples_ || creep_ > most * drift_)
+    return false;
+  if (loadsChangeUntil_ > 0.0 && time < loadsChangeUntil_ + answer_)
     return false;
   for (const Sample& sample : last_)
   {

@@ -31,6 +31,14 @@ public:
   /// none) within the drift of its latest value, unless strong damping lets the body creep farther
   bool sample(double kinetic, double strain, const HistoryRow& row, double time = 0.0);
 
+  /// Loads change up to a time: earlier samples count for nothing, and the run has not settled before its
+  /// bodies can have answered. \param until [s]; 0: they are constant \param answer time that takes [s]
+  void waitForLoads(double until, double answer)
+  {
+    loadsChangeUntil_ = until;
+    answer_ = answer;
+  }
+
   /// How far what it watches may still move from its latest value, by the decay of its oscillation, as a
   /// fraction of that value: the largest of all that it watches. Not a number before there are enough
   /// samples.
@@ -57,6 +65,8 @@ private:
   /// rises in between, or falls at several rates.
   std::optional<double> decayTime() const;
 
+  void forget();
+
   struct Sample
   {
     double ratio;
@@ -66,6 +76,7 @@ private:
   std::size_t samples_;
   std::deque<Sample> last_;
   double massDamping_;
+  double loadsChangeUntil_ = 0.0, answer_ = 0.0; ///< [s]
   std::deque<std::pair<double, double>> motion_; ///< times [s] and kinetic energies [J] of the last samples
   double creep_ = 0.0;                           ///< of the last sample
   std::deque<std::vector<double>>

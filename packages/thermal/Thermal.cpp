@@ -310,12 +310,25 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   return effect;
 }
 
+/// Whether a source never settles, as it moves.
+bool isMoving(const Teuchos::ParameterList& source)
+{
+  if (!source.isType<Teuchos::Array<double>>("Velocity"))
+    return false;
+  const auto& velocity = source.get<Teuchos::Array<double>>("Velocity");
+  return std::any_of(velocity.begin(), velocity.end(), [](double v) { return v != 0.0; });
+}
+
 void declareHeat(const Teuchos::ParameterList& list, RunOptions& options)
 {
   options.mechanics = list.get<bool>("Mechanics");
   options.initialTemperature = list.get<double>("Initial Temperature");
   // Its stages do not include heat that passes between fields, and in a splitting of steps nodes with little
   // material would be far from the temperature that they have together.
+  if (list.isSublist("Sources"))
+    for (const std::string& name : sublistNames(list.sublist("Sources")))
+      if (isMoving(list.sublist("Sources").sublist(name)))
+        options.driving.push_back({"Thermal > Sources > " + name + " > Velocity", "t"});
   options.fieldsConduct = list.get<std::string>("Conduction") != "Super Time Stepping";
 }
 

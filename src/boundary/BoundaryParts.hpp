@@ -22,7 +22,7 @@ struct BoundaryParts
 };
 
 /// Adds the parameter History, a factor over time.
-void describeHistory(Section& section);
+ParameterBuilder describeHistory(Section& section);
 
 /// Adds the parameter Body, on which a load acts.
 void describeLoadedBody(Section& section);

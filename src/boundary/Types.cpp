@@ -12,9 +12,9 @@ std::vector<BoundaryType> builtInBoundaryTypes()
 #undef RHEGMA_MAKE
 }
 
-void describeHistory(Section& s)
+ParameterBuilder describeHistory(Section& s)
 {
-  s.timeFunction("History").byDefault("1").meaning(
+  return s.timeFunction("History").byDefault("1").meaning(
       "Factor on the value as a function of time: an expression of t or a table \"0:0, 1e-3:5\".");
 }
 

@@ -141,7 +141,7 @@ BoundaryType velocityBoundary()
       "The velocity as a function of the nodal position x, y, z: one expression for each axis, such as "
       "\"2*x, -y\". Common terms are defined first, as in \"r = sqrt(x*x + y*y); x / r, y / r\".");
   s.exactlyOneOf({"Value", "Field"});
-  describeHistory(s);
+  describeHistory(s).scalesRate("Value");
   return {s, checkVelocity, addVelocity<2>, addVelocity<3>, "", heldBoxOf};
 }
 

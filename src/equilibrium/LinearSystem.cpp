@@ -232,7 +232,8 @@ typename LinearSystem<D>::Method LinearSystem<D>::choose()
   if (DirectSolver::available() && unknowns_ <= mostDirectUnknowns<D> &&
       direct_.analyse(matrix_) <= mostOperations)
     return Method::Direct;
-  gradients_ = std::make_unique<ConjugateGradients>(linearTolerance, mostLinearIterations);
+  gradients_ =
+      std::make_unique<ConjugateGradients>(linearTolerance, mostLinearIterations, OnStopRequest::Throw);
   gradients_->resize(matrix_.rows(), owners_.ranks());
   return Multigrid::available() && unknowns_ >= leastMultigridUnknowns<D> ? Method::Multigrid
                                                                           : Method::Diagonal;

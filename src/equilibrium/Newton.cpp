@@ -1,5 +1,7 @@
 #include "equilibrium/Newton.hpp"
 
+#include "parallel/StopTogether.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -301,10 +303,13 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
   for (int k = 0; k <= most; ++k)
   {
+    stopTogetherIfRequested(owners_.ranks());
     // A body that is unloaded has forces of its own size no longer.
     report.forces = std::max({report.forces, norm(load_, false), norm(residual_, true)});
     const double forces = report.forces, now = norm(residual_, false);
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
+    if (onIteration_)
+      onIteration_(k, report.residuals.back());
     report.converged = !moved && now <= forceTolerance * forces;
     if (report.converged || k == most || (!keeps && !assemble(state)))
       break;

@@ -6,8 +6,10 @@
 #include "equilibrium/LinearSystem.hpp"
 #include "equilibrium/RigidModes.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace Rhegma::equilibrium
 {
@@ -79,6 +81,10 @@ public:
   /// \param most iterations after which the step counts as failed; 0: only the loads are looked at, without
   /// works
   StepReport solve(const State<D>& state, double largestForces, int most = mostIterations);
+
+  /// Makes solve() call a function before each iteration. \param iteration gets its number, from 0, and the
+  /// residual as a fraction of the forces
+  void onIteration(std::function<void(int, double)> iteration) { onIteration_ = std::move(iteration); }
 
   const Values& displacement() const { return displacement_; }
   /// Forces of supports on the body [N]; zero on other unknowns.
@@ -170,6 +176,7 @@ private:
   std::vector<int> solid_; ///< piece of each row by Couplings::OfMaterial, once cracks have grown; else empty
   int solidPieces_ = 0;
   bool symmetric_ = true; ///< the stiffness
+  std::function<void(int, double)> onIteration_;
   std::shared_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;
   Values load_, displacement_, residual_, reaction_;

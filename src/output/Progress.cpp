@@ -16,6 +16,9 @@ constexpr double secondsBetweenPrints = 0.25;
 /// When a run that is not watched on a terminal says for the first time how long it takes [s].
 constexpr double secondsToFirstPrint = 2.0;
 
+/// Between two lines within a load step, on a terminal and elsewhere [s].
+constexpr double secondsOfIteration = 2.0, secondsOfIterationInFile = 30.0;
+
 double wallClock()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -52,13 +55,14 @@ Progress::Progress(std::ostream* stream, double finalTime, bool terminal, Clock 
       terminal_(terminal),
       clock_(std::move(clock)),
       startClock_(clock_()),
-      lastPrint_(startClock_)
+      lastPrint_(startClock_),
+      lastIteration_(startClock_)
 {
 }
 
 void Progress::sample(double time, const Row& row)
 {
-  if (rest_)
+  if (rest_ && time >= notBefore_)
     rest_->sample(time, row);
   for (const auto& column : row)
     if (endsWith(column.first, ".G_J"))
@@ -112,7 +116,12 @@ std::string Progress::line(double done, bool running) const
 
 void Progress::print(bool running)
 {
-  std::string text = line(finalTime_ > 0.0 ? time_ / finalTime_ : 1.0, running);
+  write(line(finalTime_ > 0.0 ? time_ / finalTime_ : 1.0, running));
+  stale_ = false;
+}
+
+void Progress::write(std::string text)
+{
   if (terminal_)
   {
     const std::size_t width = text.size();
@@ -124,7 +133,20 @@ void Progress::print(bool running)
   else
     *stream_ << text << '\n';
   stream_->flush();
-  stale_ = false;
+}
+
+void Progress::iteration(long step, int iteration, double residual)
+{
+  const double now = clock_();
+  if (stream_ == nullptr ||
+      now - lastIteration_ < (terminal_ ? secondsOfIteration : secondsOfIterationInFile))
+    return;
+  lastIteration_ = now;
+  char text[96];
+  std::snprintf(text, sizeof text, "load step %ld: iteration %d, residual %.1e", step, iteration + 1,
+                residual);
+  write(text);
+  stale_ = true;
 }
 
 void Progress::step(double time, long step)
@@ -140,6 +162,7 @@ void Progress::step(double time, long step)
     lastTenth_ = static_cast<int>(10.0 * startTime_ / finalTime_ + 1.0e-9);
   }
   const double now = clock_();
+  lastIteration_ = now;
   time_ = time;
   step_ = step;
   stale_ = true;

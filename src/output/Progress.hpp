@@ -28,14 +28,23 @@ public:
   Progress(std::ostream* stream, double finalTime, bool terminal, Clock clock);
 
   /// The run stops once it is at rest: says when that will be. Call before the first sample.
-  /// \param ratio, drift  of Damping's criterion
-  void stopsAtRest(double ratio, double drift) { rest_.emplace(ratio, drift); }
+  /// \param ratio, drift  of Damping's criterion \param notBefore time from which on samples count [s]
+  void stopsAtRest(double ratio, double drift, double notBefore = 0.0)
+  {
+    rest_.emplace(ratio, drift);
+    notBefore_ = notBefore;
+  }
 
   /// A new sample of the history; the first column that ends in .G_J is shown. \param time [s]
   void sample(double time, const Row& row);
 
   /// A step has been taken. \param time [s]
   void step(double time, long step);
+
+  /// A load step is being solved: every few seconds says how far it is. \param step its number, from 1 \param
+  /// iteration of Newton's method, from 0
+  /// \param residual before it, as a fraction of the forces
+  void iteration(long step, int iteration, double residual);
 
   /// Prints where the run ended, unless that was just printed, and ends the line.
   void finish();
@@ -45,6 +54,7 @@ private:
   std::string timeLeft() const;
   void followPace(double now);
   void print(bool running);
+  void write(std::string text);
 
   /// How far the run was, and when.
   struct Mark
@@ -60,13 +70,15 @@ private:
   double startTime_ = 0.0; ///< where a continued run began [s]
   Mark older_, newer_;     ///< the pace is that since the older one
   std::optional<RestForecast> rest_;
-  bool early_ = false; ///< the line of the first seconds is printed
+  double notBefore_ = 0.0; ///< [s]
+  bool early_ = false;     ///< the line of the first seconds is printed
   bool begun_ = false;
   double time_ = 0.0;
   long step_ = 0;
   bool hasG_ = false;
   double g_ = 0.0; ///< [J/m2]
   double lastPrint_;
+  double lastIteration_; ///< when an iteration was printed, or the last step was taken
   int lastTenth_ = 0;
   std::size_t width_ = 0; ///< of the line on the terminal
   bool open_ = false;

@@ -144,6 +144,10 @@ bool isTimeOfGrowth(const std::string& path)
          (last == "initiated" || last == "last_advance" || last == "time");
 }
 
+/// Why a time of growth is not compared.
+constexpr const char* timesAreCounts = "with Propagation > Load Control = Load Factor times only count load "
+                                       "steps; compare propagation.initiation.load_factor";
+
 nlohmann::json compare(const std::string& name, const Teuchos::ParameterList& entry,
                        const nlohmann::json& summary)
 {
@@ -161,8 +165,7 @@ nlohmann::json compare(const std::string& name, const Teuchos::ParameterList& en
   if (hasLoadFactor(summary) && isTimeOfGrowth(quantity))
   {
     result["value"] = result["relative_error"] = result["within"] = nullptr;
-    result["left_out"] = "with Propagation > Load Control = Load Factor times only count load steps; compare "
-                         "propagation.initiation.load_factor";
+    result["left_out"] = timesAreCounts;
   }
   else if (problem.empty())
   {
@@ -239,6 +242,24 @@ void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohma
           });
     }
   attempts.throwIfAny();
+}
+
+std::string warningOfReferences(const Teuchos::ParameterList& section)
+{
+  bool any = false;
+  for (auto item = section.begin(); item != section.end(); ++item)
+  {
+    if (!section.isSublist(section.name(item)))
+      continue;
+    any = true;
+    if (!isTimeOfGrowth(section.sublist(section.name(item)).get<std::string>("Quantity")))
+      return {};
+  }
+  return any ? std::string(
+                   "Reference: none of the references will be compared, so that the run does not pass "
+                   "(exit status 4): ") +
+                   timesAreCounts
+             : std::string();
 }
 
 std::string referencesAsText(const nlohmann::json& summary)

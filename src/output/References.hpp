@@ -25,6 +25,10 @@ bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summar
 /// where there is no value yet
 void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohmann::json& summary);
 
+/// Warning before a run whose loads have a factor, of which no reference will be compared as all are times of
+/// growth; empty where one will, or there are none. \param section `Reference`; may be empty
+std::string warningOfReferences(const Teuchos::ParameterList& section);
+
 /// The references of a summary as text, a line each; empty without references.
 std::string referencesAsText(const nlohmann::json& summary);
 

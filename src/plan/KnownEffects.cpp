@@ -1,5 +1,7 @@
 #include "plan/KnownEffects.hpp"
 
+#include "plan/EffectSchema.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -32,6 +34,12 @@ RunOptions declaredOptions(const Teuchos::ParameterList& scene)
   for (const EffectEntry& entry : knownEffects())
     if (entry.declare && scene.isSublist(entry.section.name))
       entry.declare(scene.sublist(entry.section.name), options);
+  if (!options.endAtRest || !scene.isSublist("Time"))
+    return options;
+  for (DrivingFunction& function : drivingFunctions(scene, effectSchema()))
+    options.driving.push_back(std::move(function));
+  options.endAtRest->notBefore =
+      Changes(options.driving, scene.sublist("Time").get<double>("Final Time")).last();
   return options;
 }
 

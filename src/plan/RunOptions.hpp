@@ -2,6 +2,7 @@
 /// Options that effects exchange. Each value is set by the effect that owns it, before any effect is made
 /// (EffectEntry::declare), so that no effect reads the section of another.
 
+#include "scene/DrivingFunction.hpp"
 #include "state/CrackSet.hpp"
 
 #include <limits>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace Rhegma
 {
@@ -31,6 +33,7 @@ struct EndAtRest
   double energyRatio = 0.0; ///< largest kinetic over strain energy at rest
   double drift = 0.0;       ///< largest relative change of the answers at rest
   double massRate = 0.0;    ///< of mass-proportional damping [1/s]; may be 0
+  double notBefore = 0.0;   ///< the last change of loads that settle [s]
 };
 
 /// Defaults: values of a scene without effects.
@@ -56,6 +59,9 @@ struct RunOptions
   bool loadFactor = false;  ///< in equilibrium, under loads whose factor is found from their growth
   DrivingContours contours; ///< contours for the driving forces of growing cracks, given in 2D
   NodalMass nodalMass;
+  /// What drives the run as functions of time. Effects declare what no parameter that is such a function
+  /// says; those parameters follow where a run ends at rest.
+  std::vector<DrivingFunction> driving;
   std::optional<EndAtRest> endAtRest; ///< none: at Time > Final Time
 };
 

@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/OutputError.hpp"
 #include "parallel/FirstRank.hpp"
+#include "plan/LastStage.hpp"
 #include "program/Intervals.hpp"
 
 #include <cmath>
@@ -27,6 +28,7 @@ constexpr double copiesAtLeast = 5.0, secondsOfCopies = 0.1;
 Checkpoints::Checkpoints(const Teuchos::ParameterList& scene, const std::string& folder,
                          Simulation& simulation, History& history, const Ranks& ranks)
     : wanted_(scene.sublist("Output").get<bool>("Checkpoints")),
+      afterEachStep_(isEquilibrium(scene)),
       interval_(checkpointInterval(scene)),
       minutes_(checkpointMinutes(scene)),
       path_(folder + "/checkpoint.h5"),
@@ -81,6 +83,8 @@ bool Checkpoints::isTime() const
 
 void Checkpoints::afterStep(bool byClock)
 {
+  if (afterEachStep_)
+    afterSample();
   const bool byTime = interval_ > 0.0 && simulation_.time() >= next_;
   if (!wanted_ || !(byTime || byClock))
     return;

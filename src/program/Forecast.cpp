@@ -167,8 +167,8 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
   f.solves = f.steps * rates.solves;
   if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
   {
-    const double settled =
-        std::max(timeToRest(*end, slowest), historyInterval(scene)); // it is seen in a sample
+    const double settled = std::max(0.0, end->notBefore - time) +
+                           std::max(timeToRest(*end, slowest), historyInterval(scene)); // seen in a sample
     if (settled < fraction * length)
     {
       const double part = settled / (fraction * length);

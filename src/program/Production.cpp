@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/OutputError.hpp"
+#include "base/StopRequest.hpp"
 #include "output/OutputFolder.hpp"
 #include "parallel/FirstRank.hpp"
 #include "plan/KnownEffects.hpp"
@@ -79,7 +80,7 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       warnings_(earlier.warnings())
 {
   if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
-    progress_.stopsAtRest(end->energyRatio, end->drift);
+    progress_.stopsAtRest(end->energyRatio, end->drift, end->notBefore);
   observe();
   if (continued_)
     takeUpFields();
@@ -130,6 +131,8 @@ void Production::observe()
                             if (unwritten_.empty())
                               unwritten_ = history_.whyLost();
                           });
+  simulation_.onIteration([this](int iteration, double residual)
+                          { progress_.iteration(simulation_.steps() + 1, iteration, residual); });
   simulation_.onStep(
       [this](double time, long step)
       {
@@ -172,6 +175,10 @@ try
   const std::string reason = ranks_.firstText(simulation_.report(0).value("ended_by", std::string()));
   return reason.empty() ? reason : stoppedBy(reason) + checkpoints_.atStop();
 }
+catch (const StopRequested& stop)
+{
+  return stoppedWithin(stop.what());
+}
 catch (const RunError& error)
 {
   const std::string failure = error.what();
@@ -189,6 +196,18 @@ catch (const std::bad_alloc&)
   if (ranks_.many())
     throw;
   return stoppedWithCheckpoint("there is no memory left; use larger cells (Domain > Cell Size)");
+}
+
+std::string Production::stoppedWithin(const std::string& where)
+{
+  stopRequested_ = true;
+  signalName_ = ranks_.firstText(signal_.name());
+  // The state is not whole; a signal before the step has saved that before it.
+  if (toGoOn_.empty())
+    toGoOn_ = checkpoints_.atFailure();
+  if (toGoOn_.empty() && simulation_.steps() == 0)
+    toGoOn_ = "; no load step is complete, so there is no checkpoint";
+  return stoppedBySignal + signalName_ + " " + where + toGoOn_;
 }
 
 std::string Production::stoppedWithCheckpoint(const std::string& reason)
@@ -288,6 +307,10 @@ void Production::advanceFromFieldToField()
       if (fields)
         simulation_.writeFields(folder_);
     }
+  }
+  catch (const StopRequested&) // within a step: the state is not whole
+  {
+    throw;
   }
   catch (const RunError&)
   {

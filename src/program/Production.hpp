@@ -72,6 +72,8 @@ private:
   bool stopIfRequested(double time, long step);
   /// Throws what ends a run that a signal has stopped, with the last row of its history.
   [[noreturn]] void stopBySignal(double time, long step);
+  /// Ends a run that a signal has stopped within a load step, which is lost. \param where of the step
+  std::string stoppedWithin(const std::string& where);
   std::string stoppedBy(const std::string& reason) const;
   /// The same, with how the run continues.
   std::string stoppedWithCheckpoint(const std::string& reason);

@@ -11,6 +11,8 @@
 #include "output/Summary.hpp"
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
+#include "plan/KnownEffects.hpp"
+#include "plan/LastStage.hpp"
 #include "program/Answer.hpp"
 #include "program/Budget.hpp"
 #include "program/CheckText.hpp"
@@ -244,6 +246,17 @@ std::string warnOfUnbalancedLoads(Simulation& simulation, const Teuchos::Paramet
   return {};
 }
 
+/// The report before the first step, with what is known of the references.
+nlohmann::json reportBefore(const Simulation& simulation, const Teuchos::ParameterList& scene,
+                            std::size_t mostBodies)
+{
+  nlohmann::json summary = simulation.report(mostBodies);
+  if (const RunOptions declared = declaredOptions(scene); declared.loadFactor && isEquilibrium(scene))
+    if (const std::string warning = warningOfReferences(references(scene)); !warning.empty())
+      summary["warnings"].push_back(warning);
+  return summary;
+}
+
 /// \param start processor time that the program took before it read the scene [s]
 int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
                std::ostream& out, std::ostream& err)
@@ -254,7 +267,7 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   initialize(simulation, *scene, options, err);
   const double setup = processorSeconds();
   const std::string failure = warnOfUnbalancedLoads(simulation, *scene);
-  nlohmann::json& summary = keepToTheEnd(new nlohmann::json(simulation.report(bodiesInText)));
+  nlohmann::json& summary = keepToTheEnd(new nlohmann::json(reportBefore(simulation, *scene, bodiesInText)));
   if (!failure.empty() && options.quiet) // else the forecast reports it
     summary["warnings"].push_back("the first load step fails: " + failure);
   std::set<std::string> printed;
@@ -302,7 +315,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     return exitFinished;
   }
   std::set<std::string> printed;
-  if ((!options.quiet || options.strict) && !mayRun(options, simulation.report(0), printed, err))
+  if ((!options.quiet || options.strict) &&
+      !mayRun(options, reportBefore(simulation, *scene, 0), printed, err))
     return exitWrongScene;
   beforeFiles();
   Production production(options, *scene, simulation, earlier, out, ranks);

@@ -1,5 +1,7 @@
 #include "program/StopSignal.hpp"
 
+#include "base/StopRequest.hpp"
+
 #include <csignal>
 
 namespace Rhegma::program
@@ -13,7 +15,11 @@ constexpr int watched[] = {SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t received = 0;
 
 // A signal handler: it may do no more than this.
-extern "C" void note(int signal) { received = signal; }
+extern "C" void note(int signal)
+{
+  received = signal;
+  requestStop();
+}
 
 void install(void (*handler)(int))
 {
@@ -36,10 +42,15 @@ void install(void (*handler)(int))
 StopSignal::StopSignal()
 {
   received = 0;
+  clearStopRequest();
   install(note);
 }
 
-StopSignal::~StopSignal() { install(SIG_DFL); }
+StopSignal::~StopSignal()
+{
+  install(SIG_DFL);
+  clearStopRequest(); // what follows the run may solve as well
+}
 
 std::string StopSignal::name() const
 {

@@ -6,8 +6,9 @@
 namespace Rhegma::program
 {
 
-/// During its lifetime, the first SIGINT, SIGTERM or SIGHUP is only recorded, so that the run can end after
-/// its step with complete files; a second one ends the program.
+/// During its lifetime, the first SIGINT, SIGTERM or SIGHUP is only recorded (and base/StopRequest.hpp asked
+/// to stop), so that the run can end after its step with complete files, and a load step of equilibrium,
+/// which may take long, gives up; a second one ends the program.
 class StopSignal
 {
 public:

@@ -169,6 +169,12 @@ ParameterBuilder& ParameterBuilder::orTable()
   return *this;
 }
 
+ParameterBuilder& ParameterBuilder::scalesRate(const std::string& parameter)
+{
+  p->scalesRate = parameter;
+  return *this;
+}
+
 ParameterBuilder& ParameterBuilder::mayChange()
 {
   p->changeable = true;

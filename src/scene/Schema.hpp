@@ -87,6 +87,9 @@ struct Parameter
   ArrayLength length;
   int onlyDimension = 0;   ///< 2 or 3: only scenes of this dimension have it; 0: all
   bool changeable = false; ///< may change when a run continues from a checkpoint
+  /// TimeFunction: the parameter whose values it scales, if these are rates, such as velocities, so that its
+  /// integral drives the run; else empty.
+  std::string scalesRate;
   bool mayBeTable =
       false; ///< Real: a text may give it as a table of temperature (material/TemperatureTable.hpp)
 
@@ -141,6 +144,8 @@ public:
   ParameterBuilder& perPoint(int fewestPoints = 1); ///< points one after another, D values each
   ParameterBuilder& perRotationAxis();              ///< 1 value in 2D, 3 in 3D
   ParameterBuilder& onlyIn(int dimension);
+  /// TimeFunction: \sa Parameter::scalesRate
+  ParameterBuilder& scalesRate(const std::string& parameter);
   /// A run that continues from a checkpoint may have another value.
   ParameterBuilder& mayChange();
   /// A table of temperature is accepted instead of the number.

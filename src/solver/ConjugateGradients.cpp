@@ -1,5 +1,7 @@
 #include "solver/ConjugateGradients.hpp"
 
+#include "parallel/StopTogether.hpp"
+
 #include <BelosBlockCGSolMgr.hpp>
 #include <BelosLinearProblem.hpp>
 #include <BelosTpetraAdapter.hpp>
@@ -71,6 +73,20 @@ private:
   ConjugateGradients::Apply function_;
 };
 
+/// Products after which ranks that give up together ask one another.
+constexpr int productsBetweenRequests = 50;
+
+/// The same product, which throws StopRequested. One rank asks at each product, as multigrid may take long.
+ConjugateGradients::Apply stoppable(ConjugateGradients::Apply apply, const Ranks& ranks)
+{
+  return [=, products = 0](const auto& x, const auto& y) mutable
+  {
+    if (!ranks.many() || ++products % productsBetweenRequests == 0)
+      stopTogetherIfRequested(ranks);
+    apply(x, y);
+  };
+}
+
 } // namespace
 
 /// Vectors, problem and manager of solves of one size.
@@ -79,6 +95,7 @@ class ConjugateGradients::Workspace
 public:
   Workspace(int n, const Ranks& ranks, double tolerance, int maximumIterations)
       : size(n),
+        ranks(ranks),
         map(makeMap(n, ranks)),
         left(rcp(new MultiVector(map, 1))),
         right(rcp(new MultiVector(map, 1))),
@@ -111,6 +128,7 @@ public:
   }
 
   int size, most = 0;
+  Ranks ranks;
   RCP<const Map> map;
   RCP<MultiVector> left, right;
   RCP<FunctionOperator> matrix, preconditioner;
@@ -118,8 +136,8 @@ public:
   Solver solver;
 };
 
-ConjugateGradients::ConjugateGradients(double tolerance, int maximumIterations)
-    : tolerance_(tolerance), maximumIterations_(maximumIterations)
+ConjugateGradients::ConjugateGradients(double tolerance, int maximumIterations, OnStopRequest onStopRequest)
+    : tolerance_(tolerance), maximumIterations_(maximumIterations), onStopRequest_(onStopRequest)
 {
 }
 
@@ -144,6 +162,8 @@ SolveResult ConjugateGradients::solve(Apply apply, Apply precondition, int most)
   workspace.matrix->set({});
   workspace.problem->setProblem();
   workspace.setMost(most > 0 ? std::min(most, maximumIterations_) : maximumIterations_);
+  if (onStopRequest_ == OnStopRequest::Throw)
+    apply = stoppable(std::move(apply), workspace.ranks);
   workspace.matrix->set(std::move(apply));
   workspace.preconditioner->set(std::move(precondition));
   try

@@ -19,6 +19,13 @@ struct SolveResult
   double residual = 0.0; ///< 2-norm of the residual
 };
 
+/// What a solve does when the process is asked to stop (base/StopRequest.hpp).
+enum class OnStopRequest
+{
+  GoOn,
+  Throw ///< StopRequested, after some iterations, on all ranks
+};
+
 /// Preconditioned conjugate gradients for a symmetric positive definite operator. Vectors, problem and
 /// manager are made once and serve every solve of the same size.
 class ConjugateGradients
@@ -28,7 +35,9 @@ public:
   using Apply = std::function<void(const BorrowedView<const double*>& x, const BorrowedView<double*>& y)>;
 
   /// \param tolerance of the 2-norm of the residual, next to a right side of a size about one
-  ConjugateGradients(double tolerance, int maximumIterations);
+  /// \param onStopRequest for solves that take long
+  ConjugateGradients(double tolerance, int maximumIterations,
+                     OnStopRequest onStopRequest = OnStopRequest::GoOn);
   ~ConjugateGradients();
   ConjugateGradients(const ConjugateGradients&) = delete;
   ConjugateGradients& operator=(const ConjugateGradients&) = delete;
@@ -53,6 +62,7 @@ private:
   class Workspace;
   double tolerance_;
   int maximumIterations_;
+  OnStopRequest onStopRequest_;
   std::unique_ptr<Workspace> workspace_;
 };
 

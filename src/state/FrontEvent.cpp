@@ -16,7 +16,7 @@ std::string FrontEvent<D>::asText() const
             " J/m2 for Gc = " + formatShort(toughness) + " J/m2,";
   text += " at t = " + readableTime(time) + ", at ";
   for (int d = 0; d < D; ++d)
-    text += formatReal(position[d]) + (d + 1 < D ? ", " : " m");
+    text += formatShort(position[d]) + (d + 1 < D ? ", " : " m");
   return text;
 }
 

@@ -2,7 +2,9 @@
 
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
+#include "base/StopRequest.hpp"
 #include "plan/LoadOverStep.hpp"
+#include "state/EnergySums.hpp"
 #include "state/StepForce.hpp"
 #include "state/Subdomain.hpp"
 #include "step/RunStage.hpp"
@@ -193,6 +195,26 @@ void EquilibriumSteps<D>::settleInPlace(const EquilibriumCalls& calls, State<D>&
 
 template <int D>
 void EquilibriumSteps<D>::take(Plan<D>& plan, State<D>& state, double until)
+{
+  const double from = state.clock.time;
+  const long step = state.clock.step;
+  try
+  {
+    takeWhole(plan, state, until);
+  }
+  catch (const StopRequested&)
+  {
+    last_->inPlace = false;
+    state.clock.time = from;
+    state.clock.step = step;
+    state.failure = "within the load step from t = " + readableTime(from);
+    sumEnergyBalance(state);
+    throw StopRequested(state.failure);
+  }
+}
+
+template <int D>
+void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until)
 {
   const double left = until - state.clock.time;
   const double from = state.clock.time, driveBefore = state.cracks.growth.drive;

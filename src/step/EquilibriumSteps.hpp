@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace Rhegma
 {
@@ -33,6 +34,9 @@ public:
   /// What the last solution was, which the core's call of the plan writes.
   const std::shared_ptr<equilibrium::LastStep>& last() const { return last_; }
 
+  /// \sa equilibrium::LastStep::onIteration
+  void onIteration(std::function<void(int, double)> iteration) { last_->onIteration = std::move(iteration); }
+
   /// Sets the lengths of steps.
   void start(const Teuchos::ParameterList& scene) { steps_ = LoadSteps<D>(scene); }
 
@@ -47,12 +51,15 @@ public:
   /// \param onlyLoads solves nothing, and only warns of loads on free bodies that do not balance
   void trySolve(Plan<D>& plan, State<D>& state, bool onlyLoads = false);
 
-  /// Takes a step, not beyond `until`, but for its sample.
+  /// Takes a step, not beyond `until`, but for its sample. Throws StopRequested where the process is asked to
+  /// stop meanwhile: time and number of the step are then those at its start, and the particles are anywhere.
   void take(Plan<D>& plan, State<D>& state, double until);
 
 private:
   /// The stages of a step, for those that solve several times.
   EquilibriumCalls calls(Plan<D>& plan, State<D>& state) const;
+  /// Takes a step to its end.
+  void takeWhole(Plan<D>& plan, State<D>& state, double until);
   /// Solves for an increment of at most the remaining time, a shorter one where that fails.
   void solve(Plan<D>& plan, State<D>& state, double left);
   /// Solves once more without a new load, from the configuration that the last step has led to, so that the

@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/RunError.hpp"
 #include "base/ShortNumber.hpp"
+#include "base/StopRequest.hpp"
 #include "state/Subdomain.hpp"
 #include "step/LoadFactorSearch.hpp"
 #include "step/RunStage.hpp"
@@ -93,6 +94,10 @@ void accept(State<D>& state, const EquilibriumCalls& calls, const Explain& expla
   try
   {
     calls.accept();
+  }
+  catch (const StopRequested&)
+  {
+    throw;
   }
   catch (const RunError&)
   {

@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "archive/BroadcastRecord.hpp"
 #include "base/ReadList.hpp"
+#include "base/StopRequest.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
 #include "scene/Compatibility.hpp"
@@ -144,6 +145,10 @@ void startInEquilibrium(const Teuchos::ParameterList& scene, const Plan<D>& plan
     const auto& said = run.state().warnings;
     state.warnings.insert(state.warnings.end(), said.begin() + static_cast<std::ptrdiff_t>(before),
                           said.end());
+  }
+  catch (const StopRequested&)
+  {
+    throw;
   }
   catch (const RunError& error)
   {

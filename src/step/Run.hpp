@@ -8,6 +8,7 @@
 #include "step/EquilibriumSteps.hpp"
 
 #include <functional>
+#include <utility>
 
 namespace Rhegma
 {
@@ -43,6 +44,12 @@ public:
   /// so that its cost can be measured. Throws RunError. \param onlyLoads solves nothing, and only warns of
   /// loads on free bodies that do not balance \return whether this is such an analysis
   bool trySolve(bool onlyLoads = false);
+
+  /// \sa equilibrium::LastStep::onIteration
+  void onIteration(std::function<void(int, double)> iteration)
+  {
+    equilibrium_.onIteration(std::move(iteration));
+  }
 
   /// Saves or loads all persistent data of the run. Load after initialize().
   void serialize(Archive& archive);

@@ -105,7 +105,12 @@ class CrackedPlates(ProgramTest):
         for thickness in (None, 0.016):
             with self.subTest(thickness):
                 self.assertRegex(self.said(cracked(0.0022, thickness=thickness)),
-                                 "Cracks > Notch: it extends over 2.2 mm inside the bodies, 2.2 cells of 1 mm; below three cells")
+                                 "Cracks > Notch: it extends over 2.2 mm inside the bodies, 2.2 cells of 1 mm; below three cells "
+                                 "its opening, G and K can be wrong by 20 % or more: use smaller cells")
+
+    def test_a_crack_below_one_cell(self):
+        self.assertIn("0.8 cells of 1 mm; below one cell its opening, G and K are meaningless: use",
+                      rhegma(self.write("scene.xml", cracked(0.0008).text()), "--check", "--quiet").messages)
 
     def test_a_plastic_zone_of_a_thin_plate(self):
         """K of 0.25 MPa m^0.5: Irwin's radius in plane strain is 2.3 mm at 1.2 MPa, over a tenth of the crack."""

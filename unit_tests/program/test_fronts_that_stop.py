@@ -4,6 +4,7 @@
 import csv
 import json
 import os
+import re
 import sys
 import unittest
 
@@ -209,6 +210,9 @@ class FrontsThatStop(ProgramTest):
         self.assertEqual(answer.output.splitlines()[-len(summary["answers"]):], summary["answers"])
         self.assertRegex(summary["answers"][0], r"the run finished at t = 4 ms after \d+ steps")
         self.assertRegex(summary["answers"][1], r"extension .* to .* m, mean speed .* m/s, reached the surface of its body at")
+        arrival = next(text for text in summary["warnings"] if "reached the surface" in text)
+        for number in re.search(r"body at t = \S+ \w+, at (\S+), (\S+) m", arrival).groups():
+            self.assertEqual(number, f"{float(number):.4g}")
         self.assertRegex(summary["answers"][2], r"energy balance: .*not accounted for")
         warnings = summary["warnings"]
         self.assertEqual(len(summary["answers"]), 4)

@@ -7,6 +7,7 @@ import json
 import os
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
@@ -161,21 +162,30 @@ class Judged(ProgramTest):
         self.assertGreater(abs(of_all - of_growth), 1e-3)
 
     def test_references_to_times_under_a_load_factor(self):
-        """The command of the guide for the load at which a bar breaks: the time of the dynamic run is left out with the reason, and other
-        references are compared."""
+        """The bar of the guide, whose time of fracture is left out with the reason; without another reference the run does not pass."""
         bar = os.path.join(SOURCE, "xml_inputs", "examples", "bend_bar.xml")
         static = ["--set", "Time:Analysis=Quasi-Static", "--set", "Time:Load Steps=1", "--set", "Time:Rigid Modes=Remove",
                   "--set", "Boundaries:Punch:History=1", "--output", self.path("out")]
         answer = rhegma(bar, *static)
-        self.assertEqual(answer.status, 0, answer)
+        self.assertEqual(answer.status, 4, answer)
         self.assertIn("left out cracks.0.fronts.0.initiated: ", answer.output)
-        self.assertNotIn("OUTSIDE", answer.output)
+        self.assertIn("OUTSIDE  none of the references could be compared", answer.output)
         with open(self.path("out", "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
         self.assertIsNone(summary["references"][0]["within"])
         self.assertIn("after 1 step,", summary["answers"][0] + ",")
         wrong = rhegma(bar, *static, "--set", "Reference:Time of fracture:Quantity=propagation.initiation.load_factor")
         self.assertEqual(wrong.status, 4, wrong)
+
+    def test_references_of_which_none_will_be_compared(self):
+        """Times of growth, where loads have a factor; a check warns of them before the run ends with status 4."""
+        bend = os.path.join(SOURCE, "xml_inputs", "verification", "bend_growth_static.xml")
+        names = [one.get("name") for one in ElementTree.parse(bend).find("./ParameterList[@name='Reference']")]
+        times = [part for name in names for part in ("--set", f"Reference:{name}:Quantity=cracks.0.fronts.0.initiated")]
+        warning = "Reference: none of the references will be compared"
+        self.assertIn(warning, rhegma(bend, "--check", "--quiet", *times).messages)
+        self.assertNotIn(warning, rhegma(bend, "--check", "--quiet", *times[2:]).messages)
+        self.assertEqual(rhegma(bend, "--check", "--quiet", "--strict", *times).status, 1)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 
 import h5py  # noqa: E402
 import numpy  # noqa: E402
-from program import PATIENCE, PROGRAM, environment, rhegma  # noqa: E402
+from program import PATIENCE, PROGRAM, SOURCE, environment, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT, OnRanks, kind_of  # noqa: E402
 from scenes import plate, too_long_a_step  # noqa: E402
 from test_ranks_of_effects import block, burning, turned_plate  # noqa: E402
@@ -117,10 +117,10 @@ class Stopped(OnRanks):
             caught = next(line.split()[1] for line in file if line.startswith("SigCgt"))
         return int(caught, 16) >> (number - 1) & 1 == 1
 
-    def test_a_signal_to_one_rank(self):
-        path = self.write(plate().set("Output", {"History Interval": 1e-4}).set("Time > Final Time", 2e-2))
+    def signalled(self, path, ranks, seconds, *settings):
+        """Its messages, after a signal to the last rank some seconds after it catches signals."""
         out = os.path.join(self.folder, "out")
-        command = (*LAUNCHER, "-np", "3", PROGRAM, path, "--output", out, "--quiet")
+        command = (*LAUNCHER, "-np", str(ranks), PROGRAM, path, *settings, "--output", out, "--quiet")
         run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment(ROOT))
         self.addCleanup(run.stderr.close)
         end = time.monotonic() + PATIENCE
@@ -129,11 +129,22 @@ class Stopped(OnRanks):
         rank = sorted(self.children(run.pid))[-1]
         while time.monotonic() < end and not self.catches(rank, signal.SIGTERM):
             time.sleep(0.05)
+        time.sleep(seconds)
         os.kill(rank, signal.SIGTERM)
         messages = run.communicate(timeout=PATIENCE)[1].decode()
         self.assertEqual(run.returncode, 2, messages)
-        checkpoint = os.path.join(out, "checkpoint.h5")
         self.assertEqual(messages.count("rhegma: the run was stopped by SIGTERM"), 1, messages)
+        return messages
+
+    def test_a_signal_to_one_rank_within_a_load_step(self):
+        scene = os.path.join(SOURCE, "xml_inputs", "verification", "penny_tension_static.xml")
+        messages = self.signalled(scene, 2, 1.0, "--set", "Domain:Cell Size=0.0006")
+        self.assertIn("within the load step from t = 0 s; no load step is complete, so there is no checkpoint", messages)
+
+    def test_a_signal_to_one_rank(self):
+        path = self.write(plate().set("Output", {"History Interval": 1e-4}).set("Time > Final Time", 2e-2))
+        messages = self.signalled(path, 3, 0.0)
+        checkpoint = os.path.join(self.folder, "out", "checkpoint.h5")
         self.assertIn("--restart " + checkpoint + " continues from t =", messages)
         with h5py.File(checkpoint, "r") as file:
             stopped = float(file["run"].attrs["time"])

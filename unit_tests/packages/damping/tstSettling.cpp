@@ -46,6 +46,22 @@ TEST(Settling, WaitsForTheMotionToEnd)
   EXPECT_TRUE(settling.sample(1e-5, 1.0, {}));
 }
 
+/// On a plateau before the last change of loads all is at rest, and again just after it, before the bodies
+/// have answered.
+TEST(Settling, WaitsForLoads)
+{
+  Settling settling(1e-4, 1e-2, 3);
+  settling.waitForLoads(10.0, 5.0);
+  for (int k = 0; k < 15; ++k)
+    EXPECT_FALSE(settling.sample(1e-6, 1.0, {{"Notch.0.G_J", 2.0}}, k)) << k;
+  EXPECT_TRUE(settling.sample(1e-6, 1.0, {{"Notch.0.G_J", 2.0}}, 15.0));
+  Settling late(1e-4, 1e-2, 3);
+  late.waitForLoads(10.0, 0.0);
+  for (int k = 0; k < 12; ++k)
+    EXPECT_FALSE(late.sample(1e-6, 1.0, {{"Notch.0.G_J", 2.0}}, k)) << k;
+  EXPECT_TRUE(late.sample(1e-6, 1.0, {{"Notch.0.G_J", 2.0}}, 12.0));
+}
+
 /// Without crack closure the other rates decide. A rate that is lost during the run is no rest.
 TEST(Settling, LooksAtNumbersAlone)
 {

@@ -67,6 +67,25 @@ TEST(Progress, OneLineOnATerminal)
                            "\r100 %, step 4" + std::string(10, ' ') + "\n");
 }
 
+/// A long load step: nothing in its first two seconds, then a line every two seconds.
+TEST(Progress, SaysHowFarALoadStepIs)
+{
+  std::ostringstream out;
+  Hand hand;
+  Progress progress(&out, 1.0, true, hand.clock());
+  for (int k = 0; k < 5; ++k)
+  {
+    progress.iteration(3, k, std::pow(0.1, k));
+    hand.now += 1.5;
+  }
+  progress.step(1.0, 3);
+  progress.finish();
+  EXPECT_EQ(out.str(),
+            "\rload step 3: iteration 3, residual 1.0e-02\rload step 3: iteration 5, residual 1.0e-04"
+            "\r100 %, step 3" +
+                std::string(29, ' ') + "\n");
+}
+
 /// A run that is not watched says after two seconds how long it takes, not only after a tenth of its time.
 TEST(Progress, SaysEarlyHowLongItTakes)
 {

@@ -182,3 +182,15 @@ TEST(References, AtLeastOneIsCompared)
   EXPECT_TRUE(addReferences(section, summary));
   EXPECT_EQ(Rhegma::referencesAsText(summary).find("none of the references"), std::string::npos);
 }
+
+/// Of a run whose loads have a factor; times of growth are not compared.
+TEST(References, ThatAreAllTimesAreWarnedOf)
+{
+  ParameterList section;
+  EXPECT_EQ(Rhegma::warningOfReferences(section), "");
+  addReference(section, "Start", "cracks.0.fronts.0.initiated", 1.0, 0.01);
+  EXPECT_NE(Rhegma::warningOfReferences(section).find("none of the references will be compared"),
+            std::string::npos);
+  addReference(section, "Good", "energy.kinetic", 2.0, 0.01);
+  EXPECT_EQ(Rhegma::warningOfReferences(section), "");
+}
