@@ -222,7 +222,8 @@ public:
     }
     const std::string difference = differenceOfScenes(lines(), linesOf(scene));
     if (!difference.empty())
-      throw CheckpointMisfit("belongs to another scene: " + difference);
+      throw CheckpointMisfit("belongs to another scene: " + difference +
+                             reasonOfDifference(difference, *scene_, effectSchema()));
     // Everything is made anew, so that nothing of the later state remains, and an error changes nothing.
     std::unique_ptr<Run<D>> run;
     makeRun(run);

@@ -94,6 +94,9 @@ void reportCracks(const State<D>& state, bool grows, bool touching, bool startsI
       entry["stop"] = entryOfStop(front);
     if (front.arrival.happened())
       entry["arrival"] = entryOf(front.arrival);
+    else if (grows && state.clock.step == 0) // what may be there later is known from the start
+      entry["arrival"] = {
+          {"what", nullptr}, {"time", nullptr}, {"position", std::vector<nlohmann::json>(D, nullptr)}};
     if (D == 3 && grows)
     {
       entry["largest_advance"] = front.extension.largest;

@@ -195,7 +195,7 @@ void DrivingForces<D>::computeIntensities(State<D>& state)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<D>& front = state.cracks.fronts[f];
-    if (!front.advances() || front.numFacets == 0)
+    if (!(front.advances() || front.measured) || front.numFacets == 0)
       continue;
     const FrontTube tube = tubesOf(state, f).intensity;
     // The accelerations are those of this step's driving forces.

@@ -1,6 +1,7 @@
 #include "propagation/AdvanceFronts.hpp"
 
 #include "propagation/Direction.hpp"
+#include "propagation/HoopStress.hpp"
 #include "propagation/MaterialsAhead.hpp"
 #include "state/RecordStop.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -129,10 +130,11 @@ std::vector<double> turningAngles(const CrackFront<D>& front, const Options& opt
   return angle;
 }
 
-/// The energy release rate that would advance a front node at rest [J/m2]; infinite before the start time.
-double resistanceAtRest(double now, const AdvanceRule& rule, const FrontHistory& history)
+/// The energy release rate that would advance a front node at rest [J/m2]; in time infinite before the start
+/// time. In equilibrium no front advances before it.
+double resistanceAtRest(double now, bool equilibrium, const AdvanceRule& rule, const FrontHistory& history)
 {
-  if (now < rule.startTime)
+  if (now < rule.startTime && !equilibrium)
     return std::numeric_limits<double>::infinity();
   return history.running() ? rule.arrest : rule.initiation;
 }
@@ -145,14 +147,12 @@ double toughnessAtRest(const FrontNode<D>& node, const FrontNodeState& own, cons
   return own.history.running() ? rule.toughness(0.0, rule.temperature) : rule.initiation;
 }
 
-/// G/Gc of a front node in equilibrium, of the part of G that opens the crack; zero before the start time.
+/// G/Gc of a front node in equilibrium, of the part of G that opens the crack.
 template <int D>
-double driveOf(const State<D>& state, const FrontNode<D>& node, const FrontNodeState& own,
-               const Elasticity& e, const Options& options)
+double driveOf(const FrontNode<D>& node, const FrontNodeState& own, const Elasticity& e,
+               const Options& options)
 {
-  return state.clock.time < options.rule.startTime
-             ? 0.0
-             : openingRelease(node.driving, e) / toughnessAtRest(node, own, options);
+  return openingRelease(node.driving, e) / toughnessAtRest(node, own, options);
 }
 
 /// Fraction of its increment by which a front node advances in equilibrium. Fronts of one node advance if
@@ -173,8 +173,7 @@ template <int D>
 std::pair<Advance, double> advanceAtRest(const State<D>& state, const Options& options, const Elasticity& e,
                                          const FrontNode<D>& node, FrontNodeState& own)
 {
-  const double fraction =
-      advanceFraction<D>(driveOf(state, node, own, e, options), state.cracks.growth.drive);
+  const double fraction = advanceFraction<D>(driveOf(node, own, e, options), state.cracks.growth.drive);
   if (!(fraction > 0.0))
     return {Advance{}, 0.0};
   own.history.advanceInEquilibrium(state.clock.time, node.driving.release, fraction * own.increment);
@@ -221,7 +220,10 @@ template <int D>
 void recordPath(const CrackFront<D>& front, const FrontNodeAdvance<D>& advance, FrontState<D>& own)
 {
   if (!front.grown)
+  {
     own.start = {front.position, front.direction, advance.direction};
+    own.hoop.load = hoopStressLoad(front.nodes[0].driving.hoopAngle);
+  }
   own.path.push_back({own.lastTime, front.position + advance.length * advance.direction});
 }
 
@@ -319,8 +321,7 @@ void measureDrive(State<D>& state, const Options& options, const std::vector<Fro
     const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
     for (const FrontNode<D>& node : front.nodes)
       if (node.advances)
-        if (const double drive = driveOf(state, node, fronts[f].nodes.at(node.name), e, options);
-            drive > largest)
+        if (const double drive = driveOf(node, fronts[f].nodes.at(node.name), e, options); drive > largest)
         {
           largest = drive;
           release = openingRelease(node.driving, e);
@@ -357,9 +358,10 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
         advance.nodes.push_back(by);
       }
       else
-        advance.nodes.push_back({node.direction, 0.0,
-                                 resistanceAtRest(state.clock.time, ruleAt(node.temperature, options),
-                                                  fronts[f].nodes.at(node.name).history)});
+        advance.nodes.push_back(
+            {node.direction, 0.0,
+             resistanceAtRest(state.clock.time, options.equilibrium, ruleAt(node.temperature, options),
+                              fronts[f].nodes.at(node.name).history)});
       node.advances = false;
       any = any || advance.nodes.back().length > 0.0;
     }

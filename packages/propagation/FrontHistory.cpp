@@ -128,8 +128,9 @@ void FrontHistory::advanceInEquilibrium(double time, double release, double incr
 void FrontHistory::recordAtRest(const AdvanceRule& rule, double time, double release)
 {
   recordRelease(time, release);
-  if (times_.empty() && time >= rule.startTime)
-    closest_ = std::max(closest_, release / rule.initiation);
+  double& largest = hasStarted(time, rule.startTime) ? closest_ : early_;
+  if (times_.empty())
+    largest = std::max(largest, release / rule.initiation);
 }
 
 void FrontHistory::recordRelease(double time, double release)
@@ -244,6 +245,7 @@ void FrontHistory::serialize(Archive& archive)
 {
   archive("running", running_);
   archive("closest", closest_);
+  archive("early", early_);
   archive("last", last_);
   archive("last_speed", lastSpeed_);
   archive("increment", increment_);

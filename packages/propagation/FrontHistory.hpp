@@ -26,6 +26,9 @@ struct AdvanceRule
   double temperature = 0.0; ///< of the front [K]
 };
 
+/// Whether the start time of a rule is reached, up to rounding: load steps add up to it. [s]
+inline bool hasStarted(double time, double startTime) { return time >= (1.0 - 1e-9) * startTime; }
+
 /// What a front does in a step.
 struct Advance
 {
@@ -89,6 +92,8 @@ public:
   /// Largest energy release rate at the front as a fraction of the initiation toughness, at rest, from
   /// AdvanceRule::startTime on and before it first initiated.
   double closest() const { return closest_; }
+  /// The same before AdvanceRule::startTime, of the samples that there were.
+  double early() const { return early_; }
 
   /// The energy release rate and the toughness above it with which the front arrested last [J/m2]; zeros
   /// where it has not.
@@ -118,7 +123,7 @@ private:
   void recordIncrement(double time, double increment);
 
   bool running_ = false;
-  double closest_ = 0.0;
+  double closest_ = 0.0, early_ = 0.0;
   double last_ = 0.0;                             ///< time of the last increment [s]
   double lastSpeed_ = 0.0;                        ///< of the last increment [m/s]
   double increment_ = 0.0;                        ///< its length [m]

@@ -95,6 +95,15 @@ double FrontState<D>::closest() const
 }
 
 template <int D>
+double FrontState<D>::early() const
+{
+  double largest = 0.0;
+  for (const auto& [name, node] : nodes)
+    largest = std::max(largest, node.history.early());
+  return largest;
+}
+
+template <int D>
 void FrontState<D>::count(const FrontHistory& history, int made)
 {
   if (increments == 0 || history.firstTime() < firstTime)
@@ -132,7 +141,11 @@ void FrontState<D>::serialize(Archive& archive)
   archive("speed_limit", speedLimit);
   archive("last_settled_speed", lastSettledSpeed);
   if constexpr (D == 2)
+  {
     storePath(start, path, archive);
+    archive("hoop_load", hoop.load);
+    archive("hoop_intensity", hoop.intensity);
+  }
   for (auto& [name, node] : nodes)
   {
     const Archive::Group group(archive, "front node " + std::to_string(name));

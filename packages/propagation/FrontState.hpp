@@ -37,6 +37,17 @@ struct PathStart
   Vector<D> first{};     ///< of the first advance
 };
 
+/// How close a front with one node that was never initiated came to its start by the largest hoop stress.
+struct HoopStart
+{
+  /// Load at which it starts by the largest hoop stress over that of G of a straight extension, with the
+  /// stress intensities of the time of `intensity` or, once it is initiated, of that time.
+  double load = 1.0;
+  /// Stress intensity of the largest hoop stress over that of the toughness, sqrt(E' Gc); over the factor of
+  /// the loads where they have one. 0: not known.
+  double intensity = 0.0;
+};
+
 /// Of one front: of its present nodes, by their names, and of all former ones.
 template <int D>
 struct FrontState
@@ -48,6 +59,7 @@ struct FrontState
   double speedLimit = 0.0;        ///< the largest of its nodes' [m/s]; 0: not known yet
   double lastSettledSpeed = 0.0;  ///< mean of the settled speeds of its last nodes [m/s]
   PathStart<D> start;             ///< of a front with one node
+  HoopStart hoop;                 ///< of a front with one node
   std::vector<PathPoint<D>> path; ///< of a front with one node
 
   /// Whether any of its nodes runs that can.
@@ -60,6 +72,8 @@ struct FrontState
   double settledSpeed() const;
   /// FrontHistory::closest of the node that came closest.
   double closest() const;
+  /// FrontHistory::early of the node with the largest.
+  double early() const;
 
   /// Adds increments that a node has made. \param history of the node, with them
   void count(const FrontHistory& history, int made);

@@ -1,6 +1,7 @@
 #pragma once
 /// Warnings about fronts at the end of a run.
 
+#include "propagation/FrontHistory.hpp"
 #include "state/State.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,10 +11,18 @@
 namespace Rhegma::propagation
 {
 
-/// How close a front that has not initiated came to initiation, in its entry and in a warning.
+/// The largest G of a front that was never initiated, over its initiation toughness.
+struct Closest
+{
+  double release = 0.0; ///< from AdvanceRule::startTime on
+  double early = 0.0;   ///< before it, of the samples that there were
+};
+
+/// How close a front that has not initiated came to initiation, in its entry and in a warning; also by the
+/// largest hoop stress (HoopStress.hpp), where that is known. \param rule at the start
 template <int D>
-void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, double startTime,
-                nlohmann::json& summary);
+void reportRest(const State<D>& state, const CrackFront<D>& front, const Closest& closest,
+                const AdvanceRule& rule, nlohmann::json& summary);
 
 /// Warns where G of the history is not that by which growth was found, which may have another contour.
 /// \param release of the latter [J/m2] \param entry of the front

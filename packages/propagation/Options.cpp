@@ -53,6 +53,13 @@ void addRulesOfEquilibrium(Section& s)
            "refine its path with a box, and write Adaptivity > Front Cells = 0");
   s.refuse({when::above("Propagation", "Start Time", 0.0), factor, when::equilibrium()},
            "with Load Control = Load Factor there is no physical time; leave it out");
+  s.keep(
+      {"Time",
+       "Final Time",
+       {factor, when::equilibrium()},
+       "with Propagation > Load Control = Load Factor the factor multiplies the loads and displacements of "
+       "Time > Final Time, which must stay that of the checkpoint; write that one, or start anew with "
+       "more Time > Load Steps for a longer path"});
 }
 
 /// What growing cracks need, and what excludes them.
@@ -88,14 +95,20 @@ void addRules(Section& s)
            "the toughness without T");
 }
 
-void addLoadControl(Section& s)
+void addLoadControlAndStart(Section& s)
 {
   s.choice("Load Control", {"Load Factor", "Functions of Time"})
       .byDefault("Load Factor")
       .meaning("For Quasi-Static analyses. Load Factor: in each load step the crack grows by one increment, "
                "and all loads and prescribed displacements of Final Time are multiplied by the factor at "
                "which G equals the toughness. The factor may fall. Functions of Time: the loads follow their "
-               "functions of time, and in each load step cracks grow until G is below the toughness.");
+               "functions of time, and in each load step cracks grow until G is below the toughness. With "
+               "Load Factor, Final Time must not change on restart.");
+  s.real("Start Time")
+      .unit("s")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("No front advances before this time. In equilibrium cracks grow at the end of a load step.");
 }
 
 void addSampling(Section& s)
@@ -140,8 +153,7 @@ Section propagationSection()
       .range(leastIncrement, 4.0)
       .optional("1, in equilibrium 0.25")
       .meaning("Length of one crack increment, in cells at the front. At least 0.5 in a dynamic analysis.");
-  addLoadControl(s);
-  s.real("Start Time").unit("s").notNegative().byDefault(0.0).meaning("No front advances before this time.");
+  addLoadControlAndStart(s);
   s.real("Speed Limit")
       .unit("m/s")
       .positive()

@@ -3,12 +3,9 @@
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "propagation/HoopStress.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-#include <utility>
 
 namespace Rhegma::propagation
 {
@@ -18,11 +15,6 @@ namespace
 
 /// Changes that count: the factor is found to within 1e-5, and G to its square.
 constexpr double noticeable = 1e-4;
-
-constexpr double never = std::numeric_limits<double>::infinity();
-
-/// Loads above this fraction are not worth a word [-].
-constexpr double leastEffectOfShear = 0.995;
 
 bool fallsAfter(const std::vector<PathState>& path, std::size_t k, double PathState::*value)
 {
@@ -41,39 +33,6 @@ nlohmann::json entryOf(const std::vector<PathState>& path, int state)
   return {{"load_factor", path[state].factor}, {"new_area", path[state].area}, {"time", path[state].time}};
 }
 
-/// A number of the entry of a front; another one where it has none.
-double numberOf(const nlohmann::json& front, const char* name, double otherwise)
-{
-  const auto entry = front.find(name);
-  if (entry == front.end() || !entry->is_number() || !std::isfinite(entry->get<double>()))
-    return otherwise;
-  return entry->get<double>();
-}
-
-/// Load at which the largest hoop stress makes a front start, over that of a straight extension; 1 if
-/// unknown.
-double loadOf(const nlohmann::json& front) { return numberOf(front, "hoop_stress_load", 1.0); }
-
-/// What shear does to the factor of the loads at which the first front starts; empty if nothing worth a word.
-std::string effectOfShearOnFactor(double factor, const nlohmann::json& summary)
-{
-  nlohmann::json first; // of those that start at the same time the one with the largest effect
-  std::string name;
-  std::pair<double, double> order(never, 1.0);
-  for (const nlohmann::json& crack : summary.value("cracks", nlohmann::json::array()))
-    for (const nlohmann::json& front : crack.value("fronts", nlohmann::json::array()))
-      if (const auto own = std::make_pair(numberOf(front, "initiated", never), loadOf(front)); own < order)
-      {
-        order = own;
-        first = front;
-        name = crack.value("name", std::string());
-      }
-  const std::string text = effectOfShear(first);
-  return text.empty() ? text
-                      : "; of a front of crack " + name + ": " + text + ", " +
-                            formatShort(loadOf(first) * factor) + " times the loads of Time > Final Time";
-}
-
 /// Of given loads: where G rises as cracks grow.
 void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summary)
 {
@@ -87,9 +46,11 @@ void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summar
     entry["initiation"] = {{"time", first.reached}, {"from", first.from}, {"to", first.time}};
     summary["answers"].push_back("cracks start at about t = " + readableTime(first.reached) +
                                  ", in the load step from " + readableTime(first.from) + " to " +
-                                 readableTime(first.time));
+                                 readableTime(first.time) + effectOfShearOnFirst(summary));
   }
   entry["unstable_from"] = nullptr;
+  if (path.empty())
+    entry["unstable_from"] = {{"new_area", nullptr}, {"time", nullptr}};
   if (rises != path.end())
     entry["unstable_from"] = {{"new_area", rises->area}, {"time", rises->time}};
   if (rises != path.end())
@@ -103,28 +64,6 @@ void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summar
 }
 
 } // namespace
-
-double hoopStressLoad(double turn)
-{
-  const double t = std::min(std::fabs(turn), std::acos(1.0 / 3.0) - 1e-6);
-  const double shear = std::sin(t) / (3.0 * std::cos(t) - 1.0); // K_II / K_I, where the shear stress is zero
-  const double half = std::cos(0.5 * t);
-  return std::sqrt(1.0 + shear * shear) / (half * half * half + 1.5 * shear * half * std::sin(t));
-}
-
-std::string effectOfShear(const nlohmann::json& front)
-{
-  const double load = loadOf(front);
-  if (load > leastEffectOfShear)
-    return {};
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "it turned by %.0f degrees as it started, for which the largest hoop stress needs about %.2f of "
-      "the load",
-      std::fabs(front["first_turn"].get<double>()), load);
-  return text;
-}
 
 PathEvents eventsOf(const std::vector<PathState>& path)
 {
@@ -156,7 +95,8 @@ void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor,
   {
     const nlohmann::json unknown = {{"load_factor", nullptr}, {"new_area", nullptr}, {"time", nullptr}};
     entry["load_factor"] = nullptr;
-    entry["initiation"] = entry["largest_load"] = entry["unstable_from"] = entry["snap_back_from"] = unknown;
+    for (const char* name : {"initiation", "largest_load", "unstable_from", "unstable_to", "snap_back_from"})
+      entry[name] = unknown;
     return;
   }
   const PathEvents events = eventsOf(path);

@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "plan/LastStage.hpp"
 #include "propagation/AdvanceFronts.hpp"
+#include "propagation/HoopStress.hpp"
 #include "propagation/JudgeToughness.hpp"
 #include "propagation/MaterialsAhead.hpp"
 #include "propagation/PathReport.hpp"
@@ -31,6 +32,7 @@ void start(State<D>& state, Run<D>& run)
 {
   state.cracks.driven = true;
   state.cracks.drivingContours = run.options.contours;
+  state.cracks.growth.startTime = run.options.rule.startTime;
   refuseWeak(state, run.options);
   run.options.waveSpeed = fastestRayleighWave(state);
   run.fronts.resize(state.cracks.fronts.size());
@@ -90,7 +92,15 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
               [run](State<D>& state) { markDue(state, run->options, run->fronts); });
   effect.call(lastStage(scene), "fronts that advance",
               {quantity::drivingForces, ifWritten(quantity::frontTemperature)}, {quantity::advancingFronts},
-              {}, [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); });
+              {},
+              [run](State<D>& state)
+              {
+                selectAdvancing(state, run->options, run->fronts);
+                markMeasured(state, run->options, run->fronts);
+              });
+  effect.call(lastStage(scene), "largest hoop stress at fronts at rest",
+              {quantity::stressIntensities, quantity::advancingFronts}, {}, {},
+              [run](State<D>& state) { recordHoopStart(state, run->options, run->fronts); });
   if (run->options.equilibrium)
     addCallsOfEquilibrium(scene, run, effect);
   effect.call(Stage::BetweenSteps, "advances of fronts",

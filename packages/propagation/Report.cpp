@@ -5,7 +5,7 @@
 #include "base/ShortNumber.hpp"
 #include "propagation/FrontEnd.hpp"
 #include "propagation/FrontWarnings.hpp"
-#include "propagation/PathReport.hpp"
+#include "propagation/HoopStress.hpp"
 
 #include <cmath>
 #include <limits>
@@ -113,9 +113,6 @@ void reportPath(const CrackFront<2>& front, const FrontState<2>& own, const Opti
   const PathStart<2>& start = own.start;
   const double turn = moved ? angleBetween(start.direction, start.first) : notYet;
   entry["first_turn"] = turn;
-  // The angle gives the modes only where it follows from them by this rule.
-  entry["hoop_stress_load"] =
-      options.direction == DirectionRule::HoopStress ? hoopStressLoad(turn * std::atan(1.0) / 45.0) : notYet;
   entry["turn"] = moved ? angleBetween(start.direction, front.position - start.position) : notYet;
   if (options.equilibrium) // the time of its increments has no meaning
     return;
@@ -156,12 +153,14 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
 
 /// The entry of a front. \return its runs
 template <int D>
-std::vector<CrackRun> reportFront(const CrackFront<D>& front, const FrontState<D>& own,
+std::vector<CrackRun> reportFront(const State<D>& state, const CrackFront<D>& front, const FrontState<D>& own,
                                   const FrontEnd<D>& end, const Options& options, nlohmann::json& entry)
 {
   const bool moved = own.increments > 0;
   entry["increments"] = own.increments;
   entry["status"] = statusOf(front, end);
+  entry["closest_to_initiation"] = notYet; // of a front that was
+  reportHoopStart(state, options, own, entry);
   entry["running"] = own.running(front) && !options.equilibrium;
   entry["ended"] = front.ended;
   entry["stopped"] = front.numStopped() > 0;
@@ -201,7 +200,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     const std::string name = frontName(state.cracks, front);
     required += front.budget.required;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-    const std::vector<CrackRun> runs = reportFront(front, own, end, options, entry);
+    const std::vector<CrackRun> runs = reportFront(state, front, own, end, options, entry);
     if (end.fate == Fate::Growing)
       compareContours(name, end.release, entry, summary);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
@@ -211,7 +210,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
       summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front, own, entry) + ", " : "") +
                                    fateAsText(front, own, end));
     else if (end.fate == Fate::NotInitiated && state.method.analysis != Analysis::LoadFactor)
-      reportRest(state, front, own.closest(), options.rule.startTime, summary);
+      reportRest(state, front, {own.closest(), own.early()}, ruleAt(options.temperature, options), summary);
     if (stopped && options.endsAtStops && !summary.contains("ended_by"))
       summary["ended_by"] = name + (D == 2 ? " " : ": ") + fateAsText(front, own, end) + adviceAtStop;
   }

@@ -86,7 +86,19 @@ std::vector<std::string> sceneLines(const Teuchos::ParameterList& scene, const S
   for (const Section& section : schema.root().sections)
     if (!section.changeable && scene.isSublist(section.name))
       addLines(scene.sublist(section.name), section, section.name, lines);
+  for (const KeptParameter& kept : keptParameters(scene, schema))
+    if (const auto& list = scene.sublist(kept.section); list.isParameter(kept.name))
+      lines.push_back(scenePath(kept.section, kept.name) + " = " + valueOf(list, kept.name));
   return lines;
+}
+
+std::string reasonOfDifference(const std::string& difference, const Teuchos::ParameterList& scene,
+                               const SceneSchema& schema)
+{
+  for (const KeptParameter& kept : keptParameters(scene, schema))
+    if (difference.rfind(scenePath(kept.section, kept.name) + " is ", 0) == 0)
+      return "; " + kept.reason;
+  return {};
 }
 
 std::string differenceOfScenes(const std::vector<std::string>& now, const std::vector<std::string>& then)

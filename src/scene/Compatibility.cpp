@@ -183,13 +183,18 @@ struct RuleCheck
     return all;
   }
 
+  bool hold(const std::vector<Condition>& conditions, const std::string& name) const
+  {
+    return std::all_of(conditions.begin(), conditions.end(),
+                       [&](const Condition& c) { return !matches(c, name).empty(); });
+  }
+
   void check(const Rule& rule)
   {
     if (rule.onlyDimension != 0 && rule.onlyDimension != dimensionOf(scene))
       return;
     for (const Match& match : matches(rule.conditions[rule.at], ""))
-      if (std::all_of(rule.conditions.begin(), rule.conditions.end(),
-                      [&](const Condition& c) { return !matches(c, match.name).empty(); }))
+      if (hold(rule.conditions, match.name))
         errors.push_back({match.path, rule.reason});
   }
 
@@ -210,6 +215,18 @@ struct RuleCheck
 };
 
 } // namespace
+
+std::vector<KeptParameter> keptParameters(const ParameterList& scene, const SceneSchema& schema)
+{
+  std::vector<SceneError> none;
+  const RuleCheck check{scene, schema, none};
+  std::vector<KeptParameter> all;
+  for (const Section& section : schema.root().sections)
+    for (const KeptParameter& kept : section.kept)
+      if (check.hold(kept.conditions, ""))
+        all.push_back(kept);
+  return all;
+}
 
 void checkRules(const ParameterList& scene, const SceneSchema& schema, std::vector<SceneError>& errors)
 {

@@ -14,6 +14,7 @@ namespace Rhegma
 {
 
 class SceneSchema;
+struct KeptParameter;
 
 /// A condition on a scene. A section is a path of names with " > " between; "*" in it stands for every list
 /// that the user names, and for the same name in all conditions of a rule.
@@ -67,6 +68,9 @@ struct Rule
   /// The conditions as in the reference.
   std::string asText() const;
 };
+
+/// The parameters of the schema whose conditions hold for a scene, which a restart must not change.
+std::vector<KeptParameter> keptParameters(const Teuchos::ParameterList& scene, const SceneSchema& schema);
 
 /// Adds an error for every rule of the schema that a scene breaks, and for lists whose names must be those of
 /// another section's lists. The scene is valid except for such checks.

@@ -210,6 +210,12 @@ Section& Section::refuse(std::vector<Condition> conditions, const std::string& r
   return *this;
 }
 
+Section& Section::keep(KeptParameter parameter)
+{
+  kept.push_back(std::move(parameter));
+  return *this;
+}
+
 Section& Section::needs(const std::string& other, const std::string& reason)
 {
   return refuse({when::present(name), when::absent(other)}, reason);

@@ -168,6 +168,16 @@ struct Together
   std::vector<std::string> names;
 };
 
+/// A parameter that may change when a run continues from a checkpoint (Parameter::changeable), but not in a
+/// scene in which all conditions hold.
+struct KeptParameter
+{
+  std::string section; ///< a top-level one that every such scene has
+  std::string name;
+  std::vector<Condition> conditions;
+  std::string reason; ///< and what to do, as in a message after both values
+};
+
 struct Section
 {
   enum class Presence
@@ -192,6 +202,8 @@ struct Section
   std::vector<Section> variants;
 
   std::vector<Rule> rules; ///< combinations that are refused; only those of top-level sections are used
+  std::vector<KeptParameter>
+      kept; ///< that a restart must not change; only those of top-level sections are used
   std::vector<std::string> provides; ///< capabilities (scene/Compatibility.hpp)
   std::string namesOf; ///< section whose list names the user-named lists must have; empty: any name
   /// Parameters of earlier versions, and where they are in the scene now.
@@ -237,6 +249,9 @@ struct Section
   /// A scene is refused where all conditions hold. \sa Rule
   Section& refuse(std::vector<Condition> conditions, const std::string& reason, int at = 0,
                   int onlyDimension = 0);
+  /// A run that continues from a checkpoint must not change a parameter of another section where all
+  /// conditions hold. \sa KeptParameter
+  Section& keep(KeptParameter parameter);
   /// The section needs another one.
   Section& needs(const std::string& other, const std::string& reason);
   /// The section needs another one; its user-named lists must have the names of lists of that section.

@@ -90,6 +90,7 @@ struct CrackFront
   bool grown = false;           ///< it has advanced since the start
   bool ended = false;           ///< it has met the surface of its body or another crack and has no facet
   bool due = true;              ///< its driving forces are computed in this step
+  bool measured = false;        ///< and its stress intensities as well, though it does not advance
   ReleaseBudget budget{D == 3}; ///< energy of its new faces
   FrontExtension extension;     ///< how far it has advanced since the start
   FrontEvent<D> stop;           ///< the first stop of a node for a numerical reason

@@ -23,10 +23,11 @@ struct PathState
 /// Growth of cracks in equilibrium.
 struct EquilibriumGrowth
 {
-  double drive = 0.0;   ///< largest G/Gc of the fronts that can advance; 0: there are none
-  double release = 0.0; ///< G of the front node whose G/Gc is the largest [J/m2]; found with `drive`
-  bool advance = false; ///< set by the loop: fronts advance before the next step
-  double area = 0.0;    ///< by which cracks have grown since the start [m2]
+  double drive = 0.0;     ///< largest G/Gc of the fronts that can advance; 0: there are none
+  double release = 0.0;   ///< G of the front node whose G/Gc is the largest [J/m2]; found with `drive`
+  bool advance = false;   ///< set by the loop: fronts advance before the next step
+  double area = 0.0;      ///< by which cracks have grown since the start [m2]
+  double startTime = 0.0; ///< before which none grows under given loads; set at the start [s]
   /// Where the loads have a factor, one state a load step, the first before cracks have grown; else one an
   /// increment.
   std::vector<PathState> path;

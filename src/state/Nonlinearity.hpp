@@ -47,6 +47,19 @@ struct NonlinearitySums
 
 } // namespace detail
 
+/// Mean of the norm of (F F^T - 1)/2, weighted with the strain energy; 0 without any. Collective. \param
+/// state of the run
+template <int D>
+double meanStrain(const State<D>& state)
+{
+  using detail::NonlinearitySums;
+  double sum[NonlinearitySums<D>::size] = {};
+  Kokkos::parallel_reduce("rhegma::mean_strain", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+                          NonlinearitySums<D>(state), sum);
+  state.ranks.sum(sum, NonlinearitySums<D>::size);
+  return sum[0] > 0.0 ? sum[1] / sum[0] : 0.0;
+}
+
 /// Whether bodies have flowed plastically, or the mean of the norm of (F F^T - 1)/2, weighted with the strain
 /// energy, is above 5 %: the error of a load step in which forces are taken to rise in proportion to
 /// displacements is about this fraction of its work. Collective. \param state of the run

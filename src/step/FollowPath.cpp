@@ -4,6 +4,7 @@
 #include "base/RunError.hpp"
 #include "base/ShortNumber.hpp"
 #include "base/StopRequest.hpp"
+#include "state/Nonlinearity.hpp"
 #include "state/Subdomain.hpp"
 #include "step/LoadFactorSearch.hpp"
 #include "step/RunStage.hpp"
@@ -24,11 +25,21 @@ constexpr double firstFactor = 0.01;
 /// Equilibria of a step after which no factor is found.
 constexpr int mostTrials = 60;
 
+/// Trials with a smaller factor than wanted, because there was no equilibrium at that one, after which none
+/// is found.
+constexpr int mostReduced = 4;
+
 /// How often a change of the factor is halved where there is no equilibrium.
 constexpr int mostHalvings = 12;
 
 /// G/Gc from which on cracks grow under given loads: G is no more accurate.
 constexpr double heldDrive = 1.0 + 1e-6;
+
+/// Relative difference of times that is rounding: load steps add up to them.
+constexpr double roundingOfTime = 1e-9;
+
+/// Strain above which no factor is searched for, by a linear estimate (meanStrain).
+constexpr double largestStrain = 1.0;
 
 /// Fraction of the work of a step below which the work of loads is rounding.
 constexpr double roundingOfWork = 1e-9;
@@ -67,10 +78,13 @@ bool solveFor(State<D>& state, const EquilibriumCalls& calls, const equilibrium:
   return last.converged;
 }
 
-/// When G/Gc is 1 between two times, for loads that are linear in time [s].
+/// When G/Gc is 1 between two times, for loads that are linear in time; the first one where it is above 1
+/// already [s].
 double timeOfToughness(double from, double driveFrom, double to, double driveTo)
 {
   const double begin = std::sqrt(std::max(driveFrom, 0.0)), end = std::sqrt(std::max(driveTo, 0.0));
+  if (begin > 1.0)
+    return from;
   return end > begin ? from + std::clamp((1.0 - begin) / (end - begin), 0.0, 1.0) * (to - from) : to;
 }
 
@@ -80,11 +94,27 @@ std::string failureOfSearch(const State<D>& state, bool solved)
 {
   const std::string at = "the loads of Time > Final Time times " + formatShort(state.clock.factor.end);
   if (!solved)
-    return "no equilibrium is found near " + at +
-           "; the loads may exceed what the bodies can bear, or a crack may have cut off a part";
+    return "no equilibrium is found near " + at + ", where G is " + formatShort(state.cracks.growth.drive) +
+           " of the toughness; the loads may exceed what the bodies can bear, or a crack may have cut off a "
+           "part";
   return "no load factor is found at which a crack grows: with " + at + ", G is " +
          formatShort(state.cracks.growth.drive) +
          " of the toughness; the loads must open a crack (Propagation > Load Control)";
+}
+
+/// Why no factor is searched for: the strain of a linear body at the factor at which G of the first
+/// equilibrium would be the toughness is beyond sense; empty if it is not. \param needed this factor
+template <int D>
+std::string failureOfStrain(const State<D>& state, double needed)
+{
+  const double factor = state.clock.factor.end, strain = meanStrain(state) * needed / factor;
+  if (!(std::isfinite(needed) && strain > largestStrain))
+    return {};
+  return "no load factor is searched for: at " + formatShort(factor) +
+         " times the loads of Time > Final Time G is " + formatShort(state.cracks.growth.drive) +
+         " of the toughness, so that a crack would grow at about " + formatShort(needed) +
+         " times these loads, which would strain the bodies by about " + formatShort(100.0 * strain) +
+         " %; check the unit of Propagation > Toughness (J/m2) and the stiffness of Materials";
 }
 
 /// Moves the particles into the equilibrium that was found. \param explain why the run ends, where they can't
@@ -123,12 +153,14 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
   LoadFactorSearch search;
   double factor = extrapolated(growth.path);
   bool solved = true;
-  for (int k = 0; k < mostTrials && state.failure.empty() && !search.found(); ++k)
+  int reduced = 0; // trials without an equilibrium at the factor that was wanted
+  for (int k = 0; k < mostTrials && reduced < mostReduced && state.failure.empty() && !search.found(); ++k)
   {
     const double before = state.energy.externalWork;
     solved = solveFor(state, calls, last, factor);
     if (!solved)
       break;
+    reduced += clock.factor.end != factor ? 1 : 0;
     accept(state, calls, [&] { return failureOfSearch(state, true) + " (" + state.failure + ")"; });
     const double all = state.energy.externalWork - before;
     double work[] = {all - last.workOfSupports, std::fabs(all)};
@@ -137,11 +169,13 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
     if (std::fabs(work[0]) > roundingOfWork * work[1])
       now.displacement += 2.0 * work[0] / (clock.factor.begin + clock.factor.end);
     search.record(clock.factor.end, growth.drive);
+    if (k == 0 && growth.path.empty() && state.failure.empty())
+      state.failure = failureOfStrain(state, search.proportional());
     factor = search.next();
     calls.between();
   }
   if (state.failure.empty() && !search.found())
-    state.failure = failureOfSearch(state, solved);
+    state.failure = failureOfSearch(state, solved && reduced < mostReduced);
   now.time = clock.time + length;
   now.factor = clock.factor.end;
   now.area = growth.area;
@@ -154,7 +188,10 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
                       double from, double driveBefore)
 {
   EquilibriumGrowth& growth = state.cracks.growth;
-  const double reached = timeOfToughness(from, driveBefore, state.clock.time, growth.drive);
+  const double now = state.clock.time + state.clock.dt; // the end of the load step
+  if (now < growth.startTime * (1.0 - roundingOfTime))
+    return;
+  const double reached = std::max(timeOfToughness(from, driveBefore, now, growth.drive), growth.startTime);
   const double areaBefore = growth.area;
   while (state.failure.empty() && canAdvance(state) && growth.drive > heldDrive)
   {

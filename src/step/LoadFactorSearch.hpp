@@ -33,6 +33,10 @@ public:
     return count_ > 0 && std::fabs(last_.s - 1.0) <= std::min(now, loosest);
   }
 
+  /// The factor with which G/Gc is one where bodies are linear; infinite where there is no G. Call after
+  /// `record`.
+  double proportional() const { return last_.factor / last_.s; }
+
   /// The factor to try next. Call after `record`.
   double next() const
   {
@@ -40,11 +44,10 @@ public:
     if (!(last_.s > 0.0))
       return largest;
     const double rise = last_.s - before_.s, run = last_.factor - before_.factor;
-    const double proportional = last_.factor / last_.s;
     // Where two equilibria lie so close together that their difference is rounding, or G falls with the load,
     // their secant says nothing.
     const bool straight = count_ > 1 && std::fabs(run) > 1e-6 * last_.factor && rise * run > 0.0;
-    const double next = straight ? last_.factor + (1.0 - last_.s) * run / rise : proportional;
+    const double next = straight ? last_.factor + (1.0 - last_.s) * run / rise : proportional();
     return std::clamp(next, smallest, largest);
   }
 

@@ -1,5 +1,6 @@
 /// What the path of a growing crack in equilibrium says.
 
+#include "propagation/HoopStress.hpp"
 #include "propagation/PathReport.hpp"
 
 #include <gtest/gtest.h>
@@ -116,4 +117,45 @@ TEST(PathReport, NamesTheLoadOfFrontsThatTurn)
   summary["answers"].clear();
   reportPathOfEquilibrium(path, true, summary);
   EXPECT_EQ(summary["answers"][0].get<std::string>().find("turned by"), std::string::npos);
+}
+
+/// A front that did not start by G, or started later, with the lowest factor by the largest hoop stress.
+TEST(PathReport, NamesAnotherFrontThatStartsFirstByTheLargestHoopStress)
+{
+  const std::vector<PathState> path{{0.0, 2.0, 1.0, 0.0, 0.0}};
+  nlohmann::json summary = {
+      {"cracks",
+       {{{"name", "Straight"},
+         {"fronts", {{{"initiated", 0.1}, {"first_turn", 0.0}, {"hoop_stress_factor", 2.0}}}}},
+        {{"name", "Inclined"}, {"fronts", {{{"initiated", nullptr}, {"hoop_stress_factor", 1.8}}}}}}}};
+  reportPathOfEquilibrium(path, true, summary);
+  auto text = summary["answers"][0].get<std::string>();
+  EXPECT_NE(text.find("by the largest hoop stress a front of crack Inclined starts at 1.8 times"),
+            std::string::npos)
+      << text;
+  summary["cracks"][1]["fronts"][0]["hoop_stress_factor"] = 1.995;
+  summary["answers"].clear();
+  reportPathOfEquilibrium(path, true, summary);
+  text = summary["answers"][0].get<std::string>();
+  EXPECT_EQ(text.find("hoop stress"), std::string::npos) << text;
+}
+
+/// Given loads: the line on the time of the start has the text of the first front.
+TEST(PathReport, OfGivenLoadsNamesTheLoadOfAFrontThatTurns)
+{
+  std::vector<PathState> path{{2.0, 0.0, 0.0, 0.1, 0.0, 1.0, 1.5}};
+  nlohmann::json summary = {
+      {"cracks",
+       {{{"name", "Notch"},
+         {"fronts", {{{"first_turn", 41.0}, {"hoop_stress_load", 0.8663}, {"initiated", 2.0}}}}}}}};
+  reportPathOfEquilibrium(path, false, summary);
+  EXPECT_NE(summary["answers"][0].get<std::string>().find("needs about 0.87 of the load"), std::string::npos);
+}
+
+TEST(PathReport, NamesWhatIsThereLaterBeforeTheFirstStep)
+{
+  nlohmann::json summary;
+  reportPathOfEquilibrium({}, true, summary);
+  for (const char* name : {"initiation", "largest_load", "unstable_from", "unstable_to", "snap_back_from"})
+    EXPECT_TRUE(summary["propagation"][name].contains("load_factor")) << name;
 }

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Propagation > Start Time in equilibrium and in motion, quantities of growth as References, and Final Time on restart."""
+
+import json
+import os
+import re
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from test_shear_at_rest import ShearTest, inclined, strip  # noqa: E402
+from program import rhegma  # noqa: E402
+
+
+class StartTime(ShearTest):
+    def scene(self, start, history="t", final=1.0):
+        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 4, "Final Time": final, "Maximum Steps": 4}, "150",
+                      {"Notch": inclined(0.0, 0.012)}, history, **{"Load Control": "Functions of Time", "Start Time": start})
+        return scene.set("Propagation > Increment", 1.0)
+
+    def growth(self, scene):
+        answer = rhegma(self.write("scene.xml", scene.text()), "--quiet", "--output", self.path("out"))
+        with open(self.path("out", "summary.json"), encoding="utf-8") as file:
+            return answer, json.load(file)
+
+    def test_growth_counts_at_the_end_of_a_load_step(self):
+        summary = self.growth(self.scene(0.0))[1]
+        free = summary["propagation"]["initiation"]["time"]
+        self.assertIsNotNone(free)
+        for start in (0.9, 1.0):  # in the last load step, from 0.75 s on, and at its end
+            summary = self.growth(self.scene(start))[1]
+            initiation = summary["propagation"]["initiation"]
+            self.assertIsNotNone(initiation["time"], summary["warnings"])
+            self.assertEqual(initiation["from"], 0.75)
+            self.assertAlmostEqual(initiation["time"], max(free, start), delta=1e-3 if free < start else 0.05)
+
+    def test_is_named_where_it_prevents_growth(self):
+        answer, _ = self.growth(self.scene(0.7, "0:0, 0.5:1, 0.75:0.1, 1:0.1"))
+        said = re.search(r"not initiated; G reached at most 0\.0\d+ of the initiation toughness\. Before Propagation > Start Time = 700 ms "
+                         r"G reached ([\d.]+) of the initiation toughness, but no crack may advance then", answer.messages)
+        self.assertIsNotNone(said, answer)
+        self.assertGreater(float(said.group(1)), 1.0)
+        answer, _ = self.growth(self.scene(2.0))
+        self.assertRegex(answer.messages, "no crack may advance before 2 s .*ended at 1 s. Before Propagation > Start Time = 2 s G reached")
+
+    def test_in_motion(self):
+        scene = strip({"Final Time": 4e-4}, "20", {"Notch": inclined(0.0, 0.012)}, "t<2e-4 ? sin(pi*t/2e-4)^2 : 0",
+                      **{"Start Time": 3.9e-4}).remove("Time > Rigid Modes")
+        scene.set("Damping", {"Mass Rate": 2e4})
+        answer, summary = self.growth(scene)
+        self.assertEqual(summary["cracks"][0]["fronts"][0]["status"], "not initiated", answer)
+        self.assertIn("Before Propagation > Start Time = 390 us G reached ", answer.messages)
+
+
+class References(ShearTest):
+    def refused(self, control, *quantities):
+        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 2}, "150", {"Notch": inclined(0.0, 0.012)}, "t", **{"Load Control": control})
+        scene.set("Reference", {f"R{k}": {"Quantity": quantity, "Value": 1.0, "Tolerance": 0.1, "Source": "a test"}
+                                for k, quantity in enumerate(quantities)})
+        answer = rhegma(self.write("scene.xml", scene.text()), "--check", "--quiet")
+        self.assertEqual(answer.status, 0, answer)
+
+    def test_documented_quantities_exist(self):
+        front = [f"cracks.Notch.fronts.0.{name}" for name in
+                 ("closest_to_initiation", "hoop_stress_load", "first_turn", "turn", "initiated", "last_advance", "increments",
+                  "energy_of_new_faces", "arrival.time", "arrival.position.0")]
+        states = [f"propagation.{state}.{name}" for state in ("initiation", "largest_load", "unstable_from", "unstable_to", "snap_back_from")
+                  for name in ("load_factor", "new_area")]
+        self.refused("Load Factor", "propagation.load_factor", "cracks.Notch.fronts.0.hoop_stress_factor", *states, *front)
+        self.refused("Functions of Time", "propagation.initiation.time", "propagation.unstable_from.time", "propagation.unstable_from.new_area",
+                     "cracks.Notch.fronts.0.closest_by_hoop_stress", *front)
+
+
+class Restart(ShearTest):
+    def restarted(self, control):
+        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 2}, "2000", {"Notch": inclined(0.0, 0.012)}, "t", **{"Load Control": control})
+        scene.set("Output > Checkpoint Interval", 1.0)
+        answer = rhegma(self.write("scene.xml", scene.text()), "--quiet", "--output", self.path("out"))
+        self.assertEqual(answer.status, 0, answer)
+        return rhegma(self.path("scene.xml"), "--quiet", "--output", self.path("other"), "--restart", self.path("out", "checkpoint.h5"),
+                      "--set", "Time:Final Time=1.5")
+
+    def test_final_time_of_a_factor_must_stay(self):
+        answer = self.restarted("Load Factor")
+        self.assertEqual(answer.status, 1, answer)
+        self.assertEqual(len(answer.messages.splitlines()), 1, answer)
+        for words in ('Time > Final Time is "1.5" in the scene and "1" in the checkpoint', "Load Control = Load Factor", "start anew"):
+            self.assertIn(words, answer.messages)
+        self.assertFalse(os.path.exists(self.path("other")))
+
+    def test_final_time_of_given_loads_may_change(self):
+        self.assertEqual(self.restarted("Functions of Time").status, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
