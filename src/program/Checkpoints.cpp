@@ -61,7 +61,8 @@ bool Checkpoints::copyIsDue(Clock::time_point now) const
 {
   const bool isFree =
       cost_.copies < 2 || secondsOfCopies_ < secondsOfCopies; // the second: the first after the start
-  return now >= nextHold_ || (isFree && simulation_.time() >= simulation_.heldTime() + longestWithoutCopy_);
+  const double since = simulation_.time() - simulation_.heldTime();
+  return now >= nextHold_ || (isFree && (afterEachStep_ ? since > 0.0 : since >= longestWithoutCopy_));
 }
 
 bool Checkpoints::historyIsWritten()

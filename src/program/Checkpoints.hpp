@@ -22,10 +22,10 @@ constexpr double costOfCopies = 1.0 / 400.0;
 ///
 /// A failure is detected within a step, when the state is inconsistent, and its cause may be much earlier.
 /// Therefore a copy of the state is stored in memory at samples with a sound energy balance, as often as
-/// costOfCopies allows and, in short runs, at each fifth of the simulated time; it is written when the run
-/// fails. Load steps of equilibrium may take long, and a signal stops a run within them: there each step may
-/// end with a copy. The history up to a copy is in
-/// its file before the copy is made, so that the copy can be used when later rows can't be written.
+/// costOfCopies allows and, in short runs, at each fifth of the simulated time (in equilibrium after each
+/// load step); it is written when the run fails. Load steps of equilibrium may take long, and a signal stops
+/// a run within them: there each step may end with a copy. The history up to a copy is in its file before the
+/// copy is made, so that the copy can be used when later rows can't be written.
 class Checkpoints
 {
 public:

@@ -205,8 +205,9 @@ std::string Production::stoppedWithin(const std::string& where)
   // The state is not whole; a signal before the step has saved that before it.
   if (toGoOn_.empty())
     toGoOn_ = checkpoints_.atFailure();
-  if (toGoOn_.empty() && simulation_.steps() == 0)
-    toGoOn_ = "; no load step is complete, so there is no checkpoint";
+  if (toGoOn_.empty())
+    toGoOn_ = std::string(simulation_.steps() == 0 ? "; no load step is complete, so" : ";") +
+              " there is no checkpoint";
   return stoppedBySignal + signalName_ + " " + where + toGoOn_;
 }
 
