@@ -17,10 +17,10 @@ namespace
 
 using Lines = std::vector<std::string>;
 
-Lines linesOf(const std::vector<std::string>& overrides)
+Lines linesOf(const std::vector<std::string>& overrides, const std::string& scene = "examples/dcb")
 {
   const SceneResult result =
-      readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/examples/dcb.xml", overrides, effectSchema());
+      readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/" + scene + ".xml", overrides, effectSchema());
   for (const SceneError& error : result.errors)
     ADD_FAILURE() << toString(error);
   return sceneLines(*result.list, effectSchema());
@@ -55,4 +55,19 @@ TEST(SceneText, NamesTheFirstDifference)
   EXPECT_EQ(differenceOfScenes({"A", "C"}, {"A", "B", "C"}), "B is in the checkpoint and not in the scene");
   EXPECT_EQ(differenceOfScenes({"A", "B"}, {"B", "A"}),
             "A is at another position in the order of the scene than in the checkpoint");
+}
+
+/// A factor multiplies the loads of Final Time; loads that are given do not depend on it.
+TEST(SceneText, KeepsFinalTimeOfALoadFactor)
+{
+  const std::string scene = "verification/dcb_growth_static",
+                    given = "Propagation:Load Control=Functions of Time", longer = "Time:Final Time=7";
+  const std::string difference = differenceOfScenes(linesOf({longer}, scene), linesOf({}, scene));
+  EXPECT_EQ(difference.rfind("Time > Final Time is \"7\" in the scene", 0), 0U) << difference;
+  const SceneResult result =
+      readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/" + scene + ".xml", {}, effectSchema());
+  const std::string reason = reasonOfDifference(difference, *result.list, effectSchema());
+  EXPECT_NE(reason.find("Load Control = Load Factor"), std::string::npos) << reason;
+  EXPECT_EQ(reasonOfDifference("Time > Analysis is", *result.list, effectSchema()), "");
+  EXPECT_EQ(differenceOfScenes(linesOf({given, longer}, scene), linesOf({given}, scene)), "");
 }
