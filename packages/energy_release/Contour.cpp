@@ -5,6 +5,7 @@
 #include "transfer/PushNodes.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace Rhegma::energy_release
 {
@@ -75,7 +76,7 @@ View<double*> volumeOfNodes(const State<D>& state, const Vector<D>& centre, doub
 class Gap
 {
 public:
-  Gap(const State<2>& state, const CrackFront<2>& front) : tip_(front.position)
+  Gap(const State<2>& state, const CrackFront<2>& front)
   {
     if (state.cracks.face.extent(0) == 0)
       return;
@@ -84,17 +85,11 @@ public:
     simplex_ = state.cracks.simplex;
     first_ = crack.firstSimplex;
     end_ = crack.firstSimplex + crack.numSimplices;
-    edge_ = spacingAt(state, front.position);
-    margin_ = 1.5 * edge_; // nodes reach that far
+    margin_ = 1.5 * spacingAt(state, front.position); // nodes reach that far
   }
 
-  /// How far a node that is not surrounded lets a contour reach [m]; a large number for one that is open
-  /// because of the gap. Where the crack reaches a surface, the nodes at this end of the gap count as part of
-  /// it. The first ones outside stand for them: the weight must be zero on that surface, whose normal is not
-  /// that of the faces, and not only outside of the gap.
-  KOKKOS_INLINE_FUNCTION double reach(const Vector<2>& x) const
+  KOKKOS_INLINE_FUNCTION bool holds(const Vector<2>& x) const
   {
-    double nearest = norm(x - tip_);
     for (int s = first_; s < end_; ++s)
     {
       const int v = simplex_(s, 0), w = simplex_(s, 1);
@@ -109,24 +104,33 @@ public:
       const double square = dot(along, along);
       double at = square > 0.0 ? dot(x - a, along) / square : 0.0;
       at = at < 0.0 ? 0.0 : (at > 1.0 ? 1.0 : at);
-      const Vector<2> foot = a + at * along;
-      const double outside = norm(x - foot) - (1.0 - at) * norm(halfAtA) - at * norm(halfAtB);
-      if (outside < margin_)
-        return 1e300;
-      if (outside < margin_ + edge_ && norm(foot - tip_) < nearest)
-        nearest = norm(foot - tip_);
+      if (norm(x - a - at * along) < (1.0 - at) * norm(halfAtA) + at * norm(halfAtB) + margin_)
+        return true;
     }
-    return nearest;
+    return false;
   }
 
 private:
   View<double* [2][2]> face_;
   View<int* [2]> simplex_;
   int first_ = 0, end_ = 0; ///< simplices
-  Vector<2> tip_;
-  double edge_ = 0.0;   ///< of the cells [m]
-  double margin_ = 0.0; ///< how far beyond the faces nodes are partly empty because of the gap [m]
+  double margin_ = 0.0;     ///< how far beyond the faces nodes are partly empty because of the gap [m]
 };
+
+/// Distance from a front to the other end of its crack, where this crack meets the surface of the body or has
+/// another front [m]. On the surface the weight must be zero: its normal is not that of the faces.
+double distanceToOtherEnd(const State<2>& state, const CrackFront<2>& front)
+{
+  const Crack<2>& crack = state.cracks.cracks[front.crack];
+  if (crack.numVertices == 0)
+    return std::numeric_limits<double>::infinity();
+  const auto vertex = onHost(state.cracks.vertex);
+  double furthest = 0.0;
+  // Vertices of a crack follow each other.
+  for (const int v : {crack.firstVertex, crack.firstVertex + crack.numVertices - 1})
+    furthest = std::max(furthest, norm(Vector<2>{{vertex(v, 0), vertex(v, 1)}} - front.position));
+  return furthest;
+}
 
 constexpr double smallestOuterCells = 2.0;
 
@@ -152,20 +156,20 @@ double largestContour(const State<2>& state, const CrackFront<2>& front, double 
 {
   const NodeCover<2> cover = coverOfNodes(state, front.position, radius);
   const Gap gap(state, front);
+  const Vector<2> centre = front.position;
   double nearest = radius;
   Kokkos::parallel_reduce(
       "rhegma::largestContour", Kokkos::RangePolicy<ExecSpace>(0, cover.box.count()),
       KOKKOS_LAMBDA(const int k, double& smallest) {
-        if (!cover.isOpen(k))
-          return;
-        const double r = gap.reach(cover.box.position(k));
-        if (r < smallest)
+        const Vector<2> x = cover.box.position(k);
+        const double r = norm(x - centre);
+        if (r < smallest && cover.isOpen(k) && !gap.holds(x))
           smallest = r;
       },
       Kokkos::Min<double>(nearest));
   double closeness = -nearest;
   maxParts(state, &closeness, 1);
-  double clear = std::min(-closeness, radius);
+  double clear = std::min({-closeness, radius, distanceToOtherEnd(state, front)});
   for (const CrackFront<2>& other : state.cracks.fronts)
     if (!other.ended && (other.crack != front.crack || other.number != front.number))
       clear = std::min(clear, norm(other.position - front.position));

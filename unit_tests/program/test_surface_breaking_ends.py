@@ -2,7 +2,7 @@
 """Contours next to the surface, or the plane of symmetry, at which a crack ends.
 
 Pressure on the faces of a crack and tension far away give the same K, as their difference is the body without a crack under
-pressure. Stress along the crack gives none. Only the second of each pair strains the surface at the mouth of the crack, so that an
+pressure. Stress along the crack gives none. Only the second of each pair strains the surface at the end of the crack, so that an
 integral over a domain which reaches that surface differs. Lengths are drawn at random: RHEGMA_SEED in the environment draws others.
 """
 
@@ -24,7 +24,7 @@ CELL, WIDTH, HALF = 1e-3, 0.014, 0.014  # [m]
 
 
 def surface(dimension, side, depth, stress):
-    """A load on one side of the body: -1 and 1 across the crack, 0 and 2 at its mouth and opposite to it."""
+    """A load on one side of the body: -1 and 1 across the crack, 0 and 2 at its surface-breaking end and opposite to it."""
     corners = {1: ([WIDTH, HALF], [0.0, HALF]), -1: ([0.0, -HALF], [WIDTH, -HALF]), 2: ([WIDTH, -HALF], [WIDTH, HALF]),
                0: ([0.0, HALF], [0.0, -HALF])}
     start, end = corners[side]
@@ -61,7 +61,7 @@ def block(dimension, length, height, mirrored, loads, pressed):
     return Scene(scene)
 
 
-class CrackMouths(ProgramTest):
+class SurfaceBreakingEnds(ProgramTest):
     def front_of(self, *choices):
         answer = rhegma(self.write("scene.xml", block(*choices).text()), "--quiet", "--output", self.path("out"))
         self.assertEqual(answer.status, 0, answer)
@@ -85,7 +85,7 @@ class CrackMouths(ProgramTest):
                 self.assertLess(front["outer_radius"], length + 0.2 * CELL, case)
 
     def test_pressure_and_tension_in_2d(self):
-        self.compare(2, 0.06)  # 12 to 35 % where the domain reaches the mouth
+        self.compare(2, 0.06)  # 12 to 35 % where the domain reaches the surface
 
     def test_pressure_and_tension_in_3d(self):
         self.compare(3, 0.04)  # 27 to 73 % where it does
@@ -97,7 +97,7 @@ class CrackMouths(ProgramTest):
             length, height, mirrored = CELL * pick.uniform(3.2, 6.5), CELL * pick.uniform(-0.5, 0.5), dimension == 2
             loads = [(2, (3 * STRESS, 0.0))] + ([] if mirrored else [(0, (-3 * STRESS, 0.0))])
             front = self.front_of(dimension, length, height, mirrored, loads, False)
-            # A domain that reaches the mouth, or forces there that do work on the particles next to it: about 1.
+            # A domain that reaches the surface, or forces there that do work on the particles next to it: about 1.
             self.assertLess(abs(front["G_J"]), 0.02 * energy * CELL, f"seed {SEED}: {dimension}D, {length / CELL:.3f} cells")
 
 
