@@ -328,7 +328,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       output.isParameter("History Interval") ? output.get<double>("History Interval") : until / 200.0;
   const int samples = list.get<int>("Settled Samples");
   const auto changes = std::make_shared<const Changes>(options.driving, until);
-  settling->waitForLoads(changes->last(), 0.0);
+  if (stop)
+    settling->waitForLoads(changes->last(), 0.0);
   const auto known = std::make_shared<Unsettled>(); // of whole bodies, before ranks divide them
   known->rate = rate;
   effect.judge = [=, holding = holdingOf(scene)](State<D>& s)
@@ -337,7 +338,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     {
       if (judged->slowest.known)
         known->estimated = judged->slowest;
-      if (judged->slowest.frequency > 0.0) // half a period
+      if (stop && judged->slowest.frequency > 0.0) // half a period
         settling->waitForLoads(changes->last(), std::acos(-1.0) / judged->slowest.frequency);
       judgeDamping({rate, shear, bulk, std::min(end, until), stop ? drift : 1.0}, *judged, s);
     }

@@ -121,9 +121,9 @@ private:
 /// another front [m]. On the surface the weight must be zero: its normal is not that of the faces.
 double distanceToOtherEnd(const State<2>& state, const CrackFront<2>& front)
 {
-  const Crack<2>& crack = state.cracks.cracks[front.crack];
-  if (crack.numVertices == 0)
+  if (state.cracks.vertex.extent(0) == 0) // a front by itself
     return std::numeric_limits<double>::infinity();
+  const Crack<2>& crack = state.cracks.cracks[front.crack];
   const auto vertex = onHost(state.cracks.vertex);
   double furthest = 0.0;
   // Vertices of a crack follow each other.

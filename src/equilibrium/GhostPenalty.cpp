@@ -4,6 +4,7 @@
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace Rhegma::equilibrium
@@ -32,12 +33,22 @@ bool isOnLattice(const Grid<D>& grid, const Vector<D>& x)
   return on;
 }
 
+/// Numbers of a row of `fillings`.
+template <int D>
+constexpr int fillingWidth = 2 * D + 3;
+
 /// What a particle fills, a row of numbers: its position, its volume [m3], Young's modulus times volume [N
-/// m], and its side of a crack. Those of this rank, then those of other ranks in this rank's window.
+/// m], its side of a crack, and half of the widths of its box. Those of this rank, then those of other ranks
+/// in this rank's window.
 template <int D>
 std::vector<double> fillings(const State<D>& state)
 {
-  constexpr int width = D + 3;
+  constexpr int width = fillingWidth<D>;
+  constexpr double ofPoint = 1e-9; // a point on a row of nodes counts as in both cells
+  const bool boxes = state.method.shape == ShapeKind::Gimp;
+  BorrowedView<double* [D]> half;
+  if (boxes)
+    half = state.particles.template real<D>(fields::box);
   const auto position = state.particles.template real<D>(fields::position);
   const auto volume = state.particles.scalar(fields::volume);
   const auto material = state.particles.integer(fields::material);
@@ -58,6 +69,8 @@ std::vector<double> fillings(const State<D>& state)
     row[D] = volume(p);
     row[D + 1] = volume(p) * youngModulus(state.materials.properties[material(p)]);
     row[D + 2] = side.extent(0) > 0 ? side(p) : 0;
+    for (int d = 0; d < D; ++d)
+      row[D + 3 + d] = boxes ? half(p, d) : ofPoint * state.mesh.grid.spacing;
     all.insert(all.end(), row, row + width);
     for (int r = 0; r < static_cast<int>(windows.size()); ++r)
       if (r != state.ranks.rank() && isOnLattice(windows[r], x))
@@ -78,13 +91,8 @@ struct Filled
 {
   std::vector<double> all, plus, minus; ///< of all particles, of those on sides +1 and -1 of cracks [m3]
   std::vector<double> stiff;            ///< Young's modulus times volume [N m]
-  std::vector<double> young; ///< of leaves without particles: the largest Young's modulus next to them [Pa]
 
-  explicit Filled(int leaves)
-      : all(leaves, 0.0), plus(leaves, 0.0), minus(leaves, 0.0), stiff(leaves, 0.0), young(leaves, 0.0)
-  {
-  }
-  double modulus(int leaf) const { return all[leaf] > 0.0 ? stiff[leaf] / all[leaf] : young[leaf]; }
+  explicit Filled(int leaves) : all(leaves, 0.0), plus(leaves, 0.0), minus(leaves, 0.0), stiff(leaves, 0.0) {}
   double on(int leaf, int side) const
   {
     return all[leaf] - (side > 0 ? minus[leaf] : side < 0 ? plus[leaf] : 0.0);
@@ -110,7 +118,7 @@ public:
       own_ = state.mesh.subdomain->own;
     std::vector<char> listed(filled_.all.size(), 0);
     const std::vector<double> fill = fillings(state);
-    for (const double* at = fill.data(); at != fill.data() + fill.size(); at += D + 3)
+    for (const double* at = fill.data(); at != fill.data() + fill.size(); at += fillingWidth<D>)
     {
       Vector<D> x;
       std::copy_n(at, D, x.c);
@@ -124,6 +132,8 @@ public:
       if (at[D + 2] != 0.0)
         (at[D + 2] > 0.0 ? filled_.plus : filled_.minus)[n] += at[D];
     }
+    for (const double* at = fill.data(); at != fill.data() + fill.size(); at += fillingWidth<D>)
+      addSpan(at);
     // Boxes of particles reach into leaves around those that hold the particles, over corners too.
     for (int round = 0; round < D; ++round)
       addNeighbours(listed);
@@ -149,13 +159,46 @@ private:
     return leaf.number < 0 ? -1 - leaf.number : grid_.numNodes + leaf.number;
   }
 
-  /// Lists the leaves over a face of those that are listed. Boxes reach over edges and corners of cells into
-  /// leaves that have no particles, as those over their faces have none: they get the modulus that is next to
-  /// them.
+  /// Notes the pairs of leaves in which the box of a particle lies, where one of them has no particles: over
+  /// a gap between two bodies, or two faces of a slot, no box reaches, and no jump may hold them together.
+  void addSpan(const double* filling)
+  {
+    constexpr double rounding = 1e-10; // of cells: nodes at which a box ends by rounding have no rows
+    constexpr int corners = 1 << D;
+    int leaf[corners];
+    bool apart = false;
+    for (int c = 0; c < corners; ++c)
+    {
+      Vector<D> x;
+      for (int d = 0; d < D; ++d)
+        x[d] = filling[d] + ((c >> d & 1) != 0 ? 1.0 : -1.0) *
+                                std::max(0.0, filling[D + 3 + d] - rounding * grid_.spacing);
+      if (!isOnLattice(grid_, x))
+        return;
+      leaf[c] = numberOf(sight_.leafAt(x));
+      apart = apart || leaf[c] != leaf[0];
+    }
+    const double young = filling[D + 1] / filling[D];
+    for (int a = 0; a < corners && apart; ++a)
+      for (int b = 0; b < a; ++b)
+        if (leaf[a] != leaf[b] && (filled_.all[leaf[a]] == 0.0 || filled_.all[leaf[b]] == 0.0))
+        {
+          double& modulus = spanned_[std::minmax(leaf[a], leaf[b])];
+          modulus = std::max(modulus, young);
+        }
+  }
+
+  /// Young's modulus of the particles whose boxes lie in both of two leaves [Pa]; 0 where there are none.
+  double modulusAcross(int a, int b) const
+  {
+    const auto found = spanned_.find(std::minmax(a, b));
+    return found == spanned_.end() ? 0.0 : found->second;
+  }
+
+  /// Lists the leaves over a face of those that are listed.
   void addNeighbours(std::vector<char>& listed)
   {
     const std::size_t before = leaves_.size();
-    std::vector<std::pair<int, double>> moduli; // of new leaves, from each of their neighbours
     for (std::size_t k = 0; k < before; ++k)
       for (int axis = 0; axis < D; ++axis)
         for (const int direction : {-1, 1})
@@ -172,11 +215,7 @@ private:
             if (listed[n] == 0)
               leaves_.push_back(next);
             listed[n] = 1;
-            if (filled_.modulus(n) == 0.0)
-              moduli.emplace_back(n, filled_.modulus(numberOf(leaves_[k])));
           }
-    for (const auto& [n, modulus] : moduli)
-      filled_.young[n] = std::max(filled_.young[n], modulus);
   }
 
   /// A point from the lowest corner of a leaf, in its edges.
@@ -200,7 +239,7 @@ private:
     if (next.level > leaf.level || (next.level == leaf.level && direction < 0))
       return; // found from the other side
     const int a = numberOf(leaf), b = numberOf(next);
-    if (filled_.modulus(a) + filled_.modulus(b) == 0.0)
+    if ((filled_.all[a] == 0.0 || filled_.all[b] == 0.0) && modulusAcross(a, b) == 0.0)
       return;
     Line found[lines];
     for (int line = 0; line < lines; ++line)
@@ -253,8 +292,8 @@ private:
     if (std::min(fraction(leaf, a), fraction(next, b)) >= fullCell)
       return 0.0;
     const double both = filled_.all[a] + filled_.all[b];
-    const double stiff = both > 0.0 ? (filled_.stiff[a] + filled_.stiff[b]) / both
-                                    : reached * std::max(filled_.modulus(a), filled_.modulus(b));
+    const double stiff =
+        both > 0.0 ? (filled_.stiff[a] + filled_.stiff[b]) / both : reached * modulusAcross(a, b);
     return ghostFactor * stiff * std::pow(leaf.edge * grid_.spacing, D - 2) * thickness_ / lines;
   }
 
@@ -295,7 +334,8 @@ private:
   const RowGraph& graph_;
   double thickness_;
   Filled filled_;
-  OwnCells<D> own_;          ///< all cells on one rank
+  std::map<std::pair<int, int>, double> spanned_; ///< see addSpan
+  OwnCells<D> own_;                               ///< all cells on one rank
   std::vector<Leaf> leaves_; ///< those with particles, in the order of the particles, and those around them
 };
 

@@ -31,7 +31,8 @@ double jumpOf(const SlopeJump& jump, const View<double*>& u, int axis)
 /// into the cut one. Fields that are linear have none. A cell is cut where the particles in it fill less than
 /// `fullCell` of it on the side in question. Where cells of two sizes meet, A is the face of the smaller one
 /// and the slope in the larger one is that next to the face. On several ranks each jump is that of one rank,
-/// which has the smaller leaf. Collective.
+/// which has the smaller leaf. A face of a cell without particles has a jump only where the box of a particle
+/// lies on both sides of it, and a tenth of the penalty if neither cell has particles. Collective.
 template <int D>
 std::vector<SlopeJump> findSlopeJumps(const State<D>& state, const RowGraph& graph);
 

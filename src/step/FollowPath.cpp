@@ -25,9 +25,11 @@ constexpr double firstFactor = 0.01;
 /// Equilibria of a step after which no factor is found.
 constexpr int mostTrials = 60;
 
-/// Trials with a smaller factor than wanted, because there was no equilibrium at that one, after which none
-/// is found.
+/// Trials one after another that gain less than this fraction of the change of the factor that is wanted,
+/// because there is no equilibrium at more of it, after which no factor is found. A body that bears its load
+/// only in increments gains more.
 constexpr int mostReduced = 4;
+constexpr double leastGained = 0.1;
 
 /// How often a change of the factor is halved where there is no equilibrium.
 constexpr int mostHalvings = 12;
@@ -38,8 +40,9 @@ constexpr double heldDrive = 1.0 + 1e-6;
 /// Relative difference of times that is rounding: load steps add up to them.
 constexpr double roundingOfTime = 1e-9;
 
-/// Strain above which no factor is searched for, by a linear estimate (meanStrain).
-constexpr double largestStrain = 1.0;
+/// Strain above which no factor is searched for, by a linear estimate (meanStrain): rubber tears at strains
+/// of a few.
+constexpr double largestStrain = 10.0;
 
 /// Fraction of the work of a step below which the work of loads is rounding.
 constexpr double roundingOfWork = 1e-9;
@@ -153,14 +156,16 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
   LoadFactorSearch search;
   double factor = extrapolated(growth.path);
   bool solved = true;
-  int reduced = 0; // trials without an equilibrium at the factor that was wanted
+  int reduced = 0; // trials one after another with hardly a change of the factor
   for (int k = 0; k < mostTrials && reduced < mostReduced && state.failure.empty() && !search.found(); ++k)
   {
     const double before = state.energy.externalWork;
     solved = solveFor(state, calls, last, factor);
     if (!solved)
       break;
-    reduced += clock.factor.end != factor ? 1 : 0;
+    const double gained = clock.factor.end - clock.factor.begin;
+    const bool stuck = std::fabs(gained) < leastGained * std::fabs(factor - clock.factor.begin);
+    reduced = stuck ? reduced + 1 : 0;
     accept(state, calls, [&] { return failureOfSearch(state, true) + " (" + state.failure + ")"; });
     const double all = state.energy.externalWork - before;
     double work[] = {all - last.workOfSupports, std::fabs(all)};

@@ -163,7 +163,7 @@ class FrontsThatStop(ProgramTest):
         self.assertLess(summary["time"], 2e-5)
 
     def test_the_rest_of_a_3d_front_may_go_on(self):
-        """It says how far the front went; the part that is stopped is told in all answers, and nothing is arrested."""
+        """It says how far the front went; the part that is stopped is told in all answers, and it is not arrested."""
         answer, _, summary, rows = self.run_scene(penny_beside_a_crack(On_Stop="Continue"))
         self.assertEqual(answer.status, 0, answer)
         front = summary["cracks"][0]["fronts"][0]
@@ -172,7 +172,7 @@ class FrontsThatStop(ProgramTest):
         self.assertLess(float(rows[-1]["Penny.0.stopped"]), 1.0)
         line = next(line for line in answer.output.splitlines() if line.startswith("crack Penny, front 0"))
         self.assertRegex(line, r"extension .* at most, .* on average, new area .* m2, \d+ of \d+ front nodes stopped")
-        self.assertNotIn(" arrested at", answer.output)
+        self.assertNotIn(" arrested at", line)
         self.assertRegex(summary["answers"][1], r"^numerical stop of \d+ of \d+ front nodes of crack Penny, front 0")
         area = float(rows[-1]["Penny.area"]) - float(rows[0]["Penny.area"])
         self.assertGreater(front["largest_advance"], 1e-3)

@@ -109,8 +109,7 @@ class OddCracks(ProgramTest):
         """The notch ends in the middle of the plate; J is of the ring from 0.15 to 0.3 m."""
         for lower, upper, words in (
             ([0.69, 0.69], [0.71, 0.71],
-             ["Boundaries > Pin prescribes nodes in the domain integral from 150 mm to 300 mm around crack Notch, front 0",
-              "G_J of crack Notch, front 0 is -0."]),
+             ["Boundaries > Pin prescribes nodes in the domain integral from 150 mm to 300 mm around crack Notch, front 0"]),
             ([0.49, 0.59], [0.51, 0.61], []),  # within the ring
             ([0.79, 0.79], [0.81, 0.81], []),
         ):
