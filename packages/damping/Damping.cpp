@@ -328,8 +328,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       output.isParameter("History Interval") ? output.get<double>("History Interval") : until / 200.0;
   const int samples = list.get<int>("Settled Samples");
   const auto changes = std::make_shared<const Changes>(options.driving, until);
-  if (stop)
-    settling->waitForLoads(changes->last(), 0.0);
+  settling->waitForLoads(stop ? changes->last() : 0.0, 0.0);
   const auto known = std::make_shared<Unsettled>(); // of whole bodies, before ranks divide them
   known->rate = rate;
   effect.judge = [=, holding = holdingOf(scene)](State<D>& s)
