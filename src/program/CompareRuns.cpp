@@ -69,6 +69,16 @@ std::string endOfFront(const json& front)
   return status.substr(0, status.find_first_of(":,"));
 }
 
+/// Whether what two runs have at their ends is of the same time, or of bodies at rest: a run that stopped in
+/// the middle of its motion is not to be compared with one that went on.
+bool endTogether(const RunResults& asIs, const RunResults& half)
+{
+  constexpr double same = 1e-3;
+  const double one = numberOrNone(asIs.summary, "time"), other = numberOrNone(half.summary, "time");
+  return std::max(endOf(asIs.summary), endOf(half.summary)) == RunEnd::Finished ||
+         !(std::fabs(one - other) > same * std::max(one, other));
+}
+
 void compareAtRest(Comparison& comparison, const std::string& name, const json& asIs, const json& half)
 {
   comparison.value("largest G_J of " + name, "J/m2", numberOrNone(asIs, "largest_G_J"),
@@ -175,10 +185,12 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
   const std::string endAsIs = endOfFront(asIs), endHalf = endOfFront(half);
   comparison.word("end of " + name, endAsIs, endHalf);
   if (std::isnan(numberOrNone(asIs, "initiated")) && std::isnan(numberOrNone(half, "initiated")))
-    return compareAtRest(comparison, name, asIs, half);
+    return endTogether(first, second) ? compareAtRest(comparison, name, asIs, half) : void();
+  comparison.areOfEarlierTimes(true); // both runs got that far
   if (initiationInEquilibrium(first.summary).is_null() || initiationInEquilibrium(second.summary).is_null())
     comparison.value("initiation of " + name, "s", numberOrNone(asIs, "initiated"),
                      numberOrNone(half, "initiated"), 0, meanStep(first.summary));
+  comparison.areOfEarlierTimes(false);
   comparison.value("speed of " + name, "m/s", numberOrNone(asIs, "settled_speed"),
                    numberOrNone(half, "settled_speed"), 0);
   comparison.value("G of " + name + " while it runs", "J/m2", numberOrNone(asIs, "settled_release"),

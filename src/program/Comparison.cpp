@@ -128,10 +128,11 @@ void Comparison::add(json answer, bool resolved, const std::string& what)
 {
   if (!resolved)
     open_ += (open_.empty() ? "" : "; ") + answer["name"].get<std::string>() + " (" + what + ")";
-  answer["resolved"] = resolved && !unfinished_;
-  answer["verdict"] = what + (!resolved      ? ": not resolved"
-                              : !unfinished_ ? ": resolved"
-                                             : ": not judged, as " + reasonText(*unfinished_));
+  const bool judged = !unfinished_ || earlier_;
+  answer["resolved"] = resolved && judged;
+  answer["verdict"] = what + (!resolved ? ": not resolved"
+                              : judged  ? ": resolved"
+                                        : ": not judged, as " + reasonText(*unfinished_));
   answers_.push_back(std::move(answer));
 }
 

@@ -31,8 +31,11 @@ public:
   void word(const std::string& name, const std::string& asIs, const std::string& half);
 
   /// Of runs one of which, or both, or a front of which, did not come to its end: what comes after that is
-  /// not known, and nothing is resolved. \param name of what is compared
+  /// not known, and nothing is resolved but what is of earlier times. \param name of what is compared
   void ends(const std::string& name, RunEnd asIs, RunEnd half);
+
+  /// Whether answers from now on are of times that both runs have passed.
+  void areOfEarlierTimes(bool earlier) { earlier_ = earlier; }
 
   /// {"answers", "resolved", "open", "verdict", "cell"}, as compareRuns() describes them
   nlohmann::json result() const;
@@ -46,7 +49,8 @@ private:
   std::string advice_ = "use smaller cells";
   bool known_ = false; ///< there is an answer that is not zero
   std::optional<RunEnd>
-      unfinished_; ///< why the answers are not those of the end of the scene; none: they are
+      unfinished_;       ///< why the answers are not those of the end of the scene; none: they are
+  bool earlier_ = false; ///< see areOfEarlierTimes
 };
 
 } // namespace Rhegma::program
