@@ -199,7 +199,7 @@ ConfigurationalForces configurationalForces(const State<3>& state, const Region<
                                             const FrontWork<3>& kept)
 {
   const Region<3> nodes = nodesOf(state, box);
-  const ConfigurationalForces force = kept.rows.clearForces(state, nodes);
+  ConfigurationalForces force = kept.rows.clearForces(state, nodes);
   kept.blocks.find(state, {box});
   const MeanMotion mean = meanMotion(state, box, kept.blocks);
   const bool moving = haveNodalValues(state);

@@ -51,7 +51,7 @@ template <int D>
 View<double*> volumeOfNodes(const State<D>& state, const Vector<D>& centre, double radius,
                             const BoxNodes<D>& box)
 {
-  const View<double*> volume("rhegma::volumeOfNodes", box.count());
+  View<double*> volume("rhegma::volumeOfNodes", box.count());
   if (!state.mesh.subdomain)
   {
     sumVolume(

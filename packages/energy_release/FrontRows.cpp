@@ -64,7 +64,7 @@ View<double* [4]> FrontRowTable<D>::clearForces(const State<D>& state, const Reg
 {
   if (forces_.extent(0) < state.mesh.nodes.sums.extent(0))
     forces_ = View<double* [4]>("rhegma::forcesAroundFront", state.mesh.nodes.sums.extent(0));
-  const View<double* [4]> forces = forces_;
+  View<double* [4]> forces = forces_;
   forEachNodeIn(
       "rhegma::clearForcesAroundFront", state, box, KOKKOS_LAMBDA(const int n, const Vector<D>&) {
         for (int k = 0; k < 4; ++k)
