@@ -38,7 +38,7 @@ def messages_of(answer):
 def draw(rng, number):
     """A wrong scene, its name and error, and the places that may be named."""
     template = TEMPLATES[number % len(TEMPLATES)]
-    for _ in range(200):
+    for _ in range(2000):  # few scenes fit some templates
         scene = FileScene(rng.choice(FILES))
         place = template(scene, rng)
         if place is not None:

@@ -67,7 +67,7 @@ REASONS = {
     density_in_grams: "less than of foams|higher than in diamond",
     no_step: "so nothing happens; times are in seconds",
     endless: "the run would take about .* steps",
-    short_crack: "below three cells|outside of all bodies",
+    short_crack: "below (?:three|one) cells?|outside of all bodies",
     toughness_in_megajoule: "less than (the surface energy of any solid|an atom.s distance|of any stiff solid)",
     toughness_in_pascal: "more than that of any solid of this stiffness",
     heavy_damping: "a body loses its velocity in each step",
