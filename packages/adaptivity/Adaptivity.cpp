@@ -358,7 +358,8 @@ EffectEntry adaptivityEntry()
     options.adaptive = true;
     options.frontLevels = list.get<double>("Front Cells") > 0.0 ? list.get<int>("Maximum Level") : 0;
   };
-  entry.cells.levels = [](const Teuchos::ParameterList& list) { return list.get<int>("Maximum Level"); };
+  entry.cells.levels = [](const Teuchos::ParameterList& list, double around)
+  { return list.get<double>("Front Cells") < around ? 0 : list.get<int>("Maximum Level"); };
   entry.cells.refine = [](Teuchos::ParameterList& scene, const FrontRefinement& refinement)
   {
     Teuchos::ParameterList& list = scene.sublist("Adaptivity");

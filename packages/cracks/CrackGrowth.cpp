@@ -61,6 +61,13 @@ Vector<3> evening(const GrowingSurface& mesh, const FrontLines<3>& lines, std::s
 
 } // namespace
 
+template <int D>
+bool CrackGrowth<D>::isMirrored(const Vector<D>& x, double cell) const
+{
+  return std::any_of(mirrors_.begin(), mirrors_.end(),
+                     [&](const MirrorPlane& plane) { return isOn(plane, x[plane.axis], cell); });
+}
+
 /// Sizes of cells, and lengths smoothed along the front. \return whether the front turns \param longest of
 /// the lengths before smoothing [m]
 template <int D>
@@ -74,9 +81,7 @@ bool CrackGrowth<D>::prepare(const State<D>& state, Advancing& f, double& longes
   {
     const Vector<D>& x = f.front.nodes[k].position;
     f.cells[k] = spacingAt(state, x);
-    mirrored[k] =
-        std::any_of(mirrors_.begin(), mirrors_.end(),
-                    [&](const MirrorPlane& plane) { return isOn(plane, x[plane.axis], f.cells[k]); });
+    mirrored[k] = isMirrored(x, f.cells[k]);
     if (f.lines[k].landed || f.lines[k].stopped)
       f.advances[k].length = 0.0;
     longest = std::max(longest, f.advances[k].length);
@@ -84,7 +89,10 @@ bool CrackGrowth<D>::prepare(const State<D>& state, Advancing& f, double& longes
             (f.advances[k].length > 0.0 && dot(f.advances[k].direction, f.lines[k].direction) < straight<D>);
   }
   if constexpr (D == 3)
+  {
     smoothAlongFront(f.crack.mesh, f.lines, f.front.nodes, f.cells, mirrored, f.advances);
+    landOvertaken(state, f);
+  }
   return turns;
 }
 
@@ -104,9 +112,7 @@ void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
     const int last = previousPoint(f.lines, k);
     const Vector<D>& x = f.front.nodes[k].position;
     const double cell = node.path.cell;
-    if (node.ligament.ends || (last >= 0) == f.lines[k].joined ||
-        std::any_of(mirrors_.begin(), mirrors_.end(),
-                    [&](const MirrorPlane& plane) { return isOn(plane, x[plane.axis], cell); }))
+    if (node.ligament.ends || (last >= 0) == f.lines[k].joined || isMirrored(x, cell))
       continue;
     const Vector<D> along = x - f.front.nodes[last >= 0 ? last : nextPoint(f.lines, k)].position;
     paths.push_back({node.to, (1.0 / norm(along)) * along, cell, cell});
@@ -119,6 +125,38 @@ void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
       ends[i]->aside = (ligaments[i].length - particleOverhang * paths[i].cell) * paths[i].direction;
       ends[i]->to = ends[i]->to + ends[i]->aside;
     }
+}
+
+/// Lets the piece at an end of a 3D front land that the rest of the front has overtaken: less than half a
+/// cell of material is left ahead of its middle. Its nodes may have no drive left; the J integral of a front
+/// that leads out of the body means nothing, and is negative.
+template <int D>
+void CrackGrowth<D>::landOvertaken(const State<D>& state, Advancing& f) const
+{
+  constexpr double step = 0.01; // advance by which a node that has no drive lands [cells]
+  const auto advances = [&](std::size_t k) { return !f.lines[k].landed && !f.lines[k].stopped; };
+  std::vector<Path<D>> paths; // of the middle of each such piece, of its end, and of its other node
+  std::vector<std::size_t> nodes;
+  for (std::size_t k = 0; k < f.lines.size(); ++k)
+  {
+    const int last = previousPoint(f.lines, k);
+    if ((last >= 0) == f.lines[k].joined || isMirrored(f.front.nodes[k].position, f.cells[k]))
+      continue;
+    const std::size_t other = last >= 0 ? static_cast<std::size_t>(last) : nextPoint(f.lines, k);
+    if (!advances(k) && !advances(other))
+      continue;
+    const FrontNode<D>&a = f.front.nodes[k], &b = f.front.nodes[other];
+    const Vector<D> both = f.advances[k].direction + f.advances[other].direction;
+    const double cell = f.cells[k], length = step * cell;
+    paths.push_back({0.5 * (a.position + b.position), (1.0 / norm(both)) * both, length, cell});
+    paths.push_back({a.position, f.advances[k].direction, length, cell});
+    paths.push_back({b.position, f.advances[other].direction, length, cell});
+    nodes.insert(nodes.end(), {k, k, other});
+  }
+  const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (i % 3 != 0 && ligaments[i - i % 3].ends && ligaments[i].ends && advances(nodes[i]))
+      f.advances[nodes[i]].length = std::max(f.advances[nodes[i]].length, paths[i].length);
 }
 
 /// Mean advance along a front [m]. The mean of its nodes, and not the sum of new area over the length of the

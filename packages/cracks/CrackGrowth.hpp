@@ -67,9 +67,12 @@ private:
     int landed = -1;                           ///< the last node that reached a surface or another crack
   };
 
+  /// Whether a plane of symmetry goes through a position, in cells of this size [m].
+  bool isMirrored(const Vector<D>& x, double cell) const;
   bool prepare(const State<D>& state, Advancing& f, double& longest) const;
   std::vector<AdvancingNode<D>> findPaths(const State<D>& state, const Advancing& f,
                                           const FrontAdvance<D>& advance) const;
+  void landOvertaken(const State<D>& state, Advancing& f) const;
   void keepOnSurface(const State<D>& state, const Advancing& f, std::vector<AdvancingNode<D>>& nodes) const;
   bool advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& cracks, Advancing& f,
                    const AdvancingNode<D>& node, std::vector<Meeting>& meetings);

@@ -96,21 +96,39 @@ void judgeStart(const JudgedScene<D>& judged, Messages& messages)
         "time 0, or leave Initial State out");
 }
 
-/// Supports whose displacement strains hardly anything: their velocities are displacements, perhaps.
-template <int D>
-void judgeSlowSupports(const JudgedScene<D>& judged, Messages& messages)
+/// Whether a load is a moving support.
+bool isSupport(const LoadEstimate& load, const Teuchos::ParameterList& scene)
 {
-  constexpr double least = 1e-7;
-  const LoadEstimate* load = largestStrain(judged.loads);
   const std::string root = "Boundaries > ";
-  if (load == nullptr || !(load->strain > 0.0) || load->strain > least || load->where.rfind(root, 0) != 0)
+  if (load.where.rfind(root, 0) != 0 || !scene.isSublist("Boundaries"))
+    return false;
+  const Teuchos::ParameterList& section = scene.sublist("Boundaries");
+  const std::string name = load.where.substr(root.size());
+  return section.isSublist(name) && section.sublist(name).get<std::string>("Type") == "Velocity";
+}
+
+/// Loads all of which strain hardly anything: stresses in MPa, or displacements for velocities, perhaps.
+/// Loads that break something strain it by 1e-5 and more: glass of a toughness of 0.7 MPa m^0.5 with a crack
+/// of 1 m by 6e-6.
+template <int D>
+void judgeTinyLoads(const JudgedScene<D>& judged, Messages& messages)
+{
+  constexpr double leastOfSupports = 1e-7, leastOfForces = 1e-8;
+  const LoadEstimate* load = largestStrain(judged.loads);
+  if (load == nullptr || !(load->strain > 0.0))
     return;
-  const Teuchos::ParameterList& section = judged.scene.sublist("Boundaries");
-  const std::string name = load->where.substr(root.size());
-  if (section.isSublist(name) && section.sublist(name).template get<std::string>("Type") == "Velocity")
-    messages.push_back(load->where + ": up to Time > Final Time it strains the body by about " +
-                       formatShort(load->strain) +
-                       " only; Value is a velocity in m/s, and the displacement is its integral over time");
+  if (isSupport(*load, judged.scene))
+  {
+    if (load->strain < leastOfSupports)
+      messages.push_back(load->where + ": up to Time > Final Time it strains the body by about " +
+                         formatShort(load->strain) +
+                         " only; Value is a velocity in m/s, and the displacement is its integral over time");
+  }
+  else if (load->strain < leastOfForces && !judged.driven)
+    messages.push_back(load->where + ": it strains the body by about " + formatShort(load->strain) +
+                       " only (" + formatShort(load->stress) +
+                       " Pa), and no other load strains it more; stresses are in Pa, and 1 MPa is 1e6 Pa, "
+                       "forces in N and Young's modulus in Pa");
 }
 
 } // namespace
@@ -120,7 +138,7 @@ Messages judgeLoads(const JudgedScene<D>& judged)
 {
   Messages messages;
   judgeStrain(judged, messages);
-  judgeSlowSupports(judged, messages);
+  judgeTinyLoads(judged, messages);
   judgeStart(judged, messages);
   judgeHistories(judged, messages);
   return messages;

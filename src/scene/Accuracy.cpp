@@ -139,32 +139,42 @@ double cellOfParts(const CellNeeds& needs, const AccuracyRule& rule, bool moves)
   return graded ? needs.thickness / rule.perThickness : needs.across / rule.perLigament;
 }
 
-/// Levels of cells that the sections of the scene allow. Also a scene for which cells have been chosen before
-/// has some.
-int ownLevels(const ParameterList& scene, const SceneSchema& schema)
+/// Levels of cells that the sections of the scene make around fronts, up to this number of their edge
+/// lengths; at 0 anywhere. Also a scene for which cells have been chosen before has some.
+int ownLevels(const ParameterList& scene, const SceneSchema& schema, double around)
 {
   int levels = 0;
   for (const auto& [section, effect] : schema.effects())
     if (effect.cells.levels && scene.isSublist(section))
-      levels = std::max(levels, effect.cells.levels(scene.sublist(section)));
+      levels = std::max(levels, effect.cells.levels(scene.sublist(section), around));
   return levels;
 }
 
 /// Refuses cells that are too large for the accuracy, where none are chosen below them.
-/// \param given Domain > Cell Size [m] \param levels below it that the scene has \param most size of the
+/// \param around fronts where refined cells count, in their edge lengths; 0: anywhere \param most size of the
 /// smallest cells [m]
-void refuseLarge(double given, int levels, double most, const AccuracyRule& rule)
+void refuseLarge(const ParameterList& scene, const SceneSchema& schema, double around, double most,
+                 const AccuracyRule& rule)
 {
+  const double given = scene.sublist("Domain").get<double>("Cell Size");
+  const int levels = ownLevels(scene, schema, around);
   const double smallest = std::ldexp(given, -levels);
   if (smallest <= (1.0 + roundingOfText) * most)
     return;
   throw std::invalid_argument(
       std::string("is ") + rule.name + ", which asks for cells of at most " + formatShort(most) +
       " m, but Domain > Cell Size is " + formatShort(given) + " m, and " +
-      (levels > 0 ? "its smallest refined cells are " + formatShort(smallest) +
+      (levels > 0 ? "its smallest refined cells" +
+                        (around > 0.0 ? ", " + formatReal(around) + " or more of them around fronts,"
+                                      : std::string()) +
+                        " are " + formatShort(smallest) +
                         " m; write more levels of refinement or a smaller Cell Size, or leave both out"
-                  : std::string("the cells of this scene cannot be refined; write a smaller Cell Size, or "
-                                "leave it out")));
+       : around > 0.0 && ownLevels(scene, schema, 0.0) > 0
+           ? "its refined cells do not have " + formatReal(around) +
+                 " of each size around fronts, which is needed; write a smaller Cell Size, more cells around "
+                 "fronts, or leave both out"
+           : std::string("the cells of this scene cannot be refined; write a smaller Cell Size, or "
+                         "leave it out")));
 }
 
 /// Size of the cells, and levels below it at fronts.
@@ -186,6 +196,7 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   if (!std::isfinite(cell))
     throw std::invalid_argument(nothingMessage(schema));
   const double atFront = cellAtFronts(needs, rule);
+  const double around = needs.ahead < CellNeeds::none && !needs.running ? rule.aroundFront : 3.0;
   const bool mayRefine =
       atRest && !needs.equal && (moves || needs.ahead < CellNeeds::none) &&
       std::any_of(schema.effects().begin(), schema.effects().end(),
@@ -203,7 +214,7 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   {
     const double given = domain.get<double>("Cell Size");
     if (!mayRefine)
-      refuseLarge(given, ownLevels(read, schema), cell, rule);
+      refuseLarge(read, schema, needs.fronts() ? around : 0.0, cell, rule);
     cell = given;
   }
   else
@@ -213,8 +224,7 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   }
   const int levels = mayRefine ? static_cast<int>(std::ceil(std::log2(cell / least) - 1e-6)) : 0;
   if (levels > 0)
-    refine(scene, schema, {levels, needs.ahead < CellNeeds::none ? rule.aroundFront : 3.0, moves, boxes},
-           rule);
+    refine(scene, schema, {levels, around, moves, boxes}, rule);
 }
 
 } // namespace

@@ -72,8 +72,9 @@ struct CellHook
   std::function<void(const Teuchos::ParameterList& scene, CellNeeds&, std::vector<SceneError>&)> addNeeds{};
   /// Adds smaller cells at fronts to a scene that has no section of the effect.
   std::function<void(Teuchos::ParameterList& scene, const FrontRefinement&)> refine{};
-  /// Levels of cells below Domain > Cell Size that the effect's section allows.
-  std::function<int(const Teuchos::ParameterList& section)> levels{};
+  /// Levels of cells below Domain > Cell Size that the effect's section makes within this number of their
+  /// edge lengths from fronts; at 0 anywhere.
+  std::function<int(const Teuchos::ParameterList& section, double around)> levels{};
 };
 
 } // namespace Rhegma

@@ -62,6 +62,20 @@ def modulus_in_megapascal(scene, rng):
     return where("Materials", name)
 
 
+def loads_in_megapascal(scene, rng):
+    """all stresses are in MPa, all forces in MN, and there is no toughness to compare them with"""
+    if any(scene.has(section) for section in ("Propagation", "Combustion", "Thermal", "Face Pressure")):
+        return None
+    names = scene.boundaries("Traction", "Point Load", "Line Load")
+    others = set(scene.lists("Boundaries")) - set(names) - set(scene.boundaries("Symmetry"))
+    if not names or any(scene.get(f"Boundaries > {n} > Type") != "Velocity" or scene.has(f"Boundaries > {n} > Field") or
+                        any(scene.get(f"Boundaries > {n} > Value", [])) for n in others) or any(
+            scene.has(f"Bodies > {n} > Velocity") for n in scene.lists("Bodies")):
+        return None
+    scene.scale({"Stress", "Force"}, 1e-6, "Boundaries")
+    return "|".join(where("Boundaries", n) for n in names)
+
+
 def nearly_incompressible(scene, rng):
     """the material hardly changes its volume, in a cracked body of few cells"""
     names = [n for n in scene.lists("Materials") if scene.get(f"Materials > {n} > Model") == "Linear Elastic"]

@@ -57,8 +57,15 @@ def axle(seed):
 class Axle(ProgramTest):
     def test_the_front_goes_on_inside(self):
         """Ends that were taken back to the surface had the direction of that move; with it J of nodes far from them was none."""
-        print(f"seed {SEED}", flush=True)
-        answer = rhegma(self.write("scene.xml", axle(SEED).text()), "--quiet")
+        self.grows(SEED)
+
+    def test_an_end_that_the_front_has_overtaken(self):
+        """It pointed out of the bar; its J integral was negative, and that stopped the run."""
+        self.grows(SEED + 3)
+
+    def grows(self, seed):
+        print(f"seed {seed}", flush=True)
+        answer = rhegma(self.write("scene.xml", axle(seed).text()), "--quiet")
         with open(self.path("scene.out", "summary.json")) as file:
             front = json.load(file)["cracks"][0]["fronts"][0]
         self.assertEqual(answer.status, 0, answer)

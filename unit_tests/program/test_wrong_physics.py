@@ -22,7 +22,7 @@ from scenes import plate  # noqa: E402
 from wrong_physics import REASONS, TEMPLATES  # noqa: E402
 
 SEED = int(os.environ.get("RHEGMA_SEED", "2"))
-COUNT = int(os.environ.get("RHEGMA_SCENES", "67"))
+COUNT = int(os.environ.get("RHEGMA_SCENES", "68"))
 FILES = sorted(glob.glob(os.path.join(SOURCE, "xml_inputs", "examples", "*.xml"))
                + glob.glob(os.path.join(SOURCE, "xml_inputs", "verification", "*.xml")))
 

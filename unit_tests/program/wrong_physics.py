@@ -14,7 +14,7 @@ from physics_of_bodies import (
 )
 from physics_of_units import (
     all_in_millimetres, one_body_in_millimetres, crack_in_millimetres, cells_in_millimetres,
-    thickness_in_millimetres, modulus_in_megapascal, density_in_grams, yield_in_megapascal, nearly_incompressible,
+    thickness_in_millimetres, modulus_in_megapascal, density_in_grams, yield_in_megapascal, nearly_incompressible, loads_in_megapascal,
     toughness_in_megajoule, toughness_in_pascal, toughness_in_megapascal,
 )
 from physics_of_numbers import (
@@ -45,7 +45,8 @@ TEMPLATES = [support_away, mirror_away, load_away, no_load, late_load, thin_body
              limit_below_a_cell, speeds_in_kilometres, no_pressure, late_pressure, source_of_nothing, source_too_strong,
              probe_away, reference_in_celsius, table_in_celsius, strained_by_heat, held_at_the_load, nearly_incompressible,
              support_across_a_crack, value_along_a_free_axis, grips_that_move_alike, pin_in_the_contour,
-             crack_from_side_to_side, bonded_from_afar, conductivity_of_nothing, burns_at_once, impossible_flame, damping_by_pic]
+             crack_from_side_to_side, bonded_from_afar, conductivity_of_nothing, burns_at_once, impossible_flame, damping_by_pic,
+             loads_in_megapascal]
 
 TOO_STRAINED = "strains the body by about .* (linear law|more than a solid withstands)"
 
@@ -118,4 +119,5 @@ REASONS = {
     impossible_flame: "than any flame",
     damping_by_pic: "of the energy of the longest wave",
     nearly_incompressible: "too few cells make bending too stiff",
+    loads_in_megapascal: "stresses are in Pa|more than its loads",
 }

@@ -1,6 +1,7 @@
 #include "CubeScene.hpp"
 
 #include "cracks/CrackGrowth.hpp"
+#include "cracks/CrackReport.hpp"
 
 #include <initializer_list>
 
@@ -131,5 +132,30 @@ TEST(LigamentAhead, PassesOverTheOpeningOfItsCrack)
     advance(state, cell);
     EXPECT_EQ(state.cracks.fronts[0].ended, !open);
     EXPECT_NEAR(state.cracks.fronts[0].position[0], (open ? 7.6 : 6.6) * cell, 1e-12);
+  }
+}
+
+/// What is left ahead of a front that has grown is said where it is less than three cells: of one whose crack
+/// is open, too.
+TEST(LigamentAhead, IsSaidAtTheEnd)
+{
+  for (const double front : {15.1, 15.4, 15.8, 16.3, 17.2})
+  {
+    const auto run = strip({{0, 0, 20, 10}}, front);
+    State<2>& state = run->state();
+    advance(state, cell);
+    state.clock.step = 1;
+    const double left = 19.0 - front;
+    nlohmann::json summary = {{"warnings", nlohmann::json::array()}};
+    reportCracks(state, true, false, false, summary);
+    const nlohmann::json& ligament = summary["cracks"][0]["fronts"][0]["ligament"];
+    ASSERT_EQ(ligament.is_null(), left > 3.0 + beyond) << front;
+    EXPECT_EQ(summary["warnings"].size(), left > 3.0 + beyond ? 0u : 1u) << front;
+    if (ligament.is_null())
+      continue;
+    EXPECT_NEAR(ligament.get<double>(), left * cell, 0.2 * cell) << front;
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("of material are left ahead of it"),
+              std::string::npos)
+        << summary;
   }
 }

@@ -185,7 +185,7 @@ TEST(Accuracy, RefusesCellsThatItCannotRefine)
 }
 
 /// Levels that a scene has of its own must reach the cells that the accuracy asks for: these are those of the
-/// scene without them, or up to 2 times larger, as levels are whole.
+/// scene without them, or up to 2 times larger, as levels are whole; and as many of them around fronts.
 TEST(Accuracy, RefusesTooFewLevels)
 {
   const SceneResult chosen = sceneOf(plane + within("1 %"), strip, notch);
@@ -196,20 +196,31 @@ TEST(Accuracy, RefusesTooFewLevels)
   const unsigned seed = seeds();
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> draw(0.5, 1.0);
-  const int level = std::uniform_int_distribution<int>(1, 3)(engine);
-  const std::string own =
-      R"xml(<ParameterList name="Adaptivity"><Parameter name="Maximum Level" type="int" value=")xml" +
-      std::to_string(level) + R"xml("/></ParameterList>)xml";
-  for (const double factor : {draw(engine), 2.0 + draw(engine)})
+  const int level = std::uniform_int_distribution<int>(2, 3)(engine);
+  const double around = chosen.list->sublist("Adaptivity").get<double>("Front Cells");
+  const auto with = [&](double frontCells)
+  {
+    return R"xml(<ParameterList name="Adaptivity"><Parameter name="Maximum Level" type="int" value=")xml" +
+           std::to_string(level) + R"xml("/><Parameter name="Front Cells" type="double" value=")xml" +
+           std::to_string(frontCells) + R"xml("/></ParameterList>)xml";
+  };
+  struct Case
+  {
+    double factor, frontCells;
+    const char* said;
+  };
+  for (const auto& [factor, frontCells, said] :
+       {Case{draw(engine), around, ""}, Case{2.0 + draw(engine), around, "write more levels of refinement"},
+        Case{0.5 + 0.5 * draw(engine), around * draw(engine) - 0.1, "more cells around fronts"},
+        Case{0.5 + 0.5 * draw(engine), 0.0, "more cells around fronts"}})
   {
     const std::string cell = R"xml(<Parameter name="Cell Size" type="double" value=")xml" +
                              std::to_string(std::ldexp(factor * smallest, level)) + R"xml("/>)xml";
-    const SceneResult scene = sceneOf(plane + cell + within("1 %"), strip, notch + own);
-    ASSERT_EQ(scene.errors.empty(), factor <= 1.0) << "seed " << seed;
-    if (factor <= 1.0)
+    const SceneResult scene = sceneOf(plane + cell + within("1 %"), strip, notch + with(frontCells));
+    ASSERT_EQ(scene.errors.empty(), std::string(said).empty()) << "seed " << seed << ", " << frontCells;
+    if (scene.errors.empty())
       continue;
-    EXPECT_NE(toString(scene.errors.front()).find("write more levels of refinement"), std::string::npos)
-        << toString(scene.errors.front());
+    EXPECT_NE(toString(scene.errors.front()).find(said), std::string::npos) << toString(scene.errors.front());
   }
 }
 
