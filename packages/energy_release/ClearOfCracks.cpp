@@ -52,8 +52,8 @@ double clearOfCracks(const CrackSet<D>& cracks, const CrackFront<D>& front, doub
   if (points.empty() || front.numFacets == 0)
     return radius;
   const auto vertex = onHost(cracks.vertex);
-  const auto simplex = onHost(cracks.simplex), neighbour = onHost(cracks.neighbour),
-             frontFacet = onHost(cracks.frontFacet);
+  const auto simplex = onHost(cracks.simplex), neighbour = onHost(cracks.neighbour);
+  const auto frontFacet = onHost(cracks.frontFacet);
   const Geometry::Bounds<D> bounds = boundsOf(points);
   for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
   {
