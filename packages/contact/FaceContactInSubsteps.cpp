@@ -110,8 +110,8 @@ void FaceContact<D>::addChange(const State<D>&, const NodeSlots& slots, const Vi
       });
 }
 
-// The members in this file; FaceContact.cpp instantiates the class. A file of both, in this order, would
-// instantiate these twice, so that this file's name comes after that one's.
+// FaceContact.cpp instantiates the rest of the class. Where both files are compiled as one it must come
+// first, as it does by its name.
 template void FaceContact<2>::addFrozenForces(const State<2>&, const NodeSlots&,
                                               const View<double* [2]>&) const;
 template void FaceContact<3>::addFrozenForces(const State<3>&, const NodeSlots&,

@@ -8,6 +8,7 @@
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Rhegma::cracks
@@ -75,6 +76,7 @@ bool CrackGrowth<D>::prepare(const State<D>& state, Advancing& f, double& longes
 {
   const std::size_t count = f.lines.size();
   f.cells.resize(count);
+  f.lands.resize(count, false);
   std::vector<bool> mirrored(count, false);
   bool turns = false;
   for (std::size_t k = 0; k < count; ++k)
@@ -128,35 +130,47 @@ void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
 }
 
 /// Lets the piece at an end of a 3D front land that the rest of the front has overtaken: less than half a
-/// cell of material is left ahead of its middle. Its nodes may have no drive left; the J integral of a front
-/// that leads out of the body means nothing, and is negative.
+/// cell of material is left ahead of its middle. Its end lands then, where its own path or that of its inner
+/// node ends, and its inner node, where its own does. They may have no drive left; the J integral of a front
+/// that leads out of the body means nothing, and is negative. New faces have the toughness of those behind
+/// them.
 template <int D>
 void CrackGrowth<D>::landOvertaken(const State<D>& state, Advancing& f) const
 {
   constexpr double step = 0.01; // advance by which a node that has no drive lands [cells]
   const auto advances = [&](std::size_t k) { return !f.lines[k].landed && !f.lines[k].stopped; };
-  std::vector<Path<D>> paths; // of the middle of each such piece, of its end, and of its other node
-  std::vector<std::size_t> nodes;
+  std::vector<Path<D>> paths; // of the middle of each piece at an end, of its end, and of its inner node
+  std::vector<std::array<std::size_t, 2>> pieces;
   for (std::size_t k = 0; k < f.lines.size(); ++k)
   {
     const int last = previousPoint(f.lines, k);
     if ((last >= 0) == f.lines[k].joined || isMirrored(f.front.nodes[k].position, f.cells[k]))
       continue;
-    const std::size_t other = last >= 0 ? static_cast<std::size_t>(last) : nextPoint(f.lines, k);
-    if (!advances(k) && !advances(other))
+    const std::size_t inner = last >= 0 ? static_cast<std::size_t>(last) : nextPoint(f.lines, k);
+    const Vector<D>&a = f.front.nodes[k].position, &b = f.front.nodes[inner].position;
+    const Vector<D> both = f.advances[k].direction + f.advances[inner].direction;
+    if ((!advances(k) && !advances(inner)) || !(norm(both) > 0.0))
       continue;
-    const FrontNode<D>&a = f.front.nodes[k], &b = f.front.nodes[other];
-    const Vector<D> both = f.advances[k].direction + f.advances[other].direction;
-    const double cell = f.cells[k], length = step * cell;
-    paths.push_back({0.5 * (a.position + b.position), (1.0 / norm(both)) * both, length, cell});
-    paths.push_back({a.position, f.advances[k].direction, length, cell});
-    paths.push_back({b.position, f.advances[other].direction, length, cell});
-    nodes.insert(nodes.end(), {k, k, other});
+    paths.push_back({0.5 * (a + b), (1.0 / norm(both)) * both, step * f.cells[k], f.cells[k]});
+    paths.push_back({a, f.advances[k].direction, step * f.cells[k], f.cells[k]});
+    paths.push_back({b, f.advances[inner].direction, step * f.cells[k], f.cells[k]});
+    pieces.push_back({k, inner});
   }
   const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    if (i % 3 != 0 && ligaments[i - i % 3].ends && ligaments[i].ends && advances(nodes[i]))
-      f.advances[nodes[i]].length = std::max(f.advances[nodes[i]].length, paths[i].length);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    const bool overtaken = ligaments[3 * i].ends, inner = overtaken && ligaments[3 * i + 2].ends;
+    const bool lands[2] = {inner || (overtaken && ligaments[3 * i + 1].ends), inner};
+    for (int side = 0; side < 2; ++side)
+      if (const std::size_t k = pieces[i][side]; lands[side] && advances(k))
+      {
+        FrontNodeAdvance<D>& advance = f.advances[k];
+        f.lands[k] = true;
+        advance.length = std::max(advance.length, paths[3 * i].length);
+        if (f.lines[k].toughness > 0.0)
+          advance.toughness = f.lines[k].toughness;
+      }
+  }
 }
 
 /// Mean advance along a front [m]. The mean of its nodes, and not the sum of new area over the length of the
@@ -198,6 +212,7 @@ std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, c
   {
     AdvancingNode<D>& node = nodes[i];
     node.ligament = ligaments[i];
+    node.ligament.ends = node.ligament.ends || f.lands[node.node];
     node.to = node.path.from + ligaments[i].length * node.path.direction;
     if constexpr (D == 3)
       if (!node.ligament.ends)
@@ -329,7 +344,7 @@ void CrackGrowth<D>::growFront(State<D>& state, std::vector<GrowingCrack<D>>& cr
   GrowingCrack<D>& crack = cracks[front.crack];
   const std::size_t i =
       std::find(crack.numbers.begin(), crack.numbers.end(), advance.front) - crack.numbers.begin();
-  Advancing f{advance.front, front, crack, crack.fronts[i], crack.ends[i], advance.nodes, {}};
+  Advancing f{advance.front, front, crack, crack.fronts[i], crack.ends[i], advance.nodes, {}, {}};
   double longest = 0.0;
   const bool turns = prepare(state, f, longest);
   bool moves = false;

@@ -63,6 +63,7 @@ private:
     surface::FrontPoint<D>& end;               ///< where it is, or was when it ended
     std::vector<FrontNodeAdvance<D>> advances; ///< of each node, smoothed along the front
     std::vector<double> cells;                 ///< size at each node [m]
+    std::vector<bool> lands;                   ///< of each node: it reaches the surface, whatever is ahead
     double energy = 0.0, area = 0.0;           ///< of its new faces [J, m2; m in 2D]
     int landed = -1;                           ///< the last node that reached a surface or another crack
   };

@@ -1,14 +1,8 @@
 #include "cracks/CrackReport.hpp"
 
-#include "base/Numbers.hpp"
-#include "base/PointText.hpp"
-#include "base/ShortNumber.hpp"
-#include "cracks/AvailableLength.hpp"
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
-#include "transfer/LocalSpacing.hpp"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -46,70 +40,6 @@ nlohmann::json entryOfStop(const CrackFront<D>& front)
     if (node.stopped && !node.landed)
       entry["node_positions"].push_back(std::vector<double>(node.position.c, node.position.c + D));
   return entry;
-}
-
-/// Fewest cells of material ahead of a front: fewer neither bend nor strain as the material does.
-constexpr double fewestAhead = 3.0;
-
-/// Where the material ahead of a front is shortest.
-template <int D>
-struct ShortestAhead
-{
-  double length = 0.0, cell = 0.0; ///< 0: nowhere less than `fewestAhead` cells [m]
-  Vector<D> at{};
-};
-
-/// Ahead of the front nodes that have not reached a surface; in 3D not of those at a surface, along which
-/// they point. Collective.
-template <int D>
-ShortestAhead<D> shortestAhead(const State<D>& state, const CrackFront<D>& front)
-{
-  std::vector<Path<D>> paths;
-  for (std::size_t k = 0; k < front.nodes.size() && !front.ended; ++k)
-  {
-    const FrontNode<D>& node = front.nodes[k];
-    const FrontNode<D>& last = front.nodes[k > 0 ? k - 1 : front.nodes.size() - 1];
-    if (node.landed || (D == 3 && (node.facet < 0 || last.facet < 0)))
-      continue;
-    const double cell = spacingAt(state, node.position);
-    Path<D> path{node.position, node.direction, (fewestAhead - leastLigament) * cell, cell};
-    if constexpr (D == 2)
-      path.gap = std::max(leastLigament * cell, measureOpening(state.cracks, front.crack).largest);
-    paths.push_back(path);
-  }
-  ShortestAhead<D> shortest;
-  if (paths.empty())
-    return shortest;
-  const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
-  for (std::size_t k = 0; k < paths.size(); ++k)
-    if (ligaments[k].ends && (shortest.cell == 0.0 || ligaments[k].length < shortest.length))
-      shortest = {ligaments[k].length, paths[k].cell, paths[k].from};
-  return shortest;
-}
-
-/// Warns of a front that has grown and does not run at the end, with less material ahead of it than cells
-/// resolve.
-/// Collective.
-template <int D>
-void reportLigament(const State<D>& state, const CrackFront<D>& front, nlohmann::json& entry,
-                    nlohmann::json& summary)
-{
-  entry["ligament"] = nullptr;
-  if (!(front.extension.largest > 0.0) || front.ended || state.clock.step == 0)
-    return;
-  const ShortestAhead<D> ahead = shortestAhead(state, front);
-  if (!(ahead.cell > 0.0))
-    return;
-  entry["ligament"] = ahead.length;
-  if (front.speed() > 0.0)
-    return;
-  summary["warnings"].push_back(frontName(state.cracks, front) + ": only " + readableLength(ahead.length) +
-                                " of material are left ahead of it, at " + formatPoint(ahead.at) + ", " +
-                                formatShort(ahead.length / ahead.cell) + " cells of " +
-                                readableLength(ahead.cell) +
-                                "; fewer than three cells neither bend nor strain as the material does, so "
-                                "G, and whether the crack stops "
-                                "there, can be wrong: use smaller cells (Domain > Cell Size)");
 }
 
 } // namespace
@@ -167,8 +97,6 @@ void reportCracks(const State<D>& state, bool grows, bool touching, bool startsI
     else if (grows && state.clock.step == 0) // what may be there later is known from the start
       entry["arrival"] = {
           {"what", nullptr}, {"time", nullptr}, {"position", std::vector<nlohmann::json>(D, nullptr)}};
-    if (grows)
-      reportLigament(state, front, entry, summary);
     if (D == 3 && grows)
     {
       entry["largest_advance"] = front.extension.largest;

@@ -13,6 +13,7 @@
 #include "cracks/CrackReport.hpp"
 #include "cracks/CrackSection.hpp"
 #include "cracks/CrackSetup.hpp"
+#include "cracks/EndLigaments.hpp"
 #include "cracks/FrontSprings.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
@@ -67,6 +68,7 @@ struct Parts
   const Teuchos::ParameterList& section;        ///< of the scene, which outlives the effect
   std::shared_ptr<const SceneBodies<D>> bodies; ///< none where a shape is wrong: then nothing starts
   MirroredSides mirrored;
+  std::vector<MirrorPlane> mirrors;
   std::vector<surface::CrackMesh<D>> meshes; ///< as they were read, until they are judged
   Formulation formulation;
   bool hasSprings; ///< behind fronts
@@ -90,6 +92,7 @@ struct Parts
       : section(scene.sublist("Cracks")),
         bodies(readBodies<D>(scene)),
         mirrored(scene),
+        mirrors(mirrorPlanes(scene)),
         formulation(readFormulation(section)),
         hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
         grows(options.growth),
@@ -101,7 +104,7 @@ struct Parts
         levels(options.frontLevels),
         adaptive(options.adaptive),
         springs(releases),
-        growth(mirrorPlanes(scene))
+        growth(mirrors)
   {
     surroundings.law.ofCells =
         // Faces that burn carry the pressure of the gas.
@@ -288,6 +291,8 @@ void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summar
   if (parts.grows)
     summary["energy_in_flight"] = parts.springs.pendingEnergy(state, parts.surroundings.stamp);
   reportCracks(state, parts.grows, parts.touching, parts.startsInEquilibrium, summary);
+  if (parts.grows)
+    reportLigaments(state, parts.mirrors, summary);
 }
 
 /// The faces of cracks lie, and their springs are stretched, as in an equilibrium that has the same cracks.

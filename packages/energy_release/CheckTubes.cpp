@@ -24,8 +24,9 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
                    const std::string& contour, const std::string& advice)
 {
   throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour + " m around " +
-                              frontName(state.cracks, front) + " leaves the body or reaches another " +
-                              advice + ", or use smaller cells (Domain > Cell Size)");
+                              frontName(state.cracks, front) +
+                              " leaves the body, or reaches the other end of its crack or another " + advice +
+                              ", or use smaller cells (Domain > Cell Size)");
 }
 
 /// Refuses radii of the scene between which no cell fits. \param cell at the front [m]

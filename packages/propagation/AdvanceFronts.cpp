@@ -130,15 +130,6 @@ std::vector<double> turningAngles(const CrackFront<D>& front, const Options& opt
   return angle;
 }
 
-/// The energy release rate that would advance a front node at rest [J/m2]; in time infinite before the start
-/// time. In equilibrium no front advances before it.
-double resistanceAtRest(double now, bool equilibrium, const AdvanceRule& rule, const FrontHistory& history)
-{
-  if (now < rule.startTime && !equilibrium)
-    return std::numeric_limits<double>::infinity();
-  return history.running() ? rule.arrest : rule.initiation;
-}
-
 /// The toughness that a front node reaches when it advances in equilibrium [J/m2].
 template <int D>
 double toughnessAtRest(const FrontNode<D>& node, const FrontNodeState& own, const Options& options)
@@ -181,6 +172,15 @@ std::pair<Advance, double> advanceAtRest(const State<D>& state, const Options& o
   return {Advance{1, toughnessAtRest(node, own, options)}, fraction};
 }
 
+/// The energy release rate that would advance a front node at rest [J/m2]; in time infinite before the start
+/// time. In equilibrium no front advances before it.
+double resistanceAtRest(double now, bool equilibrium, const AdvanceRule& rule, const FrontHistory& history)
+{
+  if (now < rule.startTime && !equilibrium)
+    return std::numeric_limits<double>::infinity();
+  return history.running() ? rule.arrest : rule.initiation;
+}
+
 /// The advance of a selected node; zero where the opening part of the energy release rate does not reach the
 /// toughness. \param e of the material at the front \param angle by which it turns [rad]
 template <int D>
@@ -196,7 +196,9 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
     made = own.history.advance(ruleAt(node.temperature, options), state.clock.time,
                                openingRelease(node.driving, e), own.increment, own.speedLimit);
   node.speed = own.history.speed(state.clock.time);
-  FrontNodeAdvance<D> advance{node.direction, 0.0, 0.0};
+  FrontNodeAdvance<D> advance{node.direction, 0.0,
+                              resistanceAtRest(state.clock.time, options.equilibrium,
+                                               ruleAt(node.temperature, options), own.history)};
   if (made.increments == 0)
     return advance;
   front.count(own.history, made.increments);

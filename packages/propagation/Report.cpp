@@ -201,7 +201,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     required += front.budget.required;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     const std::vector<CrackRun> runs = reportFront(state, front, own, end, options, entry);
-    if (end.fate == Fate::Growing)
+    if (end.fate == Fate::Growing && state.failure.empty()) // a failed trial has other cracks
       compareContours(name, end.release, entry, summary);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
     if (moved && options.equilibrium && !stopped)

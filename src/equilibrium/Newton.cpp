@@ -3,6 +3,8 @@
 #include "parallel/StopTogether.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Rhegma::equilibrium
@@ -11,8 +13,12 @@ namespace Rhegma::equilibrium
 namespace
 {
 
-/// A residual that no longer falls is rounding if it is this small.
-constexpr double roundingOfForces = 1e-6;
+/// A residual that no longer falls is rounding if it is this small, or as small as rounding of the stress can
+/// make it, while it is small enough for results of three digits or bodies without stress.
+constexpr double roundingOfForces = 1e-6, enoughForResults = 1e-3, forcesOfNoStress = 100.0;
+
+/// Of a sum of the forces of the particles around a node: their number times that of one of them.
+constexpr double roundingOfSums = 16.0 * std::numeric_limits<double>::epsilon();
 
 constexpr int mostHalvings = 6;
 
@@ -90,7 +96,7 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
       system_->adopt(*earlier);
   }
   const int n = D * graph_.rows;
-  for (Values* values : {&load_, &displacement_, &residual_, &reaction_})
+  for (Values* values : {&load_, &displacement_, &residual_, &reaction_, &diagonal_})
     *values = Values("rhegma::equilibrium::values", n);
 }
 
@@ -171,7 +177,26 @@ bool NewtonStep<D>::assemble(const State<D>& state)
                  symmetric_;
   const bool inverted = !addStiffness(state, graph_, displacement_, boxes_, stiffness_);
   owners_.sendEntries(graph_, stiffness_, D * D);
+  for (int row = 0; row < graph_.rows; ++row)
+    for (int d = 0; d < D; ++d)
+      diagonal_(D * row + d) = owners_.owns(row) ? std::fabs(blockOf(row, row)[d * D + d]) : 0.0;
   return owners_.ranks().max(inverted ? 1.0 : 0.0) == 0.0;
+}
+
+template <int D>
+bool NewtonStep<D>::isRounding(const State<D>& state, double residual, double forces) const
+{
+  if (residual <= roundingOfForces * forces)
+    return true;
+  // Strain is known to rounding of 1 and of the displacements of nodes over the size of a cell.
+  double sum = 0.0;
+  for (int k = 0; k < D * graph_.rows; ++k)
+    if (const double force = diagonal_(k) * (state.mesh.grid.spacing + std::fabs(displacement_(k)));
+        owners_.owns(k / D))
+      sum += force * force;
+  const double rounding = roundingOfSums * std::sqrt(owners_.ranks().sum(sum));
+  return residual <= rounding &&
+         (residual <= enoughForResults * forces || forces <= forcesOfNoStress * rounding);
 }
 
 template <int D>
@@ -200,6 +225,21 @@ void NewtonStep<D>::removeRigidMotion(const Values& change) const
 }
 
 template <int D>
+SecantMixing NewtonStep<D>::mixingOfFreeMotions() const
+{
+  constexpr int most = 6; // secants: the rotations of two bodies in 3D
+  const auto product = [this](const Values& a, const Values& b)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < D * graph_.rows; ++k)
+      if (owners_.owns(k / D))
+        sum += a(k) * b(k);
+    return owners_.ranks().sum(sum);
+  };
+  return {std::min(static_cast<int>(modes_.size()), most), product};
+}
+
+template <int D>
 double NewtonStep<D>::norm(const Values& r, bool held) const
 {
   double sum = 0.0;
@@ -225,6 +265,8 @@ bool NewtonStep<D>::search(const State<D>& state, const Values& change, double b
     if (now < before || now <= enough)
       return true;
   }
+  Kokkos::deep_copy(displacement_, start);
+  residual(state, displacement_, residual_);
   return false;
 }
 
@@ -298,6 +340,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   // A free body that heat strains has no other forces.
   report.forces = std::max(report.forces, norm(atStart, false));
   bool keeps = false; // the last stiffness
+  SecantMixing mixing = mixingOfFreeMotions();
+  const Values plain("rhegma::equilibrium::plainChange", modes_.empty() ? 0 : n);
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
   moved = owners_.ranks().max(moved ? 1.0 : 0.0) > 0.0;
   most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
@@ -310,7 +354,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     if (onIteration_)
       onIteration_(k, report.residuals.back());
-    report.converged = !moved && now <= forceTolerance * forces;
+    report.converged =
+        !moved && (now <= forceTolerance * forces || (k == most && isRounding(state, now, forces)));
     if (report.converged || k == most || (!keeps && !assemble(state)))
       break;
     for (int i = 0; i < n; ++i)
@@ -321,13 +366,26 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
               : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, enough, change);
     copyFromOwners(state, graph_, owners_, change);
     removeRigidMotion(change);
+    const bool mixes = !modes_.empty() && !moved && k > 0;
+    if (mixes)
+    {
+      Kokkos::deep_copy(plain, change);
+      mixing.improve(displacement_, change);
+    }
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
     // Before the supports have moved there is no residual to compare with.
     const double bound = moved ? std::numeric_limits<double>::infinity() : mostResidual(state, k, now);
-    if (!answer.solved || !search(state, change, bound, forceTolerance * forces))
+    bool found = answer.solved && search(state, change, bound, forceTolerance * forces);
+    if (answer.solved && !found &&
+        mixes) // secants mean nothing where the law changes, as when material yields
     {
-      report.converged = answer.solved && !moved && now <= roundingOfForces * forces;
+      mixing = mixingOfFreeMotions();
+      found = search(state, plain, bound, forceTolerance * forces);
+    }
+    if (!found)
+    {
+      report.converged = answer.solved && !moved && isRounding(state, now, forces);
       break;
     }
     keeps = keepsStiffness(moved ? forces : now, norm(residual_, false), forces);

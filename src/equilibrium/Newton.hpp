@@ -5,6 +5,7 @@
 #include "equilibrium/GhostPenalty.hpp"
 #include "equilibrium/LinearSystem.hpp"
 #include "equilibrium/RigidModes.hpp"
+#include "equilibrium/SecantMixing.hpp"
 
 #include <functional>
 #include <memory>
@@ -131,6 +132,8 @@ private:
   double workOfBentPath(const State<D>& state) const;
   /// Takes the nodal forces of the state as loads. \return sum of those on unsupported pieces [N]
   double takeLoads(const State<D>& state);
+  /// Whether a residual that falls no further is rounding [N]. Collective.
+  bool isRounding(const State<D>& state, double residual, double forces) const;
   /// Lets the step's forces learn from an accepted displacement, and finds the residual that then remains.
   void updateForces(const State<D>& state);
   /// Which pieces are no larger with the forces of the step that join pieces.
@@ -150,6 +153,10 @@ private:
   /// Takes the mean motion and rotation from the change of free pieces: loads do not turn with a body, so
   /// that the stiffness of a body's rotation is that of its stress, which is as small and may be negative.
   void removeRigidMotion(const Values& change) const;
+  /// What makes up for that. A body under stress resists its rotation, so that a solution with few unknowns
+  /// held, less its rotation, is none of the same system: it converges like a series, in as many directions
+  /// as there are free motions.
+  SecantMixing mixingOfFreeMotions() const;
   /// Number of rows of each piece.
   std::vector<int> sizesOf(const std::vector<int>& pieceOf, int pieces) const;
   /// Part of a residual on unknowns of all ranks that are held (true) or free (false), as 2-norm.
@@ -180,6 +187,7 @@ private:
   std::shared_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;
   Values load_, displacement_, residual_, reaction_;
+  Values diagonal_; ///< of the last stiffness, of the rows that this rank owns [N/m]
   double workOfSupports_ = 0.0, workOfStart_ = 0.0, workOfLoadsOnStart_ = 0.0;
 };
 

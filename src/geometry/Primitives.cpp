@@ -62,8 +62,11 @@ bool insidePolygon(const std::vector<Vector<2>>& points, const Vector<2>& x)
 
 bool segmentsMeet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)
 {
-  const double abc = cross(b - a, c - a), abd = cross(b - a, d - a);
-  const double cda = cross(d - c, a - c), cdb = cross(d - c, b - c);
+  // Of edges on one line they are rounding, of any sign.
+  const double zero = 1e-12 * (dot(b - a, b - a) + dot(c - a, c - a) + dot(d - a, d - a) + dot(d - c, d - c));
+  const auto side = [zero](double product) { return std::fabs(product) > zero ? product : 0.0; };
+  const double abc = side(cross(b - a, c - a)), abd = side(cross(b - a, d - a));
+  const double cda = side(cross(d - c, a - c)), cdb = side(cross(d - c, b - c));
   if (((abc > 0.0) != (abd > 0.0)) && ((cda > 0.0) != (cdb > 0.0)) && abc * abd < 0.0 && cda * cdb < 0.0)
     return true;
   return onEdge(c, a, b, 0.0) || onEdge(d, a, b, 0.0) || onEdge(a, c, d, 0.0) || onEdge(b, c, d, 0.0);

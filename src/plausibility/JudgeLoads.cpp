@@ -96,38 +96,41 @@ void judgeStart(const JudgedScene<D>& judged, Messages& messages)
         "time 0, or leave Initial State out");
 }
 
-/// Whether a load is a moving support.
-bool isSupport(const LoadEstimate& load, const Teuchos::ParameterList& scene)
+/// Type of the boundary that a load is; empty if it is none.
+std::string typeOf(const LoadEstimate& load, const Teuchos::ParameterList& scene)
 {
   const std::string root = "Boundaries > ";
   if (load.where.rfind(root, 0) != 0 || !scene.isSublist("Boundaries"))
-    return false;
+    return {};
   const Teuchos::ParameterList& section = scene.sublist("Boundaries");
   const std::string name = load.where.substr(root.size());
-  return section.isSublist(name) && section.sublist(name).get<std::string>("Type") == "Velocity";
+  return section.isSublist(name) ? section.sublist(name).get<std::string>("Type") : std::string();
 }
 
 /// Loads all of which strain hardly anything: stresses in MPa, or displacements for velocities, perhaps.
-/// Loads that break something strain it by 1e-5 and more: glass of a toughness of 0.7 MPa m^0.5 with a crack
-/// of 1 m by 6e-6.
+/// Loads that break something strain it by 5e-6 and more: glass of a K_Ic of 0.7 MPa m^0.5 with a crack of 1
+/// m by 6e-6. What a load factor multiplies has any size; weight is small in small parts.
 template <int D>
 void judgeTinyLoads(const JudgedScene<D>& judged, Messages& messages)
 {
   constexpr double leastOfSupports = 1e-7, leastOfForces = 1e-8;
-  const LoadEstimate* load = largestStrain(judged.loads);
+  const LoadEstimate* load = nullptr;
+  for (const LoadEstimate& one : judged.loads)
+    if (std::isfinite(one.strain) && (load == nullptr || one.strain > load->strain) &&
+        typeOf(one, judged.scene) != "Gravity")
+      load = &one;
   if (load == nullptr || !(load->strain > 0.0))
     return;
-  if (isSupport(*load, judged.scene))
-  {
-    if (load->strain < leastOfSupports)
-      messages.push_back(load->where + ": up to Time > Final Time it strains the body by about " +
-                         formatShort(load->strain) +
-                         " only; Value is a velocity in m/s, and the displacement is its integral over time");
-  }
-  else if (load->strain < leastOfForces && !judged.driven)
+  const std::string type = typeOf(*load, judged.scene);
+  if (type == "Velocity" && load->strain < leastOfSupports)
+    messages.push_back(load->where + ": up to Time > Final Time it strains the body by about " +
+                       formatShort(load->strain) +
+                       " only; Value is a velocity in m/s, and the displacement is its integral over time");
+  if ((type == "Traction" || type == "Point Load" || type == "Line Load") && load->strain < leastOfForces &&
+      !judged.driven && judged.state.method.analysis != Analysis::LoadFactor)
     messages.push_back(load->where + ": it strains the body by about " + formatShort(load->strain) +
                        " only (" + formatShort(load->stress) +
-                       " Pa), and no other load strains it more; stresses are in Pa, and 1 MPa is 1e6 Pa, "
+                       " Pa), and no other force strains it more; stresses are in Pa, and 1 MPa is 1e6 Pa, "
                        "forces in N and Young's modulus in Pa");
 }
 

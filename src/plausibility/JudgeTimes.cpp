@@ -75,7 +75,8 @@ Messages judgeTimes(const JudgedScene<D>& judged)
     return messages;
   if (!judged.state.method.equilibrium())
     judgeWaves(judged, end, messages);
-  judgeWeight(judged, messages);
+  if (judged.state.method.analysis != Analysis::LoadFactor) // it multiplies loads of any size
+    judgeWeight(judged, messages);
   return messages;
 }
 

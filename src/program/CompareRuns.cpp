@@ -186,10 +186,13 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
   comparison.word("end of " + name, endAsIs, endHalf);
   if (std::isnan(numberOrNone(asIs, "initiated")) && std::isnan(numberOrNone(half, "initiated")))
     return endTogether(first, second) ? compareAtRest(comparison, name, asIs, half) : void();
-  comparison.areOfEarlierTimes(true); // both runs got that far
+  // Both runs got that far, or one that did not would have.
+  const double start = numberOrNone(asIs, "initiated"), other = numberOrNone(half, "initiated");
+  comparison.areOfEarlierTimes(std::isnan(start)   ? numberOrNone(first.summary, "time") >= other
+                               : std::isnan(other) ? numberOrNone(second.summary, "time") >= start
+                                                   : true);
   if (initiationInEquilibrium(first.summary).is_null() || initiationInEquilibrium(second.summary).is_null())
-    comparison.value("initiation of " + name, "s", numberOrNone(asIs, "initiated"),
-                     numberOrNone(half, "initiated"), 0, meanStep(first.summary));
+    comparison.value("initiation of " + name, "s", start, other, 0, meanStep(first.summary));
   comparison.areOfEarlierTimes(false);
   comparison.value("speed of " + name, "m/s", numberOrNone(asIs, "settled_speed"),
                    numberOrNone(half, "settled_speed"), 0);
@@ -197,7 +200,7 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
                    numberOrNone(half, "settled_release"), 0);
   comparison.distance("path of " + name,
                       distanceBetweenPaths(pathOf(first.history, name), pathOf(second.history, name)));
-  if (!growsByIncrements(first, second))
+  if (!growsByIncrements(first, second) && endTogether(first, second))
     comparison.distance("last position of " + name, distanceBetween(position(asIs), position(half)));
 }
 
@@ -346,9 +349,15 @@ nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half)
       if (fronts[f].is_object() && theirs[f].is_object())
         compareFront(comparison, crack + "." + std::to_string(f), fronts[f], theirs[f], asIs, half);
   }
+  comparison.areOfEarlierTimes(!initiationInEquilibrium(asIs.summary).is_null() &&
+                               !initiationInEquilibrium(half.summary).is_null());
   compareInitiationLoads(comparison, asIs, half);
-  compareTemperatures(comparison, asIs.summary, half.summary);
-  compareReferences(comparison, asIs.summary, half.summary);
+  comparison.areOfEarlierTimes(false);
+  if (endTogether(asIs, half))
+  {
+    compareTemperatures(comparison, asIs.summary, half.summary);
+    compareReferences(comparison, asIs.summary, half.summary);
+  }
   json result = comparison.result();
   result["runs"] = {{"as_is", endAndTime(asIs.summary)}, {"half", endAndTime(half.summary)}};
   return result;

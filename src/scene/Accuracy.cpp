@@ -150,11 +150,27 @@ int ownLevels(const ParameterList& scene, const SceneSchema& schema, double arou
   return levels;
 }
 
-/// Refuses cells that are too large for the accuracy, where none are chosen below them.
-/// \param around fronts where refined cells count, in their edge lengths; 0: anywhere \param most size of the
-/// smallest cells [m]
-void refuseLarge(const ParameterList& scene, const SceneSchema& schema, double around, double most,
-                 const AccuracyRule& rule)
+/// "is 1 %, which asks for cells of at most 1e-3 m".
+std::string asksFor(const AccuracyRule& rule, double most)
+{
+  return std::string("is ") + rule.name + ", which asks for cells of at most " + formatShort(most) + " m";
+}
+
+/// Refuses a size of cells that is too large for the accuracy far from fronts and at sources of heat, where
+/// none are refined.
+/// \param most size of these cells [m]
+void refuseLarge(const ParameterList& scene, double most, const AccuracyRule& rule)
+{
+  const double given = scene.sublist("Domain").get<double>("Cell Size");
+  if (given > (1.0 + roundingOfText) * most)
+    throw std::invalid_argument(asksFor(rule, most) + " everywhere, but Domain > Cell Size is " +
+                                formatShort(given) + " m; write a smaller Cell Size, or leave it out");
+}
+
+/// Refuses cells that are too large at fronts, where none are chosen there.
+/// \param around fronts where refined cells count, in their edge lengths \param most size of the cells [m]
+void refuseLargeAtFronts(const ParameterList& scene, const SceneSchema& schema, double around, double most,
+                         const AccuracyRule& rule)
 {
   const double given = scene.sublist("Domain").get<double>("Cell Size");
   const int levels = ownLevels(scene, schema, around);
@@ -162,14 +178,11 @@ void refuseLarge(const ParameterList& scene, const SceneSchema& schema, double a
   if (smallest <= (1.0 + roundingOfText) * most)
     return;
   throw std::invalid_argument(
-      std::string("is ") + rule.name + ", which asks for cells of at most " + formatShort(most) +
-      " m, but Domain > Cell Size is " + formatShort(given) + " m, and " +
-      (levels > 0 ? "its smallest refined cells" +
-                        (around > 0.0 ? ", " + formatReal(around) + " or more of them around fronts,"
-                                      : std::string()) +
-                        " are " + formatShort(smallest) +
+      asksFor(rule, most) + " at fronts, but Domain > Cell Size is " + formatShort(given) + " m, and " +
+      (levels > 0 ? "its smallest refined cells, " + formatReal(around) +
+                        " or more of them around fronts, are " + formatShort(smallest) +
                         " m; write more levels of refinement or a smaller Cell Size, or leave both out"
-       : around > 0.0 && ownLevels(scene, schema, 0.0) > 0
+       : ownLevels(scene, schema, 0.0) > 0
            ? "its refined cells do not have " + formatReal(around) +
                  " of each size around fronts, which is needed; write a smaller Cell Size, more cells around "
                  "fronts, or leave both out"
@@ -208,14 +221,15 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
     boxes.push_back({gap.lower, gap.upper, gap.width / rule.perThickness});
     least = std::min(least, boxes.back().cell);
   }
+  const double far = cell;
   cell = std::min(cell, mayRefine ? least * (1 << mostLevels) : least);
   ParameterList& domain = scene.sublist("Domain");
   if (domain.isType<double>("Cell Size"))
   {
-    const double given = domain.get<double>("Cell Size");
+    refuseLarge(read, far, rule);
     if (!mayRefine)
-      refuseLarge(read, schema, needs.fronts() ? around : 0.0, cell, rule);
-    cell = given;
+      refuseLargeAtFronts(read, schema, around, least, rule);
+    cell = domain.get<double>("Cell Size");
   }
   else
   {

@@ -19,8 +19,10 @@ namespace Rhegma
 namespace
 {
 
-/// The factor of the first equilibrium of a run, small enough that a body hardly deforms.
-constexpr double firstFactor = 0.01;
+/// The factor of the first equilibrium of a run, small enough that a body hardly deforms; and by how much
+/// more it is tried where unit loads strain a body by rounding only.
+constexpr double firstFactor = 0.01, moreOfUnitLoads = 100.0;
+constexpr int mostRaises = 4;
 
 /// Equilibria of a step after which no factor is found.
 constexpr int mostTrials = 60;
@@ -73,6 +75,13 @@ bool solveFor(State<D>& state, const EquilibriumCalls& calls, const equilibrium:
   Clock& clock = state.clock;
   clock.factor = {clock.factor.end, factor};
   calls.solve();
+  for (int k = 0; k < mostRaises && !last.converged && clock.factor.begin == 0.0; ++k)
+  {
+    clock.factor.end *= moreOfUnitLoads;
+    calls.solve();
+  }
+  if (!last.converged)
+    clock.factor.end = factor;
   for (int k = 0; k < mostHalvings && !last.converged; ++k)
   {
     clock.factor.end = 0.5 * (clock.factor.begin + clock.factor.end);
@@ -164,7 +173,9 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
     if (!solved)
       break;
     const double gained = clock.factor.end - clock.factor.begin;
-    const bool stuck = std::fabs(gained) < leastGained * std::fabs(factor - clock.factor.begin);
+    // A search that starts far below what it looks for asks for many times the factor that it has.
+    const double wanted = std::fabs(factor - clock.factor.begin), has = std::fabs(clock.factor.begin);
+    const bool stuck = std::fabs(gained) < leastGained * (has > 0.0 ? std::min(wanted, has) : wanted);
     reduced = stuck ? reduced + 1 : 0;
     accept(state, calls, [&] { return failureOfSearch(state, true) + " (" + state.failure + ")"; });
     const double all = state.energy.externalWork - before;

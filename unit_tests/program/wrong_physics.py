@@ -119,5 +119,5 @@ REASONS = {
     impossible_flame: "than any flame",
     damping_by_pic: "of the energy of the longest wave",
     nearly_incompressible: "too few cells make bending too stiff",
-    loads_in_megapascal: "stresses are in Pa|more than its loads",
+    loads_in_megapascal: "stresses are in Pa",
 }

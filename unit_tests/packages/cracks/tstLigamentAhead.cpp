@@ -1,7 +1,7 @@
 #include "CubeScene.hpp"
 
 #include "cracks/CrackGrowth.hpp"
-#include "cracks/CrackReport.hpp"
+#include "cracks/EndLigaments.hpp"
 
 #include <initializer_list>
 
@@ -135,27 +135,51 @@ TEST(LigamentAhead, PassesOverTheOpeningOfItsCrack)
   }
 }
 
-/// What is left ahead of a front that has grown is said where it is less than three cells: of one whose crack
-/// is open, too.
+/// What is left ahead of a front that has grown is said where it is less than three cells, also of an open
+/// crack, and twice as much where a plane of symmetry ends it.
 TEST(LigamentAhead, IsSaidAtTheEnd)
 {
   for (const double front : {15.1, 15.4, 15.8, 16.3, 17.2})
-  {
-    const auto run = strip({{0, 0, 20, 10}}, front);
-    State<2>& state = run->state();
-    advance(state, cell);
-    state.clock.step = 1;
-    const double left = 19.0 - front;
-    nlohmann::json summary = {{"warnings", nlohmann::json::array()}};
-    reportCracks(state, true, false, false, summary);
-    const nlohmann::json& ligament = summary["cracks"][0]["fronts"][0]["ligament"];
-    ASSERT_EQ(ligament.is_null(), left > 3.0 + beyond) << front;
-    EXPECT_EQ(summary["warnings"].size(), left > 3.0 + beyond ? 0u : 1u) << front;
-    if (ligament.is_null())
-      continue;
-    EXPECT_NEAR(ligament.get<double>(), left * cell, 0.2 * cell) << front;
-    EXPECT_NE(summary["warnings"][0].get<std::string>().find("of material are left ahead of it"),
-              std::string::npos)
-        << summary;
-  }
+    for (const bool open : {false, true})
+      for (const bool mirrored : {false, true})
+      {
+        const auto run = strip({{0, 0, 20, 10}}, front);
+        State<2>& state = run->state();
+        advance(state, cell);
+        state.clock.step = 1;
+        if (open)
+        {
+          // The crack is open by a cell, as far as half a cell ahead of its front.
+          const auto x = state.particles.real<2>(fields::position);
+          const auto host = onHost(x);
+          for (int p = 0; p < state.particles.size(); ++p)
+            if (host(p, 0) < (front + 1.5) * cell)
+              host(p, 1) += (host(p, 1) > line * cell ? 0.5 : -0.5) * cell;
+          Kokkos::deep_copy(x, host);
+          const auto face = onHost(state.cracks.face);
+          for (std::size_t v = 0; v < face.extent(0); ++v)
+            if (static_cast<int>(v) != state.cracks.fronts[0].vertex)
+            {
+              face(v, 0, 1) -= 0.5 * cell;
+              face(v, 1, 1) += 0.5 * cell;
+            }
+          Kokkos::deep_copy(state.cracks.face, face);
+        }
+        std::vector<MirrorPlane> mirrors;
+        if (mirrored)
+          mirrors.push_back({0, 20.0 * cell});
+        const double left = (mirrored ? 2.0 : 1.0) * (19.0 - front);
+        const bool few = left < 3.0;
+        nlohmann::json summary = {{"warnings", nlohmann::json::array()}};
+        reportLigaments(state, mirrors, summary);
+        const nlohmann::json& ligament = summary["cracks"][0]["fronts"][0]["ligament"];
+        ASSERT_EQ(ligament.is_null(), !few) << front << " " << open << " " << mirrored;
+        EXPECT_EQ(summary["warnings"].size(), few ? 1u : 0u) << front;
+        if (!few)
+          continue;
+        EXPECT_NEAR(ligament.get<double>(), left * cell, 0.4 * cell) << front;
+        EXPECT_NE(summary["warnings"][0].get<std::string>().find("of material are left ahead of it"),
+                  std::string::npos)
+            << summary;
+      }
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 #include <string>
 
 using namespace Rhegma;
@@ -184,43 +185,48 @@ TEST(Accuracy, RefusesCellsThatItCannotRefine)
   }
 }
 
-/// Levels that a scene has of its own must reach the cells that the accuracy asks for: these are those of the
-/// scene without them, or up to 2 times larger, as levels are whole; and as many of them around fronts.
+/// Levels that a scene has of its own must reach the cells that the accuracy asks for at fronts, and as many
+/// of them around these; cells far from fronts must be small enough by themselves.
 TEST(Accuracy, RefusesTooFewLevels)
 {
   const SceneResult chosen = sceneOf(plane + within("1 %"), strip, notch);
   ASSERT_TRUE(chosen.errors.empty()) << toString(chosen.errors.front());
-  ASSERT_GT(levelsOf(chosen), 0);
-  const double smallest = std::ldexp(cellOf(chosen), -levelsOf(chosen));
+  const int levels = levelsOf(chosen);
+  ASSERT_GT(levels, 1);
+  const double around = chosen.list->sublist("Adaptivity").get<double>("Front Cells");
   std::random_device seeds;
   const unsigned seed = seeds();
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> draw(0.5, 1.0);
-  const int level = std::uniform_int_distribution<int>(2, 3)(engine);
-  const double around = chosen.list->sublist("Adaptivity").get<double>("Front Cells");
-  const auto with = [&](double frontCells)
-  {
-    return R"xml(<ParameterList name="Adaptivity"><Parameter name="Maximum Level" type="int" value=")xml" +
-           std::to_string(level) + R"xml("/><Parameter name="Front Cells" type="double" value=")xml" +
-           std::to_string(frontCells) + R"xml("/></ParameterList>)xml";
-  };
   struct Case
   {
-    double factor, frontCells;
+    double size; // of the cells far from fronts, over those that are chosen
+    int levels;
+    double frontCells;
     const char* said;
   };
-  for (const auto& [factor, frontCells, said] :
-       {Case{draw(engine), around, ""}, Case{2.0 + draw(engine), around, "write more levels of refinement"},
-        Case{0.5 + 0.5 * draw(engine), around * draw(engine) - 0.1, "more cells around fronts"},
-        Case{0.5 + 0.5 * draw(engine), 0.0, "more cells around fronts"}})
+  const double part = draw(engine);
+  for (const auto& [size, own, frontCells, said] :
+       {Case{part, levels, around, ""}, Case{1.0, levels - 1, around, "write more levels of refinement"},
+        Case{1.0, levels, part * around - 0.1, "more cells around fronts"},
+        Case{1.0, levels, 0.0, "more cells around fronts"},
+        Case{2.0 + part, levels + 2, around, "everywhere, but Domain > Cell Size"}})
   {
-    const std::string cell = R"xml(<Parameter name="Cell Size" type="double" value=")xml" +
-                             std::to_string(std::ldexp(factor * smallest, level)) + R"xml("/>)xml";
-    const SceneResult scene = sceneOf(plane + cell + within("1 %"), strip, notch + with(frontCells));
-    ASSERT_EQ(scene.errors.empty(), std::string(said).empty()) << "seed " << seed << ", " << frontCells;
+    std::ostringstream text;
+    text.precision(17);
+    text << R"xml(<ParameterList name="Adaptivity"><Parameter name="Maximum Level" type="int" value=")xml"
+         << own << R"xml("/><Parameter name="Front Cells" type="double" value=")xml" << frontCells
+         << R"xml("/></ParameterList>)xml";
+    std::ostringstream cell;
+    cell.precision(17);
+    cell << R"xml(<Parameter name="Cell Size" type="double" value=")xml" << size * cellOf(chosen)
+         << R"xml("/>)xml";
+    const SceneResult scene = sceneOf(plane + cell.str() + within("1 %"), strip, notch + text.str());
+    ASSERT_EQ(scene.errors.empty(), std::string(said).empty()) << "seed " << seed << ", " << said;
     if (scene.errors.empty())
       continue;
-    EXPECT_NE(toString(scene.errors.front()).find(said), std::string::npos) << toString(scene.errors.front());
+    EXPECT_NE(toString(scene.errors.front()).find(said), std::string::npos)
+        << "seed " << seed << ", " << toString(scene.errors.front());
   }
 }
 
