@@ -271,6 +271,21 @@ bool NewtonStep<D>::search(const State<D>& state, const Values& change, double b
 }
 
 template <int D>
+bool NewtonStep<D>::searchWith(SecantMixing* mixing, const State<D>& state, const Values& change,
+                               double before, double enough)
+{
+  if (mixing == nullptr)
+    return search(state, change, before, enough);
+  const Values plain("rhegma::equilibrium::plainChange", change.extent(0));
+  Kokkos::deep_copy(plain, change);
+  mixing->improve(displacement_, change);
+  if (search(state, change, before, enough))
+    return true;
+  *mixing = mixingOfFreeMotions(); // secants mean nothing where the law changes, as when material yields
+  return search(state, plain, before, enough);
+}
+
+template <int D>
 int NewtonStep<D>::iterationsFor(int most) const
 {
   for (const auto& force : forces_)
@@ -341,7 +356,6 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   report.forces = std::max(report.forces, norm(atStart, false));
   bool keeps = false; // the last stiffness
   SecantMixing mixing = mixingOfFreeMotions();
-  const Values plain("rhegma::equilibrium::plainChange", modes_.empty() ? 0 : n);
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
   moved = owners_.ranks().max(moved ? 1.0 : 0.0) > 0.0;
   most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
@@ -354,8 +368,9 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     if (onIteration_)
       onIteration_(k, report.residuals.back());
+    const bool falls = k == 0 || report.residuals[k] < 0.5 * report.residuals[k - 1];
     report.converged =
-        !moved && (now <= forceTolerance * forces || (k == most && isRounding(state, now, forces)));
+        !moved && (now <= forceTolerance * forces || (k == most && !falls && isRounding(state, now, forces)));
     if (report.converged || k == most || (!keeps && !assemble(state)))
       break;
     for (int i = 0; i < n; ++i)
@@ -366,24 +381,13 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
               : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, enough, change);
     copyFromOwners(state, graph_, owners_, change);
     removeRigidMotion(change);
-    const bool mixes = !modes_.empty() && !moved && k > 0;
-    if (mixes)
-    {
-      Kokkos::deep_copy(plain, change);
-      mixing.improve(displacement_, change);
-    }
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
     // Before the supports have moved there is no residual to compare with.
     const double bound = moved ? std::numeric_limits<double>::infinity() : mostResidual(state, k, now);
-    bool found = answer.solved && search(state, change, bound, forceTolerance * forces);
-    if (answer.solved && !found &&
-        mixes) // secants mean nothing where the law changes, as when material yields
-    {
-      mixing = mixingOfFreeMotions();
-      found = search(state, plain, bound, forceTolerance * forces);
-    }
-    if (!found)
+    const bool mixes = !modes_.empty() && !moved && k > 0;
+    if (!answer.solved ||
+        !searchWith(mixes ? &mixing : nullptr, state, change, bound, forceTolerance * forces))
     {
       report.converged = answer.solved && !moved && isRounding(state, now, forces);
       break;

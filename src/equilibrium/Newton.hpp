@@ -163,6 +163,9 @@ private:
   double norm(const Values& r, bool held) const;
   /// Moves along the change, halving it until the residual falls. \return false where it does not
   bool search(const State<D>& state, const Values& change, double before, double enough);
+  /// The same with secants, unless `mixing` is null; along the change itself where they lead nowhere.
+  bool searchWith(SecantMixing* mixing, const State<D>& state, const Values& change, double before,
+                  double enough);
 
   RowGraph graph_;
   RowOwners owners_;
