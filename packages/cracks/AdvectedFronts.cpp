@@ -93,8 +93,12 @@ void AdvectedFronts<D>::report(const State<D>& state, nlohmann::json& summary) c
           "Cracks > " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number) +
           ": the body moved it through " + formatReal(std::round(10.0 * cells) / 10.0) +
           " cells; its front springs were disabled after half a cell, so G is that of a crack up to half a "
-          "cell longer or shorter. Average G over the time in which the front moves through a few cells, or "
-          "use smaller cells (Domain > Cell Size)");
+          "cell longer or shorter. " +
+          (state.method.equilibrium()
+               ? "Use cells that are small compared with the crack (Domain > Cell Size), or loads that move "
+                 "it less"
+               : "Average G over the time in which the front moves through a few cells, or use smaller cells "
+                 "(Domain > Cell Size)"));
   }
 }
 

@@ -60,6 +60,13 @@ Vector<3> evening(const GrowingSurface& mesh, const FrontLines<3>& lines, std::s
   return (dot(along, b - a) < 0.0 ? -uneven : uneven) * along;
 }
 
+/// The neighbour of a node on its line, after it or before it.
+template <int D>
+std::size_t innerOf(const FrontLines<D>& lines, std::size_t k, bool forward)
+{
+  return forward ? nextPoint(lines, k) : static_cast<std::size_t>(previousPoint(lines, k));
+}
+
 } // namespace
 
 template <int D>
@@ -129,48 +136,68 @@ void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
     }
 }
 
-/// Lets the piece at an end of a 3D front land that the rest of the front has overtaken: less than half a
-/// cell of material is left ahead of its middle. Its end lands then, where its own path or that of its inner
-/// node ends, and its inner node, where its own does. They may have no drive left; the J integral of a front
-/// that leads out of the body means nothing, and is negative. New faces have the toughness of those behind
-/// them.
+/// Lets pieces at the ends of a 3D front land that the rest of the front has overtaken, one after the other:
+/// less than half a cell of material is left ahead of their middle. Their outer node lands then, where its
+/// own path or that of the inner node ends, and the inner node, where its own does. They may have no drive
+/// left; the J integral of a front that leads out of the body means nothing, and is negative. New faces have
+/// the toughness of those behind them.
 template <int D>
 void CrackGrowth<D>::landOvertaken(const State<D>& state, Advancing& f) const
 {
-  constexpr double step = 0.01; // advance by which a node that has no drive lands [cells]
-  const auto advances = [&](std::size_t k) { return !f.lines[k].landed && !f.lines[k].stopped; };
-  std::vector<Path<D>> paths; // of the middle of each piece at an end, of its end, and of its inner node
-  std::vector<std::array<std::size_t, 2>> pieces;
+  std::vector<Piece> pieces;
   for (std::size_t k = 0; k < f.lines.size(); ++k)
+    if ((previousPoint(f.lines, k) >= 0) != f.lines[k].joined &&
+        !isMirrored(f.front.nodes[k].position, f.cells[k]))
+      pieces.push_back({k, innerOf(f.lines, k, f.lines[k].joined), f.lines[k].joined});
+  for (std::size_t round = 0; round < f.lines.size() && !pieces.empty(); ++round)
+    pieces = landPieces(state, f, pieces);
+}
+
+/// One round of it. \return the pieces behind those of which both nodes have landed
+template <int D>
+auto CrackGrowth<D>::landPieces(const State<D>& state, Advancing& f, const std::vector<Piece>& pieces) const
+    -> std::vector<Piece>
+{
+  constexpr double step = 0.01; // advance by which a node that has no drive lands [cells]
+  std::vector<Path<D>> paths;   // of the middle of each piece, its outer and its inner node
+  for (const auto& [outer, inner, forward] : pieces)
   {
-    const int last = previousPoint(f.lines, k);
-    if ((last >= 0) == f.lines[k].joined || isMirrored(f.front.nodes[k].position, f.cells[k]))
-      continue;
-    const std::size_t inner = last >= 0 ? static_cast<std::size_t>(last) : nextPoint(f.lines, k);
-    const Vector<D>&a = f.front.nodes[k].position, &b = f.front.nodes[inner].position;
-    const Vector<D> both = f.advances[k].direction + f.advances[inner].direction;
-    if ((!advances(k) && !advances(inner)) || !(norm(both) > 0.0))
-      continue;
-    paths.push_back({0.5 * (a + b), (1.0 / norm(both)) * both, step * f.cells[k], f.cells[k]});
-    paths.push_back({a, f.advances[k].direction, step * f.cells[k], f.cells[k]});
-    paths.push_back({b, f.advances[inner].direction, step * f.cells[k], f.cells[k]});
-    pieces.push_back({k, inner});
+    const Vector<D>&a = f.front.nodes[outer].position, &b = f.front.nodes[inner].position;
+    const Vector<D> both = f.advances[outer].direction + f.advances[inner].direction;
+    const Vector<D> mean = norm(both) > 0.0 ? (1.0 / norm(both)) * both : f.advances[inner].direction;
+    const double cell = f.cells[outer];
+    paths.push_back({0.5 * (a + b), mean, step * cell, cell});
+    paths.push_back({a, f.advances[outer].direction, step * cell, cell});
+    paths.push_back({b, f.advances[inner].direction, step * cell, cell});
   }
   const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
+  std::vector<Piece> next;
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
-    const bool overtaken = ligaments[3 * i].ends, inner = overtaken && ligaments[3 * i + 2].ends;
-    const bool lands[2] = {inner || (overtaken && ligaments[3 * i + 1].ends), inner};
-    for (int side = 0; side < 2; ++side)
-      if (const std::size_t k = pieces[i][side]; lands[side] && advances(k))
-      {
-        FrontNodeAdvance<D>& advance = f.advances[k];
-        f.lands[k] = true;
-        advance.length = std::max(advance.length, paths[3 * i].length);
-        if (f.lines[k].toughness > 0.0)
-          advance.toughness = f.lines[k].toughness;
-      }
+    const auto& [outer, inner, forward] = pieces[i];
+    const bool overtaken = ligaments[3 * i].ends, innerLands = overtaken && ligaments[3 * i + 2].ends;
+    if (innerLands || (overtaken && ligaments[3 * i + 1].ends))
+      land(f, outer, paths[3 * i].length);
+    if (!innerLands)
+      continue;
+    land(f, inner, paths[3 * i].length);
+    const bool goesOn = forward ? f.lines[inner].joined : previousPoint(f.lines, inner) >= 0;
+    if (goesOn)
+      next.push_back({inner, innerOf(f.lines, inner, forward), forward});
   }
+  return next;
+}
+
+/// Lets a node reach the surface with an advance of at least a length [m].
+template <int D>
+void CrackGrowth<D>::land(Advancing& f, std::size_t k, double length) const
+{
+  if (f.lines[k].landed || f.lines[k].stopped)
+    return;
+  f.lands[k] = true;
+  f.advances[k].length = std::max(f.advances[k].length, length);
+  if (f.lines[k].toughness > 0.0)
+    f.advances[k].toughness = f.lines[k].toughness;
 }
 
 /// Mean advance along a front [m]. The mean of its nodes, and not the sum of new area over the length of the

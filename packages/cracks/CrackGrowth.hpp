@@ -73,7 +73,15 @@ private:
   bool prepare(const State<D>& state, Advancing& f, double& longest) const;
   std::vector<AdvancingNode<D>> findPaths(const State<D>& state, const Advancing& f,
                                           const FrontAdvance<D>& advance) const;
+  /// A piece of front by its nodes, of which the inner one is further from the end.
+  struct Piece
+  {
+    std::size_t outer, inner;
+    bool forward; ///< the inner node comes after the outer one
+  };
   void landOvertaken(const State<D>& state, Advancing& f) const;
+  std::vector<Piece> landPieces(const State<D>& state, Advancing& f, const std::vector<Piece>& pieces) const;
+  void land(Advancing& f, std::size_t node, double length) const;
   void keepOnSurface(const State<D>& state, const Advancing& f, std::vector<AdvancingNode<D>>& nodes) const;
   bool advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& cracks, Advancing& f,
                    const AdvancingNode<D>& node, std::vector<Meeting>& meetings);

@@ -5,9 +5,11 @@
 #include "base/ShortNumber.hpp"
 #include "cracks/AvailableLength.hpp"
 #include "cracks/GrowingCrack.hpp"
+#include "state/DistancesFromEnds.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -22,18 +24,58 @@ using surface::FrontLines;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Fewest cells of material ahead of a front.
-constexpr double fewestAhead = 3.0;
+/// Fewest cells of material ahead of a front, of which a part bends as the material does, and of one that
+/// strains evenly.
+constexpr double fewestAhead = 10.0, fewestAtAll = 3.0;
 /// By how much the length of a ligament may be off, as it is found from particles [cells].
 constexpr double inaccuracy = 0.3;
+/// Lengths in which a ligament is searched [cells]: the first is short, so that gaps next to the front are
+/// found to a twentieth of a cell.
+constexpr double firstLength = 3.0, otherLengths = 10.0;
+constexpr int mostLengths = 1000;
 
 /// Where the material ahead of a front is shortest.
 template <int D>
 struct ShortestAhead
 {
-  double length = infinity, cell = 1.0; ///< infinite: nowhere less than `fewestAhead` cells [m]
+  double length = infinity, cell = 1.0; ///< [m]; infinite: there is no node that it is known for
   Vector<D> at{};
 };
+
+/// Length of the material along each path, up to the surface [m]; infinite where the path does not come to
+/// it. Collective.
+template <int D>
+std::vector<double> lengthsAhead(const State<D>& state, const std::vector<Path<D>>& paths)
+{
+  std::vector<double> ahead(paths.size(), 0.0);
+  std::vector<Path<D>> rest = paths;
+  std::vector<std::size_t> of(paths.size()); // of each of the rest
+  for (std::size_t k = 0; k < of.size(); ++k)
+    of[k] = k;
+  for (int round = 0; round < mostLengths && !rest.empty(); ++round)
+  {
+    const std::vector<Ligament> found = ligamentsAhead(state, rest);
+    std::vector<Path<D>> more;
+    std::vector<std::size_t> ofMore;
+    for (std::size_t k = 0; k < rest.size(); ++k)
+    {
+      ahead[of[k]] += found[k].length;
+      if (found[k].ends)
+        continue;
+      Path<D> next = rest[k];
+      next.from = next.from + found[k].length * next.direction;
+      next.length = otherLengths * next.cell;
+      next.gap = D == 2 ? leastLigament * next.cell : 0.0;
+      more.push_back(next);
+      ofMore.push_back(of[k]);
+    }
+    rest = more;
+    of = ofMore;
+  }
+  for (const std::size_t k : of)
+    ahead[k] = infinity;
+  return ahead;
+}
 
 template <int D>
 bool isMirrored(const std::vector<MirrorPlane>& mirrors, const Vector<D>& x, double cell, double within)
@@ -43,65 +85,57 @@ bool isMirrored(const std::vector<MirrorPlane>& mirrors, const Vector<D>& x, dou
                      { return std::fabs(x[plane.axis] - plane.position) < within * cell; });
 }
 
-/// Distance of each front node from where its front ends at the surface, along the front; infinite in 2D and
-/// on closed fronts [m].
-template <int D>
-std::vector<double> distancesFromEnds(const CrackFront<D>& front, const FrontLines<D>& lines,
-                                      const std::vector<MirrorPlane>& mirrors, double cell)
-{
-  constexpr double onPlane = 0.05; // cells
-  const std::size_t count = lines.size();
-  std::vector<double> from(count, infinity);
-  if (D == 2)
-    return from;
-  for (std::size_t k = 0; k < count; ++k)
-    if ((previousPoint(lines, k) >= 0) != lines[k].joined &&
-        !isMirrored(mirrors, front.nodes[k].position, cell, onPlane))
-      from[k] = 0.0;
-  const auto piece = [&](std::size_t k)
-  { return norm(front.nodes[nextPoint(lines, k)].position - front.nodes[k].position); };
-  for (int round = 0; round < 2; ++round) // twice, as lines may be closed
-  {
-    for (std::size_t k = 0; k < count; ++k)
-      if (lines[k].joined)
-        from[nextPoint(lines, k)] = std::min(from[nextPoint(lines, k)], from[k] + piece(k));
-    for (std::size_t k = count; k-- > 0;)
-      if (lines[k].joined)
-        from[k] = std::min(from[k], from[nextPoint(lines, k)] + piece(k));
-  }
-  return from;
-}
-
 template <int D>
 ShortestAhead<D> shortestAhead(const State<D>& state, const CrackFront<D>& front,
                                const GrowingCrack<D>& crack, const FrontLines<D>& lines,
                                const std::vector<MirrorPlane>& mirrors)
 {
   std::vector<Path<D>> paths;
-  const std::vector<double> fromEnds =
-      distancesFromEnds(front, lines, mirrors, spacingAt(state, front.position));
+  constexpr double onPlane = 0.05; // cells
+  const double coarse = spacingAt(state, front.position);
+  const std::vector<double> fromEnds = distancesFromEnds(
+      front, [&](const FrontNode<D>& node) { return !isMirrored(mirrors, node.position, coarse, onPlane); });
   for (std::size_t k = 0; k < lines.size(); ++k)
   {
     const FrontNode<D>& node = front.nodes[k];
     const double cell = spacingAt(state, node.position);
-    if (node.landed || fromEnds[k] < fewestAhead * cell)
+    if (node.landed || fromEnds[k] < fewestAtAll * cell)
       continue;
-    Path<D> path{node.position, node.direction, (fewestAhead - leastLigament) * cell, cell};
+    Path<D> path{node.position, node.direction, (firstLength - leastLigament) * cell, cell};
     if constexpr (D == 2)
       path.gap = std::max(leastLigament * cell, crack.mesh.openingBehind(lines[k].vertex, cell));
     paths.push_back(path);
   }
   ShortestAhead<D> shortest;
-  const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
+  const std::vector<double> lengths = lengthsAhead(state, paths);
   for (std::size_t k = 0; k < paths.size(); ++k)
-  {
-    const Vector<D> end = paths[k].from + ligaments[k].length * paths[k].direction;
-    const double length =
-        (isMirrored(mirrors, end, paths[k].cell, inaccuracy) ? 2.0 : 1.0) * ligaments[k].length;
-    if (ligaments[k].ends && length < fewestAhead * paths[k].cell && length < shortest.length)
-      shortest = {length, paths[k].cell, paths[k].from};
-  }
+    if (std::isfinite(lengths[k]))
+    {
+      const Vector<D> end = paths[k].from + lengths[k] * paths[k].direction;
+      const double length = (isMirrored(mirrors, end, paths[k].cell, inaccuracy) ? 2.0 : 1.0) * lengths[k];
+      if (length < shortest.length)
+        shortest = {length, paths[k].cell, paths[k].from};
+    }
   return shortest;
+}
+
+/// What too few cells of material ahead of a front mean; empty if there are enough.
+template <int D>
+std::string warningOf(const ShortestAhead<D>& ahead)
+{
+  const double cells = ahead.length / ahead.cell;
+  if (cells >= fewestAhead)
+    return {};
+  return ": only " + readableLength(ahead.length) + " of material are left ahead of it, at " +
+         formatPoint(ahead.at) + ", " + formatShort(cells) + " cells of " + readableLength(ahead.cell) +
+         "; " +
+         (cells < fewestAtAll
+              ? "fewer than three cells neither bend nor strain as the material does, so G, and whether the "
+                "crack stops there, can be wrong"
+              : "where fewer than ten cells bend, G is too low, and the loads at which the crack grows are "
+                "too "
+                "high: by some 5 % with 8 cells and 10 to 20 % with 6") +
+         ": use smaller cells (Domain > Cell Size)";
 }
 
 } // namespace
@@ -122,13 +156,8 @@ void reportLigaments(const State<D>& state, const std::vector<MirrorPlane>& mirr
       if (ahead.length == infinity)
         continue;
       entry["ligament"] = ahead.length;
-      if (!(front.speed() > 0.0))
-        summary["warnings"].push_back(
-            frontName(set, front) + ": only " + readableLength(ahead.length) +
-            " of material are left ahead of it, at " + formatPoint(ahead.at) + ", " +
-            formatShort(ahead.length / ahead.cell) + " cells of " + readableLength(ahead.cell) +
-            "; fewer than three cells neither bend nor strain as the material does, so G, and whether the "
-            "crack stops there, can be wrong: use smaller cells (Domain > Cell Size)");
+      if (const std::string warning = warningOf(ahead); !(front.speed() > 0.0) && !warning.empty())
+        summary["warnings"].push_back(frontName(set, front) + warning);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "propagation/Direction.hpp"
 #include "propagation/HoopStress.hpp"
 #include "propagation/MaterialsAhead.hpp"
+#include "state/DistancesFromEnds.hpp"
 #include "state/RecordStop.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -85,6 +86,9 @@ void stopLost(State<D>& state, double now, const AdvanceRule& rule, const LostRe
               true},
              reason.advice);
 }
+
+/// Length next to the ends of a 3D front in which the surface cuts the tubes of its nodes [cells].
+constexpr double cutTube = 2.0;
 
 /// Whether a front node that was arrested was so by a J integral without meaning: G has been negative in the
 /// mean since its last advance, by more than noise, or is now by as much as the toughness, more than waves
@@ -269,8 +273,10 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
     if (front.ended)
       continue;
     fronts[f].matchNodes(front);
-    for (FrontNode<D>& node : front.nodes)
+    const std::vector<double> fromEnds = distancesFromEnds(front, [](const FrontNode<D>&) { return true; });
+    for (std::size_t k = 0; k < front.nodes.size(); ++k)
     {
+      FrontNode<D>& node = front.nodes[k];
       node.advances = false;
       if (node.stopped)
         continue;
@@ -305,7 +311,11 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       const bool ran = own.history.running();
       node.advances = options.equilibrium || mayAdvance(rule, now, node.driving.release, own);
       node.speed = own.history.speed(now);
-      if (ran && !options.equilibrium && isArrestedByNegative(rule, node.driving.release, own.history))
+      // Next to the ends of a front the surface cuts its tube, and it lags behind: negative G is no fault
+      // there.
+      const bool atEnd = fromEnds[k] < cutTube * spacingAt(state, node.position);
+      if (ran && !options.equilibrium && !atEnd &&
+          isArrestedByNegative(rule, node.driving.release, own.history))
         stopLost(state, now, rule, negativeRelease, front, node, own.history);
     }
   }

@@ -145,6 +145,9 @@ void FrontState<D>::serialize(Archive& archive)
     storePath(start, path, archive);
     archive("hoop_load", hoop.load);
     archive("hoop_intensity", hoop.intensity);
+    archive("contour_release", contours.release);
+    archive("contour_ratio", contours.ratio);
+    archive("contour_time", contours.time);
   }
   for (auto& [name, node] : nodes)
   {

@@ -4,6 +4,7 @@
 #include "propagation/FrontHistory.hpp"
 #include "state/State.hpp"
 
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -48,6 +49,21 @@ struct HoopStart
   double intensity = 0.0;
 };
 
+/// The largest difference of G_J in history from G by which growth in equilibrium was found.
+struct ContourDifference
+{
+  double release = 0.0; ///< the latter [J/m2]; 0: none is known
+  double ratio = 1.0;   ///< of the former to it
+  double time = 0.0;    ///< [s]
+
+  /// Takes a sample into account.
+  void include(double other, double by, double now)
+  {
+    if (by > 0.0 && (release == 0.0 || std::fabs(other / by - 1.0) > std::fabs(ratio - 1.0)))
+      *this = {by, other / by, now};
+  }
+};
+
 /// Of one front: of its present nodes, by their names, and of all former ones.
 template <int D>
 struct FrontState
@@ -60,6 +76,7 @@ struct FrontState
   double lastSettledSpeed = 0.0;  ///< mean of the settled speeds of its last nodes [m/s]
   PathStart<D> start;             ///< of a front with one node
   HoopStart hoop;                 ///< of a front with one node
+  ContourDifference contours;     ///< of a front with one node
   std::vector<PathPoint<D>> path; ///< of a front with one node
 
   /// Whether any of its nodes runs that can.

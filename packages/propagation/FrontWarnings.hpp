@@ -2,6 +2,7 @@
 /// Warnings about fronts at the end of a run.
 
 #include "propagation/FrontHistory.hpp"
+#include "propagation/FrontState.hpp"
 #include "state/State.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -24,9 +25,7 @@ template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, const Closest& closest,
                 const AdvanceRule& rule, nlohmann::json& summary);
 
-/// Warns where G of the history is not that by which growth was found, which may have another contour.
-/// \param release of the latter [J/m2] \param entry of the front
-void compareContours(const std::string& name, double release, const nlohmann::json& entry,
-                     nlohmann::json& summary);
+/// Warns where G of the history was not that by which growth was found, which may have another contour.
+void compareContours(const std::string& name, const ContourDifference& largest, nlohmann::json& summary);
 
 } // namespace Rhegma::propagation

@@ -169,6 +169,7 @@ std::string effectOfShearOnFactor(double factor, const nlohmann::json& summary)
   const std::string loads = " times the loads of Time > Final Time";
   const std::string text = effectOfShear(first.entry);
   const double turned = loadOf(first.entry) * factor;
+  const bool anyStarted = !first.entry.is_null() && numberOf(first.entry, "initiated", never) < never;
   const auto factorOf = [](const nlohmann::json& front)
   { return numberOf(front, "hoop_stress_factor", never); };
   const NamedFront lowest = smallest(summary, factorOf);
@@ -176,7 +177,8 @@ std::string effectOfShearOnFactor(double factor, const nlohmann::json& summary)
   if (least < leastEffectOfShear * (text.empty() ? factor : turned))
     return "; by the largest hoop stress a front of crack " + lowest.crack + " starts at " +
            formatShort(least) + loads +
-           (numberOf(lowest.entry, "initiated", never) < never ? "" : ", which by G did not start");
+           (numberOf(lowest.entry, "initiated", never) < never || !anyStarted ? ""
+                                                                              : ", which by G did not start");
   return text.empty()
              ? text
              : "; of a front of crack " + first.crack + ": " + text + ", " + formatShort(turned) + loads;

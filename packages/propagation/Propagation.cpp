@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "plan/LastStage.hpp"
 #include "propagation/AdvanceFronts.hpp"
+#include "propagation/FrontEnd.hpp"
 #include "propagation/HoopStress.hpp"
 #include "propagation/JudgeToughness.hpp"
 #include "propagation/MaterialsAhead.hpp"
@@ -59,6 +60,23 @@ void endOfPath(State<D>& state)
     state.clock.maximumSteps = std::min(state.clock.maximumSteps, state.clock.step);
 }
 
+/// Compares G by which fronts in 2D grow with G of the sample, which may have another contour.
+template <int D>
+void recordContours(const State<D>& state, Run<D>& run)
+{
+  for (std::size_t f = 0; D == 2 && f < state.cracks.fronts.size(); ++f)
+  {
+    const CrackFront<D>& front = state.cracks.fronts[f];
+    const FrontEnd<D> end(state, run.options, front, run.fronts[f]);
+    const std::string name =
+        state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) + ".G_J";
+    const auto sampled = std::find_if(state.sample.row.begin(), state.sample.row.end(),
+                                      [&](const auto& column) { return column.first == name; });
+    if (end.fate == Fate::Growing && sampled != state.sample.row.end())
+      run.fronts[f].contours.include(sampled->second, end.release, state.clock.time);
+  }
+}
+
 template <int D>
 void addCallsOfEquilibrium(const Teuchos::ParameterList& scene, const std::shared_ptr<Run<D>>& run,
                            Effect<D>& effect)
@@ -67,10 +85,11 @@ void addCallsOfEquilibrium(const Teuchos::ParameterList& scene, const std::share
               {quantity::equilibriumGrowth}, {},
               [run](State<D>& state) { measureDrive(state, run->options, run->fronts); });
   effect.call(Stage::Observe, "end of the growth in equilibrium", {quantity::crackGeometry}, {}, {},
-              [](State<D>& state)
+              [run](State<D>& state)
               {
                 if (state.method.analysis == Analysis::LoadFactor)
                   state.sample.row.emplace_back("load_factor", state.clock.factor.end);
+                recordContours(state, *run);
                 endOfPath(state);
               });
 }

@@ -7,6 +7,7 @@
 #include "propagation/FrontWarnings.hpp"
 #include "propagation/HoopStress.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -105,6 +106,39 @@ PathPoint<2> settledMean(const std::vector<PathPoint<2>>& path, const std::pair<
   return {sum.time / count, {{sum.position[0] / count, sum.position[1] / count}}};
 }
 
+/// What is left ahead of a front, where that is known (Cracks).
+std::string ligamentAsText(const nlohmann::json& entry)
+{
+  const auto found = entry.find("ligament");
+  return found != entry.end() && found->is_number()
+             ? "; " + readableLength(found->get<double>()) + " of material ahead of it"
+             : std::string();
+}
+
+/// Warns of a front so slow that cells hold it: where it is arrested depends on them.
+template <int D>
+void warnOfStickSlip(const State<D>& state, const CrackFront<D>& front, const FrontState<D>& own,
+                     const Options& options, nlohmann::json& summary)
+{
+  constexpr double slowest = 0.1; // of Rayleigh waves (docs/propagation.md)
+  constexpr double fewest = 4.0;  // increments of each node
+  const double time = own.lastTime - own.firstTime;
+  if (options.equilibrium || !(time > 0.0) || !(options.waveSpeed > 0.0) ||
+      static_cast<double>(own.increments) <
+          fewest * static_cast<double>(std::max<std::size_t>(front.nodes.size(), 1)))
+    return;
+  const double speed = front.extension.largest / time;
+  if (speed < slowest * options.waveSpeed)
+    summary["warnings"].push_back(
+        frontName(state.cracks, front) + ": it advanced at " + formatShort(speed) + " m/s on average, " +
+        formatShort(speed / options.waveSpeed) +
+        " of the speed of Rayleigh waves; cracks slower than a tenth of it stick and slip from cell to cell, "
+        "so "
+        "that their speed, and where they are arrested, depends on the cells: compare with half of their "
+        "size "
+        "(--twice), or let it grow in equilibrium (Time > Analysis = Quasi-Static)");
+}
+
 /// The path of a front with one node.
 void reportPath(const CrackFront<2>& front, const FrontState<2>& own, const Options& options,
                 nlohmann::json& entry)
@@ -201,14 +235,14 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     required += front.budget.required;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     const std::vector<CrackRun> runs = reportFront(state, front, own, end, options, entry);
-    if (end.fate == Fate::Growing && state.failure.empty()) // a failed trial has other cracks
-      compareContours(name, end.release, entry, summary);
+    compareContours(name, own.contours, summary);
+    warnOfStickSlip(state, front, own, options, summary);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
     if (moved && options.equilibrium && !stopped)
-      summary["answers"].push_back(name + ": " + growthAsText(front));
+      summary["answers"].push_back(name + ": " + growthAsText(front) + ligamentAsText(entry));
     else if (moved || stopped)
       summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front, own, entry) + ", " : "") +
-                                   fateAsText(front, own, end));
+                                   fateAsText(front, own, end) + ligamentAsText(entry));
     else if (end.fate == Fate::NotInitiated && state.method.analysis != Analysis::LoadFactor)
       reportRest(state, front, {own.closest(), own.early()}, ruleAt(options.temperature, options), summary);
     if (stopped && options.endsAtStops && !summary.contains("ended_by"))

@@ -4,8 +4,11 @@
 #include "base/MemoryNeed.hpp"
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
+#include "plausibility/HistoryRange.hpp"
+#include "plausibility/LoadEstimate.hpp"
 #include "scene/Compatibility.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/SceneError.hpp"
@@ -35,7 +38,54 @@ std::string inUnits(double value, const std::vector<std::pair<double, const char
   return {};
 }
 
+std::string forceText(double force)
+{
+  return inUnits(force, {{1e9, "GN"}, {1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {1e-3, "mN"}, {1e-6, "uN"}});
+}
+
+/// "4 kN along (0, -1)".
+template <int D>
+std::string resultantText(const Vector<D>& force)
+{
+  std::string text = forceText(norm(force)) + " along (";
+  for (int d = 0; d < D; ++d)
+  {
+    const double part = std::round(1e3 * force[d] / norm(force)) / 1e3;
+    text += (d > 0 ? ", " : "") + formatReal(part + 0.0); // no negative zero
+  }
+  return text + ")";
+}
+
+template <int D>
+std::string loadsOf(const Teuchos::ParameterList& scene)
+{
+  if (!scene.isSublist("Boundaries"))
+    return {};
+  const Teuchos::ParameterList& section = scene.sublist("Boundaries");
+  const double end = scene.sublist("Time").get<double>("Final Time");
+  const double thickness = D == 2 ? scene.sublist("Domain").get<double>("Thickness") : 1.0;
+  std::string text;
+  std::size_t count = 0;
+  for (const std::string& name : sublistNames(section))
+  {
+    const Teuchos::ParameterList& list = section.sublist(name);
+    const Vector<D> force = forceOf<D>(list, thickness);
+    const double factor = norm(force) > 0.0 ? rangeOf(list.get<std::string>("History"), end).largest : 0.0;
+    if (std::isfinite(factor * norm(force)) && factor * norm(force) > 0.0 && ++count <= bodiesInText)
+      text += "  Boundaries > " + name + ": " + resultantText<D>(factor * force) +
+              (list.get<std::string>("History") == "1" ? "\n" : " at most\n");
+  }
+  return text + (count > bodiesInText
+                     ? "  and " + counted(static_cast<long>(count - bodiesInText), "more load") + "\n"
+                     : std::string());
+}
+
 } // namespace
+
+std::string loadsAsText(const Teuchos::ParameterList& scene)
+{
+  return scene.sublist("Domain").get<int>("Dimension") == 2 ? loadsOf<2>(scene) : loadsOf<3>(scene);
+}
 
 std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::ParameterList& scene)
 {
@@ -46,12 +96,9 @@ std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::Parameter
   for (std::size_t k = 0; k < shown; ++k)
   {
     const double mass = bodies[k].at("mass");
-    text +=
-        "  Bodies > " + bodies[k].at("name").get<std::string>() + ": mass " +
-        inUnits(mass, {{1e6, "kt"}, {1e3, "t"}, {1.0, "kg"}, {1e-3, "g"}, {1e-6, "mg"}, {1e-9, "ug"}}) +
-        ", weight " +
-        inUnits(g * mass, {{1e9, "GN"}, {1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {1e-3, "mN"}, {1e-6, "uN"}}) +
-        "\n";
+    text += "  Bodies > " + bodies[k].at("name").get<std::string>() + ": mass " +
+            inUnits(mass, {{1e6, "kt"}, {1e3, "t"}, {1.0, "kg"}, {1e-3, "g"}, {1e-6, "mg"}, {1e-9, "ug"}}) +
+            ", weight " + forceText(g * mass) + "\n";
   }
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
   if (domain.get<int>("Dimension") == 2 && shown > 0)

@@ -20,6 +20,10 @@ constexpr std::size_t bodiesInText = 10;
 /// \param summary report of a simulation, with those bodies \param scene validated
 std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::ParameterList& scene);
 
+/// Resultants of tractions and forces, each at the largest value of its history: a line for each of the first
+/// of them. \param scene validated
+std::string loadsAsText(const Teuchos::ParameterList& scene);
+
 /// Size of cells and number of particles, which Domain > Accuracy may have chosen.
 std::string cellsAsText(const nlohmann::json& summary, long particles);
 

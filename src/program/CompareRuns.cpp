@@ -196,8 +196,12 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
   comparison.areOfEarlierTimes(false);
   comparison.value("speed of " + name, "m/s", numberOrNone(asIs, "settled_speed"),
                    numberOrNone(half, "settled_speed"), 0);
-  comparison.value("G of " + name + " while it runs", "J/m2", numberOrNone(asIs, "settled_release"),
-                   numberOrNone(half, "settled_release"), 0);
+  const auto settled = [](const json& front) // 0: too few increments for a mean
+  {
+    const double release = numberOrNone(front, "settled_release");
+    return release > 0.0 ? release : noNumber;
+  };
+  comparison.value("G of " + name + " while it runs", "J/m2", settled(asIs), settled(half), 0);
   comparison.distance("path of " + name,
                       distanceBetweenPaths(pathOf(first.history, name), pathOf(second.history, name)));
   if (!growsByIncrements(first, second) && endTogether(first, second))

@@ -280,7 +280,7 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
       << std::flush;
   if (options.quiet)
     return exitFinished;
-  out << bodiesAsText(summary, *scene);
+  out << bodiesAsText(summary, *scene) << loadsAsText(*scene);
   const Ranks ranks(world());
   const Forecast forecast = makeForecast(simulation, *scene, ranks, setup);
   if (!forecast.rates.failure.empty())

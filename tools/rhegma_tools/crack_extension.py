@@ -15,7 +15,8 @@ from .summary import read_summary
 
 STEP = 4.0  # cells: 0.1 cells of scatter of both ends are then 2 % of G
 ALONG = math.sin(math.radians(0.1))  # of an angle to a grid axis within which a crack is along the cells
-FAR = 0.5  # cells: largest distance of a front from the end of a crack that it is taken for
+FAR = 0.5  # cells: distance of a front from the end of a crack within which it is taken for it,
+NEARER = 0.25  # or this fraction of its distance from the other end
 WITHOUT = ("Thermal", "Combustion", "Contact", "Propagation")  # sections whose energies are not those of loads and strain
 UNLISTED = ("Face Pressure",)  # sections of loads without an entry in "boundaries" of the summary
 
@@ -59,7 +60,9 @@ def of_polyline(points, front, cell, where):
     ends = {0: (points[:2], points[2:4]), -2: (points[-2:], points[-4:-2])}
     at = min(ends, key=lambda k: math.dist(ends[k][0], front))
     end, inner = ends[at]
-    if math.dist(end, front) > FAR * cell:
+    # The front is where the loads have moved it; the ends of the crack are further apart than that.
+    other = max(math.dist(ends[0][0], front), math.dist(ends[-2][0], front))
+    if math.dist(end, front) > max(FAR * cell, NEARER * other):
         raise Problem(f"{where}: its front is at {array_text(front)}, and no end of its Points is near; only a front at an end is moved.")
     length = math.dist(end, inner)
     along = min(abs(e - i) for e, i in zip(end, inner)) < ALONG * length
