@@ -12,7 +12,7 @@ namespace Rhegma
 
 /// Distance of each node of a front from the nearest end of its line, along the front; infinite in 2D and on
 /// closed lines [m].
-/// \param counts whether the end at a node counts
+/// \param front of a crack \param counts whether the end at a node counts
 template <int D, class Counts>
 std::vector<double> distancesFromEnds(const CrackFront<D>& front, const Counts& counts)
 {

@@ -100,6 +100,15 @@ double timeOfToughness(double from, double driveFrom, double to, double driveTo)
   return end > begin ? from + std::clamp((1.0 - begin) / (end - begin), 0.0, 1.0) * (to - from) : to;
 }
 
+/// How far the search for a factor has come.
+template <int D>
+std::string progressOfSearch(const State<D>& state)
+{
+  return "no load factor is found at which a crack grows: with the loads of Time > Final Time times " +
+         formatShort(state.clock.factor.end) + ", G is " + formatShort(state.cracks.growth.drive) +
+         " of the toughness";
+}
+
 /// Why no factor is found.
 template <int D>
 std::string failureOfSearch(const State<D>& state, bool solved)
@@ -109,9 +118,7 @@ std::string failureOfSearch(const State<D>& state, bool solved)
     return "no equilibrium is found near " + at + ", where G is " + formatShort(state.cracks.growth.drive) +
            " of the toughness; the loads may exceed what the bodies can bear, or a crack may have cut off a "
            "part";
-  return "no load factor is found at which a crack grows: with " + at + ", G is " +
-         formatShort(state.cracks.growth.drive) +
-         " of the toughness; the loads must open a crack (Propagation > Load Control)";
+  return progressOfSearch(state) + "; the loads must open a crack (Propagation > Load Control)";
 }
 
 /// Why no factor is searched for: the strain of a linear body at the factor at which G of the first
@@ -177,7 +184,7 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
     const double wanted = std::fabs(factor - clock.factor.begin), has = std::fabs(clock.factor.begin);
     const bool stuck = std::fabs(gained) < leastGained * (has > 0.0 ? std::min(wanted, has) : wanted);
     reduced = stuck ? reduced + 1 : 0;
-    accept(state, calls, [&] { return failureOfSearch(state, true) + " (" + state.failure + ")"; });
+    accept(state, calls, [&] { return progressOfSearch(state) + ", and " + state.failure; });
     const double all = state.energy.externalWork - before;
     double work[] = {all - last.workOfSupports, std::fabs(all)};
     sumParts(state, work, 2);

@@ -10,6 +10,7 @@
 #include "step/OutsideDomain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace Rhegma
@@ -35,9 +36,13 @@ std::vector<PlacedBody<D>> planBodies(const Teuchos::ParameterList& section)
 template <int D>
 void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& state)
 {
-  double particles = 0.0;
+  double particles = 0.0, filled = 0.0; // cells
   for (const PlacedBody<D>& body : bodies)
-    particles += estimateSeeds(body.shape, state.mesh.grid.spacing, body.particlesPerCell());
+  {
+    const double seeds = estimateSeeds(body.shape, state.mesh.grid.spacing, body.particlesPerCell());
+    particles += seeds;
+    filled += seeds / std::pow(body.particlesPerCell(), D);
+  }
   double fields = 0.0, largest = 0.0;
   for (const Field& field : state.particles.fields())
   {
@@ -51,7 +56,11 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
   const double perNode =
       (Nodes<D>::sumWidth + Nodes<D>::motionWidth + Nodes<D>::projectionWidth) * sizeof(double) +
       2.0 * sizeof(int);
-  refuseWithoutMemory(state.mesh.grid.numNodes, perNode, particles, perParticle,
+  // The stiffness couples a node with those two cells away; what solves it takes as much again or more.
+  const double ofMatrix = state.method.equilibrium()
+                              ? filled * std::pow(5.0, D) * D * D * sizeof(double) / std::max(particles, 1.0)
+                              : 0.0;
+  refuseWithoutMemory(state.mesh.grid.numNodes, perNode, particles, perParticle + ofMatrix,
                       freeMemoryBytes() / state.ranks.onThisMachine());
 }
 

@@ -16,7 +16,7 @@ from .summary import read_summary
 STEP = 4.0  # cells: 0.1 cells of scatter of both ends are then 2 % of G
 ALONG = math.sin(math.radians(0.1))  # of an angle to a grid axis within which a crack is along the cells
 FAR = 0.5  # cells: distance of a front from the end of a crack within which it is taken for it,
-NEARER = 0.25  # or this fraction of its distance from the other end
+NEARER = 0.2  # or this fraction of its distance from the other end
 WITHOUT = ("Thermal", "Combustion", "Contact", "Propagation")  # sections whose energies are not those of loads and strain
 UNLISTED = ("Face Pressure",)  # sections of loads without an entry in "boundaries" of the summary
 

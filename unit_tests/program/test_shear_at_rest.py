@@ -152,8 +152,8 @@ class WhenItStarts(ShearTest):
 
 class SearchInVain(ShearTest):
     def test_toughness_out_of_range(self):
-        """By a linear estimate the bodies would be strained to more than ten times their length; or there is no equilibrium."""
-        for toughness, words in (("1e12", "no load factor is searched for"), ("1e7", "no equilibrium is found near ")):
+        """By a linear estimate the bodies would be strained to more than ten times their length; or they leave the domain."""
+        for toughness, words in (("1e12", "no load factor is searched for"), ("1e7", "no load factor is found at which a crack grows")):
             scene = strip({"Analysis": "Quasi-Static", "Load Steps": 2}, toughness, {"Notch": inclined(0.0)})
             answer = rhegma(self.write("scene.xml", scene.text()), "--quiet", "--output", self.path("out"))
             self.assertEqual(answer.status, 2, answer)

@@ -1,8 +1,10 @@
 /// What propagation knows about fronts, on hand-made chains of front nodes.
 
 #include "propagation/FrontState.hpp"
+#include "propagation/FrontWarnings.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 using namespace Rhegma;
 using namespace Rhegma::propagation;
@@ -117,4 +119,27 @@ TEST(FrontState, CountsTheIncrementsOfAllNodes)
   EXPECT_EQ(state.increments, 8);
   EXPECT_EQ(state.firstTime, state.nodes.at(0).history.firstTime());
   EXPECT_EQ(state.lastTime, state.nodes.at(1).history.lastTime());
+}
+
+/// Of the contours of growth in equilibrium the largest difference of all samples is kept, on either side.
+TEST(FrontState, KeepsTheLargestDifferenceOfContours)
+{
+  ContourDifference contours;
+  contours.include(50.0, 0.0, 0.5); // without a release there is nothing to compare with
+  EXPECT_EQ(contours.release, 0.0);
+  contours.include(95.0, 100.0, 1.0);
+  contours.include(313.0, 100.0, 2.0);
+  contours.include(20.0, 100.0, 3.0);
+  contours.include(101.0, 101.0, 4.0);
+  EXPECT_DOUBLE_EQ(contours.ratio, 3.13);
+  EXPECT_EQ(contours.release, 100.0);
+  EXPECT_EQ(contours.time, 2.0);
+  nlohmann::json summary = {{"warnings", nlohmann::json::array()}};
+  compareContours("crack A, front 0", contours, summary);
+  ASSERT_EQ(summary["warnings"].size(), 1u);
+  EXPECT_NE(summary["warnings"][0].get<std::string>().find("313 %"), std::string::npos) << summary;
+  contours = {};
+  contours.include(95.0, 100.0, 1.0);
+  compareContours("crack A, front 0", contours, summary);
+  EXPECT_EQ(summary["warnings"].size(), 1u);
 }
