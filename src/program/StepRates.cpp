@@ -63,7 +63,7 @@ private:
 };
 
 /// Linear systems of a load step and of the end of a run, where none was solved: those of most scenes.
-constexpr double usualSolves = 4.0;
+constexpr double usualSolves = 4.0, usualSolvesOfSearch = 10.0; // of one for a load factor
 
 /// Load steps that take longer, as a multiple of the time to measure, are not taken.
 constexpr double longestLoadStep = 3.0;
@@ -140,12 +140,13 @@ public:
     const Budget trial(ranks_);
     if (!simulation_.trySolve())
       return false;
-    const nlohmann::json found = simulation_.report(0).at("equilibrium");
+    const nlohmann::json summary = simulation_.report(0), &found = summary.at("equilibrium");
+    const bool searches = summary.contains("propagation") && summary["propagation"].contains("load_factor");
     rates.unknowns = found.at("unknowns").get<int>();
     rates.solve = trial.spent();
     rates.busy = ranks_.max(trial.busy());
     rates.timeStep = simulation_.stableTimeStep();
-    rates.solves = usualSolves;
+    rates.solves = searches ? usualSolvesOfSearch : usualSolves;
     rates.step = rates.solves * rates.solve;
     if (rates.step > longestLoadStep * seconds)
       return true;
