@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "base/Counted.hpp"
 #include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 #include "equilibrium/Newton.hpp"
 #include "state/ContactAdvice.hpp"
 #include "state/Subdomain.hpp"
@@ -70,6 +71,7 @@ struct Account
   bool warned = false, warnedOfPieces = false;
   bool started = false;                    ///< not stored: used in the first step only
   bool warnedOfCut = false;                ///< not stored: a run that continues says it again
+  bool warnedOfRounding = false;           ///< not stored either
   std::shared_ptr<LinearSystem<D>> system; ///< of the last step
 };
 
@@ -121,6 +123,22 @@ std::string imbalanceAsText(const FreePiece& piece, const State<D>& state)
   all.force /= part;
   all.moment /= part;
   return all.asText(noticeableResultant) + " under the loads of Time > Final Time";
+}
+
+/// Warns, once, of an equilibrium that is known no better than rounding of the stress allows.
+template <int D>
+void warnOfRounding(const StepReport& report, State<D>& state, Account<D>& account)
+{
+  if (report.residuals.back() > roundingOfForces && !account.warnedOfRounding)
+  {
+    account.warnedOfRounding = true;
+    state.warnings.push_back(
+        "Time > Analysis: the residual of an equilibrium stays at " + formatShort(report.residuals.back()) +
+        " of the forces, because they are hardly larger than rounding of the stress; displacements, stress, "
+        "K "
+        "and G are no better known than that, and may be known much worse: use larger loads (answers of a "
+        "linear body are in proportion to them) or supports that move the bodies less");
+  }
 }
 
 template <int D, class IsNew>
@@ -210,6 +228,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
                   report.unsupportedLoad, counted(step.unsupportedFields(), "node").c_str());
     state.warnings.push_back(text);
   }
+  warnOfRounding(report, state, account);
   warnOfFreePieces(report, isNew, state, account);
 }
 

@@ -13,9 +13,9 @@ namespace Rhegma::equilibrium
 namespace
 {
 
-/// A residual that no longer falls is rounding if it is this small, or as small as rounding of the stress can
-/// make it, while it is small enough for results of three digits or bodies without stress.
-constexpr double roundingOfForces = 1e-6, enoughForResults = 1e-3, forcesOfNoStress = 100.0;
+/// A residual that is as small as rounding of the stress can make it ends a step, where it is this fraction
+/// of the forces, or these are no more than so many times rounding; a warning says so (EquilibriumCore.cpp).
+constexpr double enoughForResults = 1e-3, forcesOfNoStress = 100.0;
 
 /// Of a sum of the forces of the particles around a node: their number times that of one of them.
 constexpr double roundingOfSums = 16.0 * std::numeric_limits<double>::epsilon();
@@ -27,14 +27,17 @@ constexpr int mostHalvings = 6;
 /// less.
 constexpr double leastSlopeOfMaterial = 0.1;
 
-/// The first iteration of a body on its yield surface takes it as elastic, and may increase the residual.
+/// The first iteration of a body on its yield surface takes it as elastic, and may increase the residual. So
+/// may those of a free body under compression, until secants are known.
 constexpr double mostRiseAtFirst = 4.0;
 
 /// Largest residual that an iteration may lead to.
 template <int D>
-double mostResidual(const State<D>& state, int iteration, double now)
+double mostResidual(const State<D>& state, int iteration, std::size_t freeMotions, double now)
 {
-  return iteration == 0 && state.particles.has(fields::history) ? mostRiseAtFirst * now : now;
+  const bool mayRise = (iteration == 0 && state.particles.has(fields::history)) ||
+                       (freeMotions > 0 && iteration <= static_cast<int>(freeMotions));
+  return mayRise ? mostRiseAtFirst * now : now;
 }
 
 /// Iterations with the stiffness of clipped boxes, after which the boxes are used as they are.
@@ -384,7 +387,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
     // Before the supports have moved there is no residual to compare with.
-    const double bound = moved ? std::numeric_limits<double>::infinity() : mostResidual(state, k, now);
+    const double bound =
+        moved ? std::numeric_limits<double>::infinity() : mostResidual(state, k, modes_.size(), now);
     const bool mixes = !modes_.empty() && !moved && k > 0;
     if (!answer.solved ||
         !searchWith(mixes ? &mixing : nullptr, state, change, bound, forceTolerance * forces))

@@ -21,6 +21,9 @@ constexpr double forceTolerance = 1e-9;
 /// Iterations after which a step counts as failed; a quadratic rate needs a handful.
 constexpr int mostIterations = 20;
 
+/// A residual that no longer falls is rounding if it is no larger a fraction of the forces.
+constexpr double roundingOfForces = 1e-6;
+
 /// How a step was solved.
 struct StepReport
 {

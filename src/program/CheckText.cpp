@@ -7,11 +7,11 @@
 #include "base/ShortNumber.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
-#include "plausibility/HistoryRange.hpp"
 #include "plausibility/LoadEstimate.hpp"
 #include "scene/Compatibility.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/SceneError.hpp"
+#include "scene/TimeFunction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,13 +56,26 @@ std::string resultantText(const Vector<D>& force)
   return text + ")";
 }
 
+/// The factor of a load that counts most: at the end of a Static analysis or one with a load factor, else the
+/// largest of the run, by its size.
+double factorOf(const std::string& history, const Teuchos::ParameterList& time)
+{
+  constexpr int samples = 256;
+  const double end = time.get<double>("Final Time");
+  const TimeFunction function = TimeFunction::parse(history);
+  double most = function(end);
+  for (int k = 0; k < samples && time.get<std::string>("Analysis") != "Static"; ++k)
+    if (const double factor = function(end * k / samples); std::fabs(factor) > std::fabs(most))
+      most = factor;
+  return most;
+}
+
 template <int D>
 std::string loadsOf(const Teuchos::ParameterList& scene)
 {
   if (!scene.isSublist("Boundaries"))
     return {};
   const Teuchos::ParameterList& section = scene.sublist("Boundaries");
-  const double end = scene.sublist("Time").get<double>("Final Time");
   const double thickness = D == 2 ? scene.sublist("Domain").get<double>("Thickness") : 1.0;
   std::string text;
   std::size_t count = 0;
@@ -70,8 +83,10 @@ std::string loadsOf(const Teuchos::ParameterList& scene)
   {
     const Teuchos::ParameterList& list = section.sublist(name);
     const Vector<D> force = forceOf<D>(list, thickness);
-    const double factor = norm(force) > 0.0 ? rangeOf(list.get<std::string>("History"), end).largest : 0.0;
-    if (std::isfinite(factor * norm(force)) && factor * norm(force) > 0.0 && ++count <= bodiesInText)
+    const double factor =
+        norm(force) > 0.0 ? factorOf(list.get<std::string>("History"), scene.sublist("Time")) : 0.0;
+    if (std::isfinite(factor * norm(force)) && std::fabs(factor) * norm(force) > 0.0 &&
+        ++count <= bodiesInText)
       text += "  Boundaries > " + name + ": " + resultantText<D>(factor * force) +
               (list.get<std::string>("History") == "1" ? "\n" : " at most\n");
   }

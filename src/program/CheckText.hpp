@@ -20,8 +20,8 @@ constexpr std::size_t bodiesInText = 10;
 /// \param summary report of a simulation, with those bodies \param scene validated
 std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::ParameterList& scene);
 
-/// Resultants of tractions and forces, each at the largest value of its history: a line for each of the first
-/// of them. \param scene validated
+/// Resultants of tractions and forces, each at the largest value of its history, in a Static analysis at the
+/// last: a line for each of the first of them. \param scene validated
 std::string loadsAsText(const Teuchos::ParameterList& scene);
 
 /// Size of cells and number of particles, which Domain > Accuracy may have chosen.

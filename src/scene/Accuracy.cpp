@@ -226,7 +226,8 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   ParameterList& domain = scene.sublist("Domain");
   if (domain.isType<double>("Cell Size"))
   {
-    refuseLarge(read, far, rule);
+    const bool refined = mayRefine || ownLevels(read, schema, 0.0) > 0;
+    refuseLarge(read, refined ? far : std::min(far, least), rule);
     if (!mayRefine)
       refuseLargeAtFronts(read, schema, around, least, rule);
     cell = domain.get<double>("Cell Size");

@@ -136,6 +136,22 @@ std::string failureOfStrain(const State<D>& state, double needed)
          " %; check the unit of Propagation > Toughness (J/m2) and the stiffness of Materials";
 }
 
+/// Warns where the first equilibrium is beyond the start of growth: bodies go back from it as their laws do,
+/// and laws that are linear in increments do not come back to where they were.
+template <int D>
+void warnOfFirstFactor(State<D>& state)
+{
+  const double drive = state.cracks.growth.drive;
+  if (drive > 1.0)
+    state.warnings.push_back("Propagation > Load Control: with " + formatShort(state.clock.factor.end) +
+                             " times the loads of Time > Final Time, the first factor that is tried, G is " +
+                             formatShort(drive) +
+                             " times the toughness, so that the bodies have been strained more than at the "
+                             "start of growth, and the "
+                             "factor can be off by percents; write loads that are " +
+                             formatShort(std::ceil(std::sqrt(drive))) + " times smaller or less");
+}
+
 /// Moves the particles into the equilibrium that was found. \param explain why the run ends, where they can't
 template <int D, class Explain>
 void accept(State<D>& state, const EquilibriumCalls& calls, const Explain& explain)
@@ -193,7 +209,10 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
       now.displacement += 2.0 * work[0] / (clock.factor.begin + clock.factor.end);
     search.record(clock.factor.end, growth.drive);
     if (k == 0 && growth.path.empty() && state.failure.empty())
+    {
       state.failure = failureOfStrain(state, search.proportional());
+      warnOfFirstFactor(state);
+    }
     factor = search.next();
     calls.between();
   }
