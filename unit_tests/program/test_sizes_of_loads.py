@@ -74,6 +74,27 @@ class SizesOfLoads(ProgramTest):
         for load in loads[1:]:
             self.assertAlmostEqual(load / loads[0], 1.0, delta=1e-3)  # LoadFactorSearch::loosest, and rounding of the strain by 1 Pa
 
+    def test_resultants_in_check(self):
+        """Each load has a line with its force where it is largest, with the sign of its history; in Static at the end."""
+        rng = random.Random(SEED + 2)
+        stress, factor = rng.uniform(1e6, 5e6), rng.uniform(0.5, 2.0)
+        for analysis, history, sign, part in (("Static", "1", 1, 1.0), ("Static", f"0:9, 1:-{factor}", -1, factor),
+                                              ("Quasi-Static", f"0:0, 0.5:-{factor}, 1:0.1", -1, factor)):
+            scene = plate(random.Random(SEED), STEEL, pulled(stress), analysis, Time={"Rigid Modes": "Remove"})
+            scene.set("Boundaries > Top > History", history)
+            answer = rhegma(self.write("check.xml", scene.text()), "--check", XDG_CACHE_HOME=self.path("cache"))
+            self.assertEqual(answer.status, 0, answer)
+            line = next(x for x in answer.output.splitlines() if "Boundaries > Top: " in x)
+            self.assertIn(f"{part * stress * SIDE * 0.01 / 1e3:.4g} kN along (0, {sign})", line)
+
+    def test_reference_loads_beyond_the_start_of_growth(self):
+        """The first trial strains the body more than at the start of growth, and that is said."""
+        scene = plate(random.Random(SEED), STEEL, pulled(3e10), "Quasi-Static",
+                      Cracks=lambda low: {"Notch": {"Points": [low[0], low[1] + 0.47 * SIDE, low[0] + 0.3 * SIDE, low[1] + 0.47 * SIDE]}},
+                      Energy_Release={}, Time={"Rigid Modes": "Remove", "Load Steps": 1},
+                      Propagation={"Toughness": 5000.0, "Load Control": "Load Factor"})
+        self.assertIn("the first factor that is tried", self.run_scene(scene, "large")[1].messages)
+
     def test_bodies_that_move_without_stress(self):
         """A body that one support moves has no forces but rounding, and that is an equilibrium."""
         rng = random.Random(SEED + 1)
