@@ -205,10 +205,9 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
                      // What closed faces press with follows from their opening (integrateAboutTip).
                      work.intensities = intensities || state.cracks.tractions || work.nearFront.corrects();
                      kept.blocks.find(state, {boxAround(front.position, work.reach)});
-                     work.disk = describeDisk(state, front, radii, kept.blocks);
+                     work.disk = describeDisk(state, front, radii, work.intensities, kept.blocks);
                      const Region<D> nodes = nodesOf(state, boxAround(front.position, work.reach));
-                     work.rows = kept.rows.fillMotion(state, nodes, work.moving, acceleration);
-                     kept.rows.fillWeights(state, nodes, weight, path);
+                     work.rows = kept.rows.fill(state, nodes, work.moving, acceleration, weight, path);
                      sum = integrateAboutTip(state, front, weight, kept.blocks, work);
                      sum.lost = work.disk.empty;
                    });

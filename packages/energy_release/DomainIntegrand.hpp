@@ -139,8 +139,11 @@ struct Integrand
     const double density = mass(p) / volume(p);
     const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
+    // Where the weight is constant, that of the energy is zero.
+    const bool slopes = bent || dq[0] != 0.0 || dq[1] != 0.0;
     const double energy =
-        heat.energy(p, material(p), law, F, variables) - disk.misfit + 0.5 * density * dot(v, v);
+        slopes ? heat.energy(p, material(p), law, F, variables) - disk.misfit + 0.5 * density * dot(v, v)
+               : 0.0;
     const double warming = heat.energyAlong(p, material(p), law, F, tau, variables, image);
     const Vector<D> from{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
     const double r = std::sqrt(dot(from, from));
