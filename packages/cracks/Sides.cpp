@@ -95,6 +95,34 @@ KOKKOS_INLINE_FUNCTION double toleranceWithSprings(const CrackSight<D>& sight, i
   return hasFrontCell<D>(steepest, law) ? law.least() - ahead : -ahead;
 }
 
+/// Marks the cells whose particles may touch a node at x: a particle in cell c touches nodes c - 1 to c + 2
+/// along each axis, and in refined cells those in c - 1 to c + 1. A cell may be outside the lattice where a
+/// crack begins at the boundary of the domain.
+template <int D>
+KOKKOS_INLINE_FUNCTION void markCells(const Grid<D>& grid, const Vector<D>& x, const View<int*>& cellMark,
+                                      int stamp)
+{
+  int first[D], last[D], at[D];
+  for (int d = 0; d < D; ++d)
+  {
+    const int cell = static_cast<int>(grid.inCells(x[d], d) + 1e-6);
+    first[d] = cell < 2 ? 0 : cell - 2;
+    last[d] = cell + 1 < grid.cells[d] ? cell + 1 : grid.cells[d] - 1;
+  }
+  const auto mark = [&](int n)
+  {
+    if (relaxedLoad(cellMark(n)) != stamp)
+      Kokkos::atomic_exchange(&cellMark(n), stamp);
+  };
+  for (at[0] = first[0]; at[0] <= last[0]; ++at[0])
+    for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
+      if constexpr (D == 2)
+        mark(at[0] * grid.stride[0] + at[1] * grid.stride[1]);
+      else
+        for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
+          mark(grid.nodeIndex(at));
+}
+
 template <int D>
 void findNodeSides(const State<D>& state, const Surroundings& around)
 {
@@ -135,24 +163,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
                                                   std::fabs(seen.distance) / (cell * steepest), steepest, law)
                                : 0.0;
         }
-        // A particle in cell c touches nodes c - 1 to c + 2 along each axis, and in refined cells those
-        // in c - 1 to c + 1.
-        int at[D];
-        for (int d = 0; d < D; ++d)
-          at[d] = static_cast<int>(grid.inCells(x[d], d) + 1e-6);
-        for (int k = 0; k < (1 << (2 * D)); ++k)
-        {
-          int adjacent[D];
-          bool exists =
-              true; // a cell may be outside the lattice where a crack begins at the boundary of the domain
-          for (int d = 0; d < D; ++d)
-          {
-            adjacent[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
-            exists = exists && adjacent[d] >= 0 && adjacent[d] < grid.cells[d];
-          }
-          if (exists && relaxedLoad(cellMark(grid.nodeIndex(adjacent))) != stamp)
-            Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(adjacent)), stamp);
-        }
+        markCells(grid, x, cellMark, stamp);
       });
 }
 
@@ -254,13 +265,15 @@ struct MarkParticle
     if (row(p) >= 0 || side(p) == 0)
       return;
     const int other = -side(p);
+    constexpr int rows = D == 2 ? 4 : 16; // of four nodes along the first axis
     bool sees = false;
-    for (int k = 0; k < (1 << (2 * D)); ++k)
+    for (int k = 0; k < rows && !sees; ++k)
     {
-      int n = cell;
-      for (int d = 0; d < D; ++d)
-        n += (((k >> (2 * d)) & 3) - 1) * grid.stride[d];
-      sees = sees || nodeSide(n) == other;
+      int n = cell - grid.stride[0];
+      for (int d = 1; d < D; ++d)
+        n += (((k >> (2 * (d - 1))) & 3) - 1) * grid.stride[d];
+      for (int i = 0; i < 4; ++i, n += grid.stride[0])
+        sees = sees || nodeSide(n) == other;
     }
     if (sees)
       row(p) = 0;
