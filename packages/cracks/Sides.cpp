@@ -148,10 +148,14 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const Vector<D> x = positions(n);
         const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
         const Sight seen = sight.locate(s, x);
-        const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
-        if (seen.behind <=
-            (springs ? toleranceWithSprings<D>(sight, s, seen.distance / cell, law) : frontTolerance) * cell)
-          return;
+        if (sight.nearFront(s) != nearFront::away) // else it is behind all fronts
+        {
+          const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
+          const double tolerance =
+              springs ? toleranceWithSprings<D>(sight, s, seen.distance / cell, law) : frontTolerance;
+          if (seen.behind <= tolerance * cell)
+            return;
+        }
         const int name = sight.crackOf(s) + 1;
         side(n) = seen.distance > -sideTolerance * cell ? name : -name;
         if (conductance.extent(0) > 0)
