@@ -37,7 +37,7 @@ struct CrackSight
 {
   View<double*[D]> vertex, vertexNormal, normal;
   View<int*[D]> simplex, neighbour;
-  View<int* [2]> frontFacet;
+  View<int*[2]> frontFacet, facetsOfCrack;
   View<int*> crackOf, kind, nearFront;
   double extension; ///< how far a front is continued straight beyond the surface [m]
 
@@ -48,6 +48,7 @@ struct CrackSight
         simplex(cracks.simplex),
         neighbour(cracks.neighbour),
         frontFacet(cracks.frontFacet),
+        facetsOfCrack(cracks.facetsOfCrack),
         crackOf(cracks.crackOf),
         kind(cracks.kind),
         nearFront(cracks.nearFront),
@@ -114,10 +115,14 @@ private:
   {
     double nearest = 1e300;
     bool inward = true;
-    for (int f = 0; f < static_cast<int>(frontFacet.extent(0)); ++f)
+    const int own = crackOf(s);
+    const bool listed = facetsOfCrack.extent(0) > 0;
+    const int first = listed ? facetsOfCrack(own, 0) : 0,
+              end = listed ? facetsOfCrack(own, 1) : static_cast<int>(frontFacet.extent(0));
+    for (int f = first; f < end; ++f)
     {
       const int t = frontFacet(f, 0), opposite = frontFacet(f, 1);
-      if (crackOf(t) != crackOf(s))
+      if (crackOf(t) != own)
         continue;
       Vector<D> corner[D];
       corners(t, corner);

@@ -200,7 +200,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
   readMaterials(state);
   const Nodes<D> nodes = state.mesh.nodes;
   if (grows_)
-    frontOf_ = NearestFront<D>(state.cracks);
+    frontOf_.update(state.cracks);
   const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numEnriched : 0);
   const FindSpring<D> find{nodes,
                            nodePositions(state),

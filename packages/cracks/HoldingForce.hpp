@@ -56,7 +56,7 @@ struct StableStiffness
     const int halvings =
         refined && level(primary) >= firstSubcycled ? level(primary) - firstSubcycled + 1 : 0;
     const double most = limit < std::numeric_limits<double>::max()
-                            ? std::ldexp(limit, 2 * halvings) * a * b / (a + b)
+                            ? (halvings > 0 ? std::ldexp(limit, 2 * halvings) : limit) * a * b / (a + b)
                             : limit;
     return bothHaveMass(a, b) ? most : 0.0;
   }

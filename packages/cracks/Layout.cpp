@@ -30,6 +30,7 @@ void allocate(CrackSet<D>& set, int vertices, int simplices, int facets)
   set.normal = View<double* [D]>("rhegma::crackNormal", simplices);
   set.nearFront = View<int*>("rhegma::crackNearFront", simplices);
   set.frontFacet = View<int* [2]>("rhegma::crackFrontFacet", facets);
+  set.facetsOfCrack = View<int* [2]>("rhegma::crackFacetsOfCrack", set.cracks.size());
 }
 
 template <int D>
@@ -76,6 +77,25 @@ void fill(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, const std::
   Kokkos::deep_copy(set.crackOf, crackOf);
   Kokkos::deep_copy(set.neighbour, neighbour);
   Kokkos::deep_copy(set.frontFacet, frontFacet);
+}
+
+/// Lists which pieces of front belong to the fronts of each crack.
+template <int D>
+void listFacets(CrackSet<D>& set)
+{
+  const auto range = Kokkos::create_mirror_view(set.facetsOfCrack);
+  for (std::size_t c = 0; c < set.cracks.size(); ++c)
+  {
+    range(c, 0) = static_cast<int>(set.frontFacet.extent(0));
+    range(c, 1) = 0;
+  }
+  for (const CrackFront<D>& front : set.fronts)
+    if (front.numFacets > 0)
+    {
+      range(front.crack, 0) = std::min(range(front.crack, 0), front.firstFacet);
+      range(front.crack, 1) = std::max(range(front.crack, 1), front.firstFacet + front.numFacets);
+    }
+  Kokkos::deep_copy(set.facetsOfCrack, range);
 }
 
 /// Marks the simplices near fronts.
@@ -252,6 +272,7 @@ void layOut(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, double sp
   const std::vector<Piece> pieces = setFrontPieces(set, meshes);
   allocate(set, vertices, simplices, static_cast<int>(pieces.size()));
   fill(set, meshes, pieces);
+  listFacets(set);
   listStars(set);
   markNearFront(set, spacing);
   updateNormals(set);

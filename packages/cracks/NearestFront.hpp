@@ -3,6 +3,7 @@
 
 #include "state/CrackSet.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace Rhegma::cracks
@@ -53,16 +54,37 @@ KOKKOS_INLINE_FUNCTION int nearestGrownFront(const FrontPosition<D>* points, int
   return found != noFront && points[found].grown ? found : noFront;
 }
 
-/// The same in kernels.
+/// The same in kernels, which visit the fronts of one crack only.
 template <int D>
 struct NearestFront
 {
   View<FrontPosition<D>*> points;
+  View<int* [2]> ofCrack; ///< the first front of each crack and the one after its last
 
   NearestFront() = default;
-  explicit NearestFront(const CrackSet<D>& set) : points("rhegma::cracks::frontPoints", set.fronts.size())
+  explicit NearestFront(const CrackSet<D>& set) { update(set); }
+
+  /// Takes the fronts as they are now.
+  void update(const CrackSet<D>& set)
   {
     const std::vector<FrontPosition<D>> all = frontPoints(set);
+    if (points.extent(0) != all.size() || ofCrack.extent(0) != set.cracks.size())
+    {
+      points = View<FrontPosition<D>*>("rhegma::cracks::frontPoints", all.size());
+      ofCrack = View<int* [2]>("rhegma::cracks::frontsOfCracks", set.cracks.size());
+      const auto range = Kokkos::create_mirror_view(ofCrack);
+      for (std::size_t c = 0; c < set.cracks.size(); ++c)
+      {
+        range(c, 0) = static_cast<int>(all.size());
+        range(c, 1) = 0;
+      }
+      for (int f = 0; f < static_cast<int>(all.size()); ++f)
+      {
+        range(all[f].crack, 0) = std::min(range(all[f].crack, 0), f);
+        range(all[f].crack, 1) = f + 1;
+      }
+      Kokkos::deep_copy(ofCrack, range);
+    }
     const Kokkos::View<const FrontPosition<D>*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(all.data(),
                                                                                                  all.size());
     Kokkos::deep_copy(points, host);
@@ -70,7 +92,10 @@ struct NearestFront
 
   KOKKOS_INLINE_FUNCTION int operator()(const Vector<D>& x, int crack) const
   {
-    return nearestGrownFront(points.data(), static_cast<int>(points.extent(0)), x, crack);
+    const int first = crack == anyCrack ? 0 : ofCrack(crack, 0),
+              end = crack == anyCrack ? static_cast<int>(points.extent(0)) : ofCrack(crack, 1);
+    const int found = end > first ? nearestGrownFront(points.data() + first, end - first, x, crack) : noFront;
+    return found == noFront ? noFront : first + found;
   }
 };
 

@@ -13,54 +13,48 @@ namespace Rhegma::cracks
 namespace
 {
 
-/// The box of a crack, enlarged by the band in which nodes have a side.
-template <int D>
-struct Reach
-{
-  Vector<D> lower, upper;
-};
-
-/// Cells beyond the box in which a particle may still see one of its nodes, or may be out of its block.
+/// Cells beyond the box of a crack and its band in which a particle may still see one of its nodes, or may be
+/// out of its block.
 constexpr double sightBeyond = 3.0;
 
+/// Finds the boxes of the cracks along the axes that are cut into blocks, enlarged by the band in which nodes
+/// have a side and by sightBeyond.
 template <int D>
-std::vector<Reach<D>> reaches(const State<D>& state)
+void findReach(const State<D>& state, Surroundings& around)
 {
+  const std::vector<Crack<D>>& cracks = state.cracks.cracks;
+  const Grid<D>& grid = state.mesh.grid;
+  if (around.reach.extent(0) != cracks.size())
+    around.reach = View<double* [4]>("rhegma::cracks::reach", cracks.size());
   const auto vertex = onHost(state.cracks.vertex);
-  const double band = bandWidth * state.mesh.grid.spacing;
-  std::vector<Reach<D>> all;
-  for (const Crack<D>& crack : state.cracks.cracks)
-  {
-    Reach<D> reach;
-    for (int d = 0; d < D; ++d)
+  const auto reach = Kokkos::create_mirror_view(around.reach);
+  const double band = bandWidth * grid.spacing;
+  for (std::size_t c = 0; c < cracks.size(); ++c)
+    for (int a = 0; a < 2; ++a)
     {
-      reach.lower[d] = 1e300;
-      reach.upper[d] = -1e300;
-      for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
+      const int axis = grid.axisOrder[a];
+      double lower = 1e300, upper = -1e300;
+      for (int v = cracks[c].firstVertex; v < cracks[c].firstVertex + cracks[c].numVertices; ++v)
       {
-        reach.lower[d] = std::min(reach.lower[d], vertex(v, d) - band);
-        reach.upper[d] = std::max(reach.upper[d], vertex(v, d) + band);
+        lower = std::min(lower, vertex(v, axis) - band);
+        upper = std::max(upper, vertex(v, axis) + band);
       }
+      reach(c, 2 * a) = grid.inCells(lower, axis) - sightBeyond;
+      reach(c, 2 * a + 1) = grid.inCells(upper, axis) + sightBeyond;
     }
-    all.push_back(reach);
-  }
-  return all;
+  Kokkos::deep_copy(around.reach, reach);
 }
 
-/// True if a particle of the block may be near the crack.
+/// True if a particle of the block may be near a crack.
 template <int D>
-KOKKOS_INLINE_FUNCTION bool isNear(const Reach<D>& reach, const Grid<D>& grid, const Blocks<D>& blocks,
-                                   int block)
+KOKKOS_INLINE_FUNCTION bool isNearAny(const View<double* [4]>& reach, const Blocks<D>& blocks, int block)
 {
-  bool near = true;
-  for (int a = 0; a < 2; ++a)
-  {
-    const int axis = grid.axisOrder[a];
-    const double low = blocks.corner(block, a);
-    near = near && grid.inCells(reach.upper[axis], axis) > low - sightBeyond &&
-           grid.inCells(reach.lower[axis], axis) < low + Blocks<D>::edge + sightBeyond;
-  }
-  return near;
+  const double low[2] = {double(blocks.corner(block, 0)), double(blocks.corner(block, 1))};
+  for (int c = 0; c < static_cast<int>(reach.extent(0)); ++c)
+    if (reach(c, 1) > low[0] && reach(c, 0) < low[0] + Blocks<D>::edge && reach(c, 3) > low[1] &&
+        reach(c, 2) < low[1] + Blocks<D>::edge)
+      return true;
+  return false;
 }
 
 template <int D>
@@ -101,6 +95,34 @@ KOKKOS_INLINE_FUNCTION double toleranceWithSprings(const CrackSight<D>& sight, i
   return hasFrontCell<D>(steepest, law) ? law.least() - ahead : -ahead;
 }
 
+/// Marks the cells whose particles may touch a node at x: a particle in cell c touches nodes c - 1 to c + 2
+/// along each axis, and in refined cells those in c - 1 to c + 1. A cell may be outside the lattice where a
+/// crack begins at the boundary of the domain.
+template <int D>
+KOKKOS_INLINE_FUNCTION void markCells(const Grid<D>& grid, const Vector<D>& x, const View<int*>& cellMark,
+                                      int stamp)
+{
+  int first[D], last[D], at[D];
+  for (int d = 0; d < D; ++d)
+  {
+    const int cell = static_cast<int>(grid.inCells(x[d], d) + 1e-6);
+    first[d] = cell < 2 ? 0 : cell - 2;
+    last[d] = cell + 1 < grid.cells[d] ? cell + 1 : grid.cells[d] - 1;
+  }
+  const auto mark = [&](int n)
+  {
+    if (relaxedLoad(cellMark(n)) != stamp)
+      Kokkos::atomic_exchange(&cellMark(n), stamp);
+  };
+  for (at[0] = first[0]; at[0] <= last[0]; ++at[0])
+    for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
+      if constexpr (D == 2)
+        mark(at[0] * grid.stride[0] + at[1] * grid.stride[1]);
+      else
+        for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
+          mark(grid.nodeIndex(at));
+}
+
 template <int D>
 void findNodeSides(const State<D>& state, const Surroundings& around)
 {
@@ -126,10 +148,14 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const Vector<D> x = positions(n);
         const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
         const Sight seen = sight.locate(s, x);
-        const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
-        if (seen.behind <=
-            (springs ? toleranceWithSprings<D>(sight, s, seen.distance / cell, law) : frontTolerance) * cell)
-          return;
+        if (sight.nearFront(s) != nearFront::away) // else it is behind all fronts
+        {
+          const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
+          const double tolerance =
+              springs ? toleranceWithSprings<D>(sight, s, seen.distance / cell, law) : frontTolerance;
+          if (seen.behind <= tolerance * cell)
+            return;
+        }
         const int name = sight.crackOf(s) + 1;
         side(n) = seen.distance > -sideTolerance * cell ? name : -name;
         if (conductance.extent(0) > 0)
@@ -141,24 +167,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
                                                   std::fabs(seen.distance) / (cell * steepest), steepest, law)
                                : 0.0;
         }
-        // A particle in cell c touches nodes c - 1 to c + 2 along each axis, and in refined cells those
-        // in c - 1 to c + 1.
-        int at[D];
-        for (int d = 0; d < D; ++d)
-          at[d] = static_cast<int>(grid.inCells(x[d], d) + 1e-6);
-        for (int k = 0; k < (1 << (2 * D)); ++k)
-        {
-          int adjacent[D];
-          bool exists =
-              true; // a cell may be outside the lattice where a crack begins at the boundary of the domain
-          for (int d = 0; d < D; ++d)
-          {
-            adjacent[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
-            exists = exists && adjacent[d] >= 0 && adjacent[d] < grid.cells[d];
-          }
-          if (exists && relaxedLoad(cellMark(grid.nodeIndex(adjacent))) != stamp)
-            Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(adjacent)), stamp);
-        }
+        markCells(grid, x, cellMark, stamp);
       });
 }
 
@@ -260,13 +269,15 @@ struct MarkParticle
     if (row(p) >= 0 || side(p) == 0)
       return;
     const int other = -side(p);
+    constexpr int rows = D == 2 ? 4 : 16; // of four nodes along the first axis
     bool sees = false;
-    for (int k = 0; k < (1 << (2 * D)); ++k)
+    for (int k = 0; k < rows && !sees; ++k)
     {
-      int n = cell;
-      for (int d = 0; d < D; ++d)
-        n += (((k >> (2 * d)) & 3) - 1) * grid.stride[d];
-      sees = sees || nodeSide(n) == other;
+      int n = cell - grid.stride[0];
+      for (int d = 1; d < D; ++d)
+        n += (((k >> (2 * (d - 1))) & 3) - 1) * grid.stride[d];
+      for (int i = 0; i < 4; ++i, n += grid.stride[0])
+        sees = sees || nodeSide(n) == other;
     }
     if (sees)
       row(p) = 0;
@@ -288,8 +299,7 @@ struct MarkParticle
 /// Gives particles near cracks their side and marks those in whose reach a node lies on the other side; all
 /// near cracks where particles on one side stand in for nodes of the other (broken cells).
 template <int D>
-void markParticles(const State<D>& state, const Surroundings& around, const Reach<D>& reach,
-                   const View<int*>& row)
+void markParticles(const State<D>& state, const Surroundings& around, const View<int*>& row)
 {
   const Grid<D> grid = state.mesh.grid;
   const Blocks<D> blocks = state.mesh.blocks;
@@ -303,11 +313,14 @@ void markParticles(const State<D>& state, const Surroundings& around, const Reac
                              row,
                              state.cracks.dualField};
   const View<int*> cellMark = around.cellMark;
+  const View<double* [4]> reach = around.reach;
   const int stamp = around.stamp;
   Kokkos::parallel_for(
-      "rhegma::cracks::markParticles", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
+      "rhegma::cracks::markParticles",
+      Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, blocks.numBlocks,
+                                                                        Kokkos::ChunkSize(1)),
       KOKKOS_LAMBDA(const int b) {
-        if (!isNear(reach, grid, blocks, b))
+        if (!isNearAny(reach, blocks, b))
           return;
         const int last = blocks.first(b + 1);
         for (int begin = blocks.first(b); begin < last; begin += lanes)
@@ -369,8 +382,8 @@ void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& ro
   findNodeSides(state, surroundings);
   if (state.cracks.dualField)
     listParents(state, numberEnrichedFields(state));
-  for (const Reach<D>& reach : reaches(state))
-    markParticles(state, surroundings, reach, row);
+  findReach(state, surroundings);
+  markParticles(state, surroundings, row);
 }
 
 template void findSides(State<2>&, Surroundings&, const View<int*>&, const std::function<void()>&);

@@ -25,6 +25,7 @@ struct Surroundings
 {
   View<int*> cellMark;          ///< stamp of the last step in which a cell was near a crack
   View<std::uint64_t*> nearest; ///< of each active node: square distance and number of the nearest simplex
+  View<double* [4]> reach;      ///< of each crack: its ends along the two axes of blocks [cells]
   int stamp = 0;
   int generation = 0; ///< of the nodes
   /// That of FrontCell.hpp is not where fronts may grow, nor where faces are loaded or touch: its nodes

@@ -6,12 +6,22 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace Rhegma::energy_release
 {
 
 namespace
 {
+
+/// Adds to a sum that forEachPushing visits: on a host one after the other.
+KOKKOS_INLINE_FUNCTION void addTo(double& sum, double more)
+{
+  if constexpr (std::is_same_v<ExecSpace, Kokkos::DefaultHostExecutionSpace>)
+    sum += more;
+  else
+    Kokkos::atomic_add(&sum, more);
+}
 
 /// Adds the particles' volume to the nodes, without regard to cracks: calls add(node, volume).
 template <int D, class Add>
@@ -57,14 +67,13 @@ View<double*> volumeOfNodes(const State<D>& state, const Vector<D>& centre, doub
     sumVolume(
         state, centre, radius, KOKKOS_LAMBDA(const int node, const double more) {
           if (const int k = box.find(node); k >= 0)
-            Kokkos::atomic_add(&volume(k), more);
+            addTo(volume(k), more);
         });
     return volume;
   }
   const View<double*> all("rhegma::volumeOfAllNodes", state.mesh.grid.numNodes + state.mesh.tree.numFine);
   sumVolume(
-      state, centre, radius,
-      KOKKOS_LAMBDA(const int node, const double more) { Kokkos::atomic_add(&all(node), more); });
+      state, centre, radius, KOKKOS_LAMBDA(const int node, const double more) { addTo(all(node), more); });
   sumOverRanks(state, all);
   Kokkos::parallel_for(
       "rhegma::volumeOfNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()),

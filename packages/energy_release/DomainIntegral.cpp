@@ -94,6 +94,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
   const double thickness = state.method.thickness, scale = 0.5 * work.disk.effectiveModulus / thickness;
   DomainIntegral sum;
+  double releaseOfParticles = 0.0;
   Vector<D> middle = front.position;
   if (work.intensities)
     middle = middle + offsetAside(state, front, weight.radii, blocks) * front.normal;
@@ -103,6 +104,9 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     double sums[Work::numSums];
     blocks.sum("rhegma::domainIntegral", work, sums);
     sumParts(state, sums, Work::numSums);
+    // J does not depend on the tip, but for what is corrected near it.
+    releaseOfParticles = work.release ? sums[0] : releaseOfParticles;
+    work.release = work.nearFront.corrects();
     for (int mode = 0; mode < 2 && work.nearFront.corrects(); ++mode)
       sums[1 + mode] +=
           heatOfMode(work, sums, mode) - sums[Work::heatAt + HeatNearFront::numSums * (1 + mode)];
@@ -114,7 +118,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     if (closed && touching.M[0] > 0.0)
       corrected = (contact.intensityOfOpening(sum.tipOffset, work.disk.effectiveModulus) / scale - sums[1]) /
                   (thickness * touching.M[0]);
-    sum.J = sums[0] / thickness + pressure.release() + corrected * contact.release();
+    sum.J = releaseOfParticles / thickness + pressure.release() + corrected * contact.release();
     if (!work.intensities)
       return sum;
     const auto all = [&](double ofParticles, double ofPressure, double ofContact)
@@ -205,10 +209,9 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
                      // What closed faces press with follows from their opening (integrateAboutTip).
                      work.intensities = intensities || state.cracks.tractions || work.nearFront.corrects();
                      kept.blocks.find(state, {boxAround(front.position, work.reach)});
-                     work.disk = describeDisk(state, front, radii, kept.blocks);
+                     work.disk = describeDisk(state, front, radii, work.intensities, kept.blocks);
                      const Region<D> nodes = nodesOf(state, boxAround(front.position, work.reach));
-                     work.rows = kept.rows.fillMotion(state, nodes, work.moving, acceleration);
-                     kept.rows.fillWeights(state, nodes, weight, path);
+                     work.rows = kept.rows.fill(state, nodes, work.moving, acceleration, weight, path);
                      sum = integrateAboutTip(state, front, weight, kept.blocks, work);
                      sum.lost = work.disk.empty;
                    });

@@ -61,8 +61,9 @@ struct Integrand
   Vector<D> direction, normal;
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
-  bool bent;        ///< the weight is a vector along the crack
-  bool intensities; ///< false: only J is wanted
+  bool bent;           ///< the weight is a vector along the crack
+  bool intensities;    ///< false: only J is wanted
+  bool release = true; ///< false: J, which does not depend on the tip, is not wanted
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end, double (&sums)[numSums]) const
   {
@@ -88,22 +89,60 @@ struct Integrand
     return x * x + y * y <= reach * reach;
   }
 
-  /// Velocity relative to the disk, acceleration times weight (FrontRows) and gradient of velocity at a
-  /// particle.
-  template <class Stencil>
-  KOKKOS_INLINE_FUNCTION void readMotion(const Stencil& stencil, Vector<D>& v, Vector<D>& a,
-                                         double (&dv)[D][D]) const
+  /// At a particle.
+  struct Motion
   {
+    Vector<D> v{}, a{};   ///< velocity relative to the disk, acceleration times weight (FrontRows)
+    double dv[D][D] = {}; ///< gradient of velocity
+  };
+
+  template <class Stencil>
+  KOKKOS_INLINE_FUNCTION void readMotion(const Stencil& stencil, Motion& at) const
+  {
+    constexpr int width = FrontRows<D>::width;
+    const double* const from = rows.data + FrontRows<D>::motionAt;
     Pack<4> change[D];
-    const Pack<4> motion =
-        stencil.template valueAndGradient<FrontRows<D>::width>(rows.data + FrontRows<D>::motionAt, change);
+    const Pack<4> motion = release ? stencil.template valueAndGradient<width>(from, change)
+                                   : stencil.template value<width, 4>(from);
     for (int i = 0; i < D; ++i)
     {
-      v[i] = motion[i] - disk.velocity[i];
-      a[i] = motion[D + i];
-      for (int j = 0; j < D; ++j)
-        dv[i][j] = change[j][i];
+      at.v[i] = motion[i] - disk.velocity[i];
+      at.a[i] = motion[D + i];
+      for (int j = 0; j < D && release; ++j)
+        at.dv[i][j] = change[j][i];
     }
+  }
+
+  /// Adds what a particle adds to J. \param image of the direction in the deformed body \param du u,1
+  /// \param flux of momentum by the slope of the weight \param r distance from the tip of a particle whose
+  /// part of heat is corrected [m], else negative
+  KOKKOS_INLINE_FUNCTION void addRelease(int p, const Pack<4>& weight, const Pack<4> (&slope)[D],
+                                         const Vector<D>& image, const Vector<D>& du, const Vector<D>& flux,
+                                         const Motion& motion, double r, double (&sums)[numSums]) const
+  {
+    const double q = weight[0];
+    const Vector<D> dq{{slope[0][0], slope[1][0]}};
+    const Vector<D>&v = motion.v, &a = motion.a;
+    const auto& dv = motion.dv;
+    const Vector<D> dv1{
+        {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
+    const double *F = &deformation(p, 0), *tau = &stress(p, 0);
+    const double density = mass(p) / volume(p);
+    const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
+    const Properties& law = materials(material(p));
+    // Where the weight is constant, that of the energy is zero.
+    const bool slopes = bent || dq[0] != 0.0 || dq[1] != 0.0;
+    const double energy =
+        slopes ? heat.energy(p, material(p), law, F, variables) - disk.misfit + 0.5 * density * dot(v, v)
+               : 0.0;
+    const double warming = heat.energyAlong(p, material(p), law, F, tau, variables, image);
+    if (r >= 0.0)
+      nearFront.add(r, -volume(p) * warming, q, sums + heatAt);
+    if (!bent)
+      sums[0] += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * dot(a, du) -
+                              (density * dot(v, dv1) + warming) * q);
+    else
+      sums[0] += volume(p) * alongPath(p, weight, slope, energy, density, v, a, dv);
   }
 
   template <class Stencil>
@@ -119,10 +158,9 @@ struct Integrand
     const Vector<D> dq{{slope[0][0], slope[1][0]}};
     if (q == 0.0 && dq[0] == 0.0 && dq[1] == 0.0)
       return;
-    Vector<D> v{}, a{};
-    double dv[D][D] = {};
+    Motion motion;
     if (moving)
-      readMotion(stencil, v, a, dv);
+      readMotion(stencil, motion);
 
     const double* F = &deformation(p, 0);
     // The direction in the undeformed disk, its image, and u,1 relative to the turned disk.
@@ -131,30 +169,18 @@ struct Integrand
     const Vector<D> image{
         {F[0] * material1[0] + F[1] * material1[1], F[2] * material1[0] + F[3] * material1[1]}};
     const Vector<D> du = image - direction;
-    const Vector<D> dv1{
-        {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
     // P_iJ q,J in undeformed space is tau_ij q,j in 3D.
     const double* tau = &stress(p, 0);
     const Vector<D> flux{{tau[0] * dq[0] + tau[2] * dq[1], tau[2] * dq[0] + tau[1] * dq[1]}};
     const double density = mass(p) / volume(p);
-    const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
-    const Properties& law = materials(material(p));
-    const double energy =
-        heat.energy(p, material(p), law, F, variables) - disk.misfit + 0.5 * density * dot(v, v);
-    const double warming = heat.energyAlong(p, material(p), law, F, tau, variables, image);
     const Vector<D> from{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
     const double r = std::sqrt(dot(from, from));
     const bool corrects = heat.strains(material(p)) && nearFront.reaches(r);
-    if (corrects)
-      nearFront.add(r, -volume(p) * warming, q, sums + heatAt);
-    if (!bent)
-      sums[0] += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * dot(a, du) -
-                              (density * dot(v, dv1) + warming) * q);
-    else
-      sums[0] += volume(p) * alongPath(p, weight, slope, energy, density, v, a, dv);
+    if (release)
+      addRelease(p, weight, slope, image, du, flux, motion, corrects ? r : -1.0, sums);
     if (!intensities)
       return;
-    const Pair sum = interaction(p, q, dq, flux, du, density, a, image);
+    const Pair sum = interaction(p, q, dq, flux, du, density, motion.a, image);
     for (int mode = 0; mode < 2; ++mode)
     {
       if (corrects)
@@ -230,9 +256,10 @@ struct Integrand
     const bool warm = heat.strains(material(p));
     const double expanded = warm ? heat.strain(p, material(p)) : 0.0;
     const double expansionAlong = warm ? heat.expansion(p, material(p)) * heat.alongImage(p, image) : 0.0;
+    const WilliamsPosition at(r, theta);
     for (int mode = 0; mode < 2; ++mode)
     {
-      const TipField w = williamsField(mode, r, theta, disk.moduli);
+      const TipField w = at.field(mode, disk.moduli);
       double m = -slopeIn[0] * (s11 * w.gradient[0][0] + s22 * w.gradient[1][1] +
                                 s12 * (w.gradient[0][1] + w.gradient[1][0]));
       double reciprocal = 0.0;

@@ -13,31 +13,58 @@ namespace
 
 constexpr int D = 2;
 
-/// Mean positions of the particles in a disk, now and before deformation.
-void addMeanPositions(const State<D>& state, const Disk& disk, const BlocksInReach<D>& blocks,
-                      FrontDisk& means)
+/// Adds those of a particle in the disk: the gradient's trace and skew part, velocity, number, and where they
+/// are wanted its positions now and before deformation.
+struct AddMotion
 {
-  const auto position = state.particles.real<D>(fields::position);
-  const auto reference = state.particles.real<D>(fields::reference);
-  double sums[5]; // of positions, of positions before deformation, number
-  blocks.sumOverParticles(
-      "rhegma::meanPosition",
-      KOKKOS_LAMBDA(const int p, double(&sum)[5]) {
-        if (!disk.holds({position(p, 0), position(p, 1)}))
-          return;
-        sum[0] += position(p, 0);
-        sum[1] += position(p, 1);
-        sum[2] += reference(p, 0);
-        sum[3] += reference(p, 1);
-        sum[4] += 1.0;
-      },
-      sums);
-  sumParts(state, sums, 5);
-  const double count = sums[4];
-  if (count == 0.0)
-    return;
-  means.position = {{sums[0] / count, sums[1] / count}};
-  means.reference = {{sums[2] / count, sums[3] / count}};
+  Disk disk;
+  BorrowedView<double*[D]> position, reference, velocity;
+  BorrowedView<double * [gradientSize<D>]> F;
+
+  static constexpr int motions = 5, positions = 4;
+
+  template <int N>
+  KOKKOS_INLINE_FUNCTION void operator()(int p, double (&sum)[N]) const
+  {
+    if (!disk.holds({position(p, 0), position(p, 1)}))
+      return;
+    sum[0] += F(p, 0) + F(p, 3);
+    sum[1] += F(p, 2) - F(p, 1);
+    sum[2] += velocity(p, 0);
+    sum[3] += velocity(p, 1);
+    sum[4] += 1.0;
+    if constexpr (N > motions)
+      for (int d = 0; d < D; ++d)
+      {
+        sum[motions + d] += position(p, d);
+        sum[motions + D + d] += reference(p, d);
+      }
+  }
+};
+
+/// The means over a disk. \tparam N how many numbers AddMotion adds
+template <int N>
+FrontDisk meansOver(const State<D>& state, const AddMotion& add, const BlocksInReach<D>& blocks)
+{
+  double sums[N];
+  blocks.sumOverParticles("rhegma::meanMotion", add, sums);
+  sumParts(state, sums, N);
+  FrontDisk means;
+  const double along = sums[0], across = sums[1], count = sums[4];
+  means.empty = !(count > 0.0);
+  if (means.empty)
+    return means;
+  const double size = std::sqrt(along * along + across * across);
+  means.cosine = along / size;
+  means.sine = across / size;
+  means.velocity = {{sums[2] / count, sums[3] / count}};
+  if constexpr (N > AddMotion::motions)
+  {
+    const double* at = sums + AddMotion::motions;
+    means.position = {{at[0] / count, at[1] / count}};
+    means.reference = {{at[D] / count, at[D + 1] / count}};
+  }
+  return means;
 }
 
 } // namespace
@@ -93,37 +120,15 @@ double misfitEnergy(const State<D>& state, const CrackFront<D>& front, const Ela
 } // namespace
 
 FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                       const BlocksInReach<2>& blocks)
+                       bool positions, const BlocksInReach<2>& blocks)
 {
-  const auto position = state.particles.real<D>(fields::position);
-  const auto velocity = state.particles.real<D>(fields::velocity);
-  const auto F = state.particles.real<gradientSize<D>>(fields::deformation);
-  const Disk disk{front.position, radii.outer};
-  double sums[5]; // of the gradient's trace and skew part, of velocity, number
-  blocks.sumOverParticles(
-      "rhegma::meanMotion",
-      KOKKOS_LAMBDA(const int p, double(&sum)[5]) {
-        if (!disk.holds({position(p, 0), position(p, 1)}))
-          return;
-        sum[0] += F(p, 0) + F(p, 3);
-        sum[1] += F(p, 2) - F(p, 1);
-        sum[2] += velocity(p, 0);
-        sum[3] += velocity(p, 1);
-        sum[4] += 1.0;
-      },
-      sums);
-  sumParts(state, sums, 5);
-  FrontDisk means;
-  const double along = sums[0], across = sums[1], count = sums[4];
-  means.empty = !(count > 0.0);
-  if (!means.empty)
-  {
-    const double size = std::sqrt(along * along + across * across);
-    means.cosine = along / size;
-    means.sine = across / size;
-    means.velocity = {{sums[2] / count, sums[3] / count}};
-  }
-  addMeanPositions(state, disk, blocks, means);
+  const AddMotion add{{front.position, radii.outer},
+                      state.particles.real<D>(fields::position),
+                      state.particles.real<D>(fields::reference),
+                      state.particles.real<D>(fields::velocity),
+                      state.particles.real<gradientSize<D>>(fields::deformation)};
+  FrontDisk means = positions ? meansOver<AddMotion::motions + AddMotion::positions>(state, add, blocks)
+                              : meansOver<AddMotion::motions>(state, add, blocks);
   const Elasticity e = elasticity(lawAtFront(state, front));
   means.moduli.shear = e.shear;
   means.moduli.kolosov =

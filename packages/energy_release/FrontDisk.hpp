@@ -28,9 +28,9 @@ struct FrontDisk
 };
 
 /// Means over the particles within the outer radius, and the material at the front, at its temperature.
-/// \param blocks with these particles Collective.
+/// Collective. \param positions whether mean positions are wanted, too \param blocks with these particles
 FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                       const BlocksInReach<2>& blocks);
+                       bool positions, const BlocksInReach<2>& blocks);
 
 /// The material at a front, with its moduli at the front's temperature.
 Properties lawAtFront(const State<2>& state, const CrackFront<2>& front);

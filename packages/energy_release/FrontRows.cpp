@@ -38,25 +38,31 @@ FrontRows<D> FrontRowTable<D>::fillMotion(const State<D>& state, const Region<D>
 }
 
 template <>
-void FrontRowTable<2>::fillWeights(const State<2>& state, const Region<2>& box, const NodalWeight<2>& weight,
-                                   const CrackPath& path)
+FrontRows<2> FrontRowTable<2>::fill(const State<2>& state, const Region<2>& box, bool moving,
+                                    const NodalAcceleration<2>& acceleration, const NodalWeight<2>& weight,
+                                    const CrackPath& path)
 {
   reserve(state);
   const View<double * [FrontRows<2>::width]> rows = rows_;
+  const NodalVelocity<2> velocity(state);
+  const double lightest = lightestNode(state);
   const bool bent = path.count > 0;
   const Vector<2> centre = weight.centre;
   const ContourRadii radii = weight.radii;
   forEachNodeIn(
-      "rhegma::weightsAroundFront", state, box, KOKKOS_LAMBDA(const int n, const Vector<2>& x) {
+      "rhegma::valuesAroundFront", state, box, KOKKOS_LAMBDA(const int n, const Vector<2>& x) {
         const double q = weightAt(norm(x - centre), radii);
         const Vector<2> shift = bent && q > 0.0 ? q * path(x) : Vector<2>{};
+        const bool moves = moving && !(acceleration(n, 2) < lightest);
         rows(n, FrontRows<2>::weightAt) = q;
         for (int d = 0; d < 2; ++d)
         {
           rows(n, FrontRows<2>::weightAt + 1 + d) = shift[d];
-          rows(n, FrontRows<2>::accelerationAt + d) *= q;
+          rows(n, FrontRows<2>::motionAt + d) = moves ? velocity(n, d) : 0.0;
+          rows(n, FrontRows<2>::accelerationAt + d) = moves ? q * acceleration(n, d) : 0.0;
         }
       });
+  return {rows.data()};
 }
 
 template <int D>

@@ -33,10 +33,11 @@ public:
   FrontRows<D> fillMotion(const State<D>& state, const Region<D>& box, bool moving,
                           const NodalAcceleration<D>& acceleration);
 
-  /// Fills the weights of the nodes in a box and multiplies their accelerations with them (2D only). \param
-  /// path of a bent crack; without simplices of a straight one, whose rows have no direction
-  void fillWeights(const State<D>& state, const Region<D>& box, const NodalWeight<D>& weight,
-                   const CrackPath& path);
+  /// Fills the motion and the weights of the nodes in a box, with accelerations multiplied by the weights (2D
+  /// only). \param path of a bent crack; without simplices of a straight one, whose rows have no direction
+  FrontRows<D> fill(const State<D>& state, const Region<D>& box, bool moving,
+                    const NodalAcceleration<D>& acceleration, const NodalWeight<D>& weight,
+                    const CrackPath& path);
 
   /// Forces that integrals sum on nodes, a row a node, zero in a box; the last column is spare.
   View<double* [4]> clearForces(const State<D>& state, const Region<D>& box);
@@ -57,8 +58,9 @@ private:
 };
 
 template <>
-void FrontRowTable<2>::fillWeights(const State<2>& state, const Region<2>& box, const NodalWeight<2>& weight,
-                                   const CrackPath& path);
+FrontRows<2> FrontRowTable<2>::fill(const State<2>& state, const Region<2>& box, bool moving,
+                                    const NodalAcceleration<2>& acceleration, const NodalWeight<2>& weight,
+                                    const CrackPath& path);
 
 /// What the integrals around a front reuse: their cost is that of the particles and nodes around it.
 template <int D>

@@ -97,6 +97,24 @@ void clearRows(const State<D>& state, const Region<D>& box, const NodalAccelerat
       });
 }
 
+/// One box around all, if it has fewer nodes than they have together: rows of other nodes are not used.
+template <int D>
+std::vector<Region<D>> fewerBoxes(const State<D>& state, const std::vector<Region<D>>& boxes)
+{
+  Region<D> all = boxes.front();
+  long together = 0;
+  for (const Region<D>& box : boxes)
+  {
+    together += BoxNodes<D>(state, box).count();
+    for (int d = 0; d < D; ++d)
+    {
+      all.lower[d] = std::min(all.lower[d], box.lower[d]);
+      all.upper[d] = std::max(all.upper[d], box.upper[d]);
+    }
+  }
+  return BoxNodes<D>(state, all).count() < together ? std::vector<Region<D>>{all} : boxes;
+}
+
 /// Springs are internal forces, as those of the material.
 template <int D>
 void addSprings(const State<D>& state, const NodalAcceleration<D>& force)
@@ -177,6 +195,7 @@ const NodalAcceleration<D>& InternalAcceleration<D>::around(const State<D>& stat
   std::vector<Region<D>> boxes; // of nodes that particles in the ranges touch
   for (const Range& range : ranges)
     boxes.push_back(nodesOf(state, boxOf(range)));
+  boxes = fewerBoxes(state, boxes);
   sumForces(state, boxes);
   if (!isPressureKnown_)
     pressure_ = forceOfPressure(state);

@@ -211,7 +211,9 @@ struct CrackSet
   View<int*> star;      ///< see starBegin
   View<int*> kind;      ///< of each vertex: what it lies on (vertexKind, added)
   View<int* [2]> frontFacet; ///< simplex and facet of each piece of front
-  View<int*> nearFront;      ///< whether each simplex lies within a stencil or two of a front
+  /// The first piece of the fronts of each crack and the one after its last; in between there may be others.
+  View<int* [2]> facetsOfCrack;
+  View<int*> nearFront; ///< whether each simplex lies within a stencil or two of a front
 
   View<double* [D]> normal;       ///< unit normal of each simplex, from side -1 to side +1
   View<double* [D]> vertexNormal; ///< unit normal of each vertex, mean of its simplices' by their angles

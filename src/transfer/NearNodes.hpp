@@ -119,27 +119,51 @@ private:
   int numLattice_ = 1, numFine_;
 };
 
+/// The enriched field of a node, in kernels.
+template <int D>
+struct EnrichedFields
+{
+  Nodes<D> nodes;
+  View<int*> field; ///< CrackSet::enrichedField
+
+  explicit EnrichedFields(const State<D>& state) : nodes(state.mesh.nodes), field(state.cracks.enrichedField)
+  {
+    if (nodes.numEnriched == 0)
+      field = {};
+  }
+
+  /// The row of the enriched field of a node, or -1. The table may hold rows of earlier steps for nodes that
+  /// no particle reaches any more.
+  KOKKOS_INLINE_FUNCTION int of(int node) const
+  {
+    if (node >= static_cast<int>(field.extent(0)))
+      return -1;
+    const int row = field(node), i = row - nodes.numLattice;
+    return i >= 0 && i < nodes.numEnriched && nodes.parent(i) == node ? row : -1;
+  }
+};
+
 /// Calls body(node, x) for the nodes at positions x in a box, those of refined cells and enriched fields
-/// included, and for some nodes of the lattice within a cell of it. The cost is that of the box, of refined
-/// nodes and of enriched fields.
+/// included, and for some nodes of the lattice within a cell of it. The cost is that of the box and of
+/// refined nodes.
 template <int D, class Body>
 void forEachNodeIn(const char* label, const State<D>& state, const AxisBox<D>& box, const Body& body)
 {
   const BoxNodes<D> all(state, box);
+  const EnrichedFields<D> enriched(state);
+  const auto withEnriched = KOKKOS_LAMBDA(const int n, const Vector<D>& x)
+  {
+    body(n, x);
+    if (const int row = enriched.of(n); row >= 0 && box.holds(x))
+      body(row, x);
+  };
   Kokkos::parallel_for(
       label, Kokkos::RangePolicy<ExecSpace>(0, all.numLines()),
-      KOKKOS_LAMBDA(const int line) { all.forEachOfLine(line, body); });
-  Kokkos::parallel_for(
-      label, Kokkos::RangePolicy<ExecSpace>(0, all.numFine()),
-      KOKKOS_LAMBDA(const int i) { all.visitFine(i, box, body); });
-  const Nodes<D> nodes = state.mesh.nodes;
-  const NodePositions<D> positions = nodePositions(state);
-  Kokkos::parallel_for(
-      label, Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched), KOKKOS_LAMBDA(const int i) {
-        const Vector<D> x = positions(nodes.parent(i));
-        if (box.holds(x))
-          body(nodes.numLattice + i, x);
-      });
+      KOKKOS_LAMBDA(const int line) { all.forEachOfLine(line, withEnriched); });
+  if (all.numFine() > 0)
+    Kokkos::parallel_for(
+        label, Kokkos::RangePolicy<ExecSpace>(0, all.numFine()),
+        KOKKOS_LAMBDA(const int i) { all.visitFine(i, box, withEnriched); });
 }
 
 } // namespace Rhegma

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <string>
 #include <vector>
 
 namespace Rhegma::cracks
@@ -222,6 +224,44 @@ TEST(NearestFront, HasGrown)
   EXPECT_EQ(nearest(1.1, 1), 2);
   EXPECT_EQ(nearest(1.2, anyCrack), 2);
   EXPECT_EQ(nearest(1.3, anyCrack), 1);
+}
+
+/// Fronts of some cracks in a random order: the fronts of one crack that kernels visit are all that it has.
+TEST(NearestFront, OfARandomSetIsTheSameInKernels)
+{
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> at(0.0, 1.0);
+  constexpr int numCracks = 5;
+  CrackSet<2> set;
+  set.cracks.resize(numCracks);
+  NearestFront<2> frontOf;
+  for (int round = 0; round < 3; ++round)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      set.fronts.emplace_back();
+      set.fronts.back().crack = std::uniform_int_distribution<int>(0, numCracks - 2)(engine);
+    }
+    for (CrackFront<2>& front : set.fronts)
+    {
+      front.position = {{at(engine), at(engine)}};
+      front.grown = at(engine) < 0.7;
+    }
+    frontOf.update(set);
+    const std::vector<FrontPosition<2>> all = frontPoints(set);
+    for (int k = 0; k < 50; ++k)
+      for (int crack = anyCrack; crack < numCracks; ++crack) // the last crack has no front
+      {
+        const Vector<2> x{{at(engine), at(engine)}};
+        int found = 0;
+        Kokkos::parallel_reduce(
+            "test", Kokkos::RangePolicy<ExecSpace>(0, 1),
+            KOKKOS_LAMBDA(const int, int& sum) { sum += frontOf(x, crack); }, found);
+        EXPECT_EQ(found, nearestGrownFront(all.data(), static_cast<int>(all.size()), x, crack));
+      }
+  }
 }
 
 } // namespace Rhegma::cracks

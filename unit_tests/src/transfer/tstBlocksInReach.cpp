@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -133,6 +134,37 @@ public:
       }
     }
   }
+
+  /// Random nodes have enriched fields; the table has rows of earlier steps for others.
+  void visitEnriched()
+  {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 engine(seed);
+    State<D> state = scattered<D>(engine);
+    const int count = state.mesh.grid.numNodes, enriched = 400;
+    state.mesh.nodes.reserve(count, enriched);
+    state.mesh.nodes.numEnriched = enriched;
+    state.mesh.nodes.parent = View<int*>("test::parent", 2 * enriched);
+    state.cracks.enrichedField = View<int*>("test::enriched", count);
+    std::vector<int> numbers(count);
+    for (int n = 0; n < count; ++n)
+      numbers[n] = n;
+    std::shuffle(numbers.begin(), numbers.end(), engine);
+    for (int k = 0; k < count; ++k) // the first have fields, some had one, the others none
+      state.cracks.enrichedField(numbers[k]) = k < enriched       ? count + k
+                                               : k < 4 * enriched ? count + k % (2 * enriched)
+                                                                  : -1;
+    for (int k = 0; k < enriched; ++k)
+      state.mesh.nodes.parent(k) = numbers[k];
+    const Vector<D> middle = positionOf(state, 0);
+    const AxisBox<D> box = boxAround(middle, 7.3);
+    const View<int*> times("test::visited", count + enriched);
+    forEachNodeIn("test", state, box, [=](int n, const Vector<D>&) { Kokkos::atomic_increment(&times(n)); });
+    const auto visited = onHost(times);
+    for (int k = 0; k < enriched; ++k)
+      EXPECT_EQ(visited(count + k), box.holds(state.mesh.grid.nodePosition(numbers[k])) ? 1 : 0) << k;
+  }
 };
 
 using In2D = BlocksAround<2>;
@@ -144,5 +176,7 @@ TEST_F(In2D, ListTheParticlesOfABox) { listParticles(); }
 TEST_F(In3D, ListTheParticlesOfABox) { listParticles(); }
 TEST_F(In2D, VisitTheNodesOfABox) { visitNodes(); }
 TEST_F(In3D, VisitTheNodesOfABox) { visitNodes(); }
+TEST_F(In2D, VisitTheEnrichedFieldsOfABox) { visitEnriched(); }
+TEST_F(In3D, VisitTheEnrichedFieldsOfABox) { visitEnriched(); }
 
 } // namespace Rhegma
