@@ -27,10 +27,11 @@ constexpr double usefulResidual = 1e-3;
 template <int D>
 constexpr int mostDirectUnknowns = D == 2 ? 400000 : 12000;
 
-/// Floating-point operations of a factorisation that take as long as conjugate gradients: a second or two.
+/// Floating-point operations of a factorisation that take as long as conjugate gradients with multigrid, or
+/// with the diagonal in 3D: a second or two.
 constexpr double mostOperations = 3e9;
 
-/// The same where conjugate gradients have failed: minutes.
+/// The same where conjugate gradients have failed, or would take longer: minutes.
 constexpr double mostOperationsAtLast = 1e12;
 
 /// Unknowns from which the set-up of multigrid is shorter than the iterations that it saves.
@@ -229,14 +230,15 @@ bool LinearSystem<D>::isLarge(int rows)
 template <int D>
 typename LinearSystem<D>::Method LinearSystem<D>::choose()
 {
-  if (DirectSolver::available() && unknowns_ <= mostDirectUnknowns<D> &&
-      direct_.analyse(matrix_) <= mostOperations)
+  const bool multigrid = Multigrid::available() && unknowns_ >= leastMultigridUnknowns<D>;
+  // In 2D conjugate gradients with the diagonal take longer than any factorisation that fits.
+  const double most = D == 2 && !multigrid ? mostOperationsAtLast : mostOperations;
+  if (DirectSolver::available() && unknowns_ <= mostDirectUnknowns<D> && direct_.analyse(matrix_) <= most)
     return Method::Direct;
   gradients_ =
       std::make_unique<ConjugateGradients>(linearTolerance, mostLinearIterations, OnStopRequest::Throw);
   gradients_->resize(matrix_.rows(), owners_.ranks());
-  return Multigrid::available() && unknowns_ >= leastMultigridUnknowns<D> ? Method::Multigrid
-                                                                          : Method::Diagonal;
+  return multigrid ? Method::Multigrid : Method::Diagonal;
 }
 
 template <int D>
@@ -394,6 +396,11 @@ bool LinearSystem<D>::takesUnsymmetric()
   if (rowsOfAll_ == 0)
     return true;
   prepare();
+  if (method_ != Method::Direct && !isTooLarge_ && DirectSolver::available())
+  {
+    isTooLarge_ = direct_.analyse(matrix_) > mostOperationsAtLast;
+    method_ = isTooLarge_ ? method_ : Method::Direct;
+  }
   return method_ == Method::Direct;
 }
 

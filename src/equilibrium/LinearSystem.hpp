@@ -46,6 +46,8 @@ public:
   int unknowns() const { return unknowns_; }
 
   /// Whether matrices that are not symmetric can be solved: by factorisation, not by conjugate gradients.
+  /// With the symmetric part of the stiffness of sliding faces, Newton's method need not converge, so
+  /// factorises from now on if that takes minutes at most.
   bool takesUnsymmetric();
 
   /// Solves for the change of the free unknowns, those that are held changing as given.
@@ -104,7 +106,8 @@ private:
   Method method_ = Method::Unknown;
   DirectSolver direct_, unsymmetric_{false};
   bool unsymmetricAnalysed_ = false;
-  bool symmetric_ = true; ///< the last matrix
+  bool isTooLarge_ = false; ///< for any factorisation
+  bool symmetric_ = true;   ///< the last matrix
   std::unique_ptr<ConjugateGradients> gradients_;
   std::unique_ptr<ColumnValues> columns_;
   std::unique_ptr<Multigrid> multigrid_;

@@ -168,7 +168,9 @@ bool NewtonStep<D>::assemble(const State<D>& state)
       for (std::size_t b = 0; b < jump.row.size(); ++b)
         add(jump.row[a], jump.row[b], jump.weight * jump.coefficient[a] * jump.coefficient[b]);
   symmetric_ = true;
-  const bool symmetricOnly = !forces_.empty() && !system_->takesUnsymmetric();
+  const bool hasBranches = std::any_of(forces_.begin(), forces_.end(),
+                                       [](const auto& force) { return force->iterationFactor() > 1; });
+  const bool symmetricOnly = hasBranches && !system_->takesUnsymmetric();
   for (const auto& force : forces_)
     symmetric_ = force->addStiffness(symmetricOnly,
                                      [&](int row, int other, const double(&values)[D * D])
