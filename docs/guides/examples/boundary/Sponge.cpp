@@ -29,7 +29,7 @@ double inBox(const State<D>& state, const Sponge<D>& sponge, const Act& act)
   const NodePositions<D> positions = nodePositions(state);
   double sum = 0.0;
   Kokkos::parallel_reduce(
-      "sponge::inBox", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      "rhegma::sponge::inBox", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& all) {
         const int n = activeNode(nodes, i);
         const Vector<D> x = positions(latticeNode(nodes, n));
