@@ -174,8 +174,8 @@ Section section()
   s.boolean("Stop When Settled")
       .mayChange()
       .byDefault(false)
-      .meaning("If true, the run ends as soon as it has settled, but not before the last change of loads "
-               "that settle; Time > Final Time is then the upper limit.");
+      .meaning("If true, the run ends as soon as it has settled, but not before every load has reached its "
+               "constant value; Time > Final Time is then the upper limit.");
   s.real("Settled Energy Ratio")
       .mayChange()
       .above(0.0)

@@ -23,8 +23,8 @@ constexpr double slack = 1e-6;
 void refuseContour(const State<2>& state, const CrackFront<2>& front, const std::string& where,
                    const std::string& contour, const std::string& advice)
 {
-  throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour + " m around " +
-                              frontName(state.cracks, front) +
+  throw std::invalid_argument("Energy Release > " + where + ": the domain integral of radius " + contour +
+                              " m around " + frontName(state.cracks, front) +
                               " leaves the body, or reaches the other end of its crack or another " + advice +
                               ", or use smaller cells (Domain > Cell Size)");
 }
@@ -49,7 +49,7 @@ void warnOfCracks(State<2>& state, const CrackFront<2>& front, double outer, dou
   const double clear = clearOfCracks(state.cracks, front, outer, cell);
   if (clear < outer - slack * cell)
     state.warnings.push_back(
-        "Energy Release > Outer Radius: the contour of " + formatReal(outer) + " m around " +
+        "Energy Release > Outer Radius: the domain integral of radius " + formatReal(outer) + " m around " +
         frontName(state.cracks, front) +
         " reaches the cells of another crack or of another part of its own, so G and K can have "
         "any value; write at most " +
@@ -143,7 +143,7 @@ void warnOfMaterials(State<D>& state, const OtherMaterials<D>& others, const Cra
       (other.distance > smallestOuter(given, spacingAt(state, front.position))
            ? "write an Outer Radius of less than this distance, or use smaller cells "
              "(Domain > Cell Size)"
-           : "no contour fits between; if the crack is meant to lie on the border, use G "
+           : "no domain integral fits between; if the crack is meant to lie on the border, use G "
              "and not K, else use smaller cells (Domain > Cell Size)"));
 }
 
@@ -201,7 +201,7 @@ void checkTubes(State<D>& state, const Options& options, const DrivingContours* 
   if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(
         "Energy Release > Inner Radius is " + formatReal(options.radii.inner / cell) +
-        " cells: below two cells the contour passes through the cells of the front, and G and K "
+        " cells: below two cells the domain integral uses the inaccurate cells at the front, and G and K "
         "can be wrong by 10 % or more; use smaller cells or a larger radius");
 }
 

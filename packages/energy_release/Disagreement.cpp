@@ -40,8 +40,7 @@ std::string reasonOf(const State<2>& state, const FrontSample<2>& sample)
   if (frontNow(state, sample.front).grown)
     return state.method.equilibrium()
                ? "the front has grown, and its cells are coarse where it is now: do not use K of this front"
-               : "the front has grown, and waves and its new faces, which still hold together, disturb K "
-                 "more "
+               : "the front has grown, and waves and the cohesive traction on its new faces disturb K more "
                  "than G_J: do not use K of this front";
   return "at least one of them is wrong by half of this or more, because the domain integral from " +
          readableLength(sample.tube.radii.inner) + " to " + readableLength(sample.tube.radii.outer) +

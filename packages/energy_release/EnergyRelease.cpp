@@ -80,7 +80,7 @@ void warnOfTube(State<D>& state, const CrackFront<D>& front, const ContourRadii&
     return;
   samples.warned.insert({front.crack, front.number});
   state.warnings.push_back("Energy Release: from t = " + readableTime(state.clock.time) + " on, the " +
-                           (D == 2 ? "contour" : "integration tube") + " around " +
+                           (D == 2 ? "domain integral" : "integration tube") + " around " +
                            frontName(state.cracks, front) + " leaves the body or reaches another front, so " +
                            (D == 2 ? "G_J, K_I and K_II" : "G_J and K") +
                            " are less accurate; use smaller cells or radii");

@@ -39,7 +39,7 @@ Section energyReleaseSection()
       .onlyIn(2)
       .byDefault(true)
       .meaning("Computes J and the stress intensity factors by domain integrals. Set it to false where cells "
-               "are too large for a contour inside the body; crack closure is then used alone.");
+               "are too large for a domain integral inside the body; crack closure is then used alone.");
   s.boolean("Crack Closure")
       .onlyIn(2)
       .byDefault(true)

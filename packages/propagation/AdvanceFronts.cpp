@@ -66,12 +66,12 @@ struct LostReason
   const char* what;
   const char* advice;
 };
-constexpr LostReason noContour{"with no material left in the contour of its J integral",
-                               "; use smaller cells (Domain > Cell Size), with which contours are smaller"};
+constexpr LostReason noContour{"with no material left in the domain of its J integral",
+                               "; use smaller cells (Domain > Cell Size), with which the domain is smaller"};
 constexpr LostReason negativeRelease{"where its J integral is negative, which G of a crack is not",
-                                     "; see what its contour holds (a support, a load, an edge), or use "
+                                     "; see what its domain contains (a support, a load, an edge), or use "
                                      "smaller cells (Domain > Cell Size), with "
-                                     "which contours are smaller"};
+                                     "which the domain is smaller"};
 
 /// Stops a front node whose J integral is of no use: whether it advances is not known.
 template <int D>

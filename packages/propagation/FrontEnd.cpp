@@ -76,8 +76,7 @@ std::string pauseAsText(const FrontState<D>& own, const FrontEnd<D>& end)
   if (end.release < 0.0)
     return "no advance since t = " + readableTime(own.lastTime) + ", G = " + formatShort(end.release) +
            " J/m2, which is negative: its J integral can't be relied on here, so this is not arrest; see "
-           "what "
-           "its contour holds";
+           "what its domain contains";
   const std::string since = "no advance since t = " + readableTime(own.lastTime) +
                             ", G = " + formatShort(end.release) +
                             " J/m2 below Gc = " + formatShort(end.toughness) + " J/m2";

@@ -77,7 +77,8 @@ void compareContours(const std::string& name, const ContourDifference& largest, 
     summary["warnings"].push_back(
         name + ": at t = " + readableTime(largest.time) + " it grows at G = " + formatShort(largest.release) +
         " J/m2 of its Release Contour, but G_J of Energy Release is " + formatShort(100.0 * largest.ratio) +
-        " % of that: one of these contours is next to a surface, a load or another crack, or has few cells, "
+        " % of that: one of these domain integrals is next to a surface, a load or another crack, or has few "
+        "cells, "
         "and the load at which the crack grows can be wrong by the root of it; use smaller cells (Domain > "
         "Cell Size)");
 }

@@ -115,10 +115,10 @@ void addSampling(Section& s)
 {
   s.real("Sampling Interval")
       .range(0.0, 4.0)
-      .optional()
+      .optional("0.5")
       .meaning("Cells at the front that a Rayleigh wave travels between two evaluations of G of a "
                "front, in a dynamic analysis. A front whose G would reach the toughness by extrapolation is "
-               "evaluated in each step. 0: every step. If not given: 0.5.");
+               "evaluated in each step. 0: every step.");
 }
 
 } // namespace

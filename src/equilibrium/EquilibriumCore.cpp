@@ -136,7 +136,7 @@ void warnOfRounding(const StepReport& report, State<D>& state, Account<D>& accou
         "Time > Analysis: the residual of an equilibrium stays at " + formatShort(report.residuals.back()) +
         " of the forces, because they are hardly larger than rounding of the stress; displacements, stress, "
         "K "
-        "and G are no better known than that, and may be known much worse: use larger loads (answers of a "
+        "and G are no better known than that, and may be known much worse: use larger loads (results of a "
         "linear body are in proportion to them) or supports that move the bodies less");
   }
 }

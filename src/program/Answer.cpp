@@ -124,7 +124,7 @@ std::string noteOnResidual(const nlohmann::json& summary, bool heated, double fr
   return {};
 }
 
-/// What the energy balance does not account for, of its largest term.
+/// The energy balance: its terms, and its residual as a fraction of the largest one.
 std::string energyBalance(const nlohmann::json& summary)
 {
   const nlohmann::json energy = summary.value("energy", nlohmann::json::object());
@@ -153,7 +153,7 @@ std::string energyBalance(const nlohmann::json& summary)
                                                                : ", stored at the start ") +
                                          readableEnergy(start)
                                    : std::string()) +
-         "; not accounted for " + readableEnergy(residual) + " (" + formatShort(100.0 * fraction) +
+         "; residual " + readableEnergy(residual) + " (" + formatShort(100.0 * fraction) +
          (unloaded ? " % of the " + readableEnergy(supplied) + " supplied at most)"
           : heated ? " % of the largest of these without heat)"
                    : " % of the largest of these)") +

@@ -64,7 +64,7 @@ void Comparison::value(const std::string& name, const std::string& unit, double 
   {
     answer["change"] = 0.0;
     answer["resolved"] = false;
-    answer["verdict"] = "zero in both: nothing to resolve";
+    answer["verdict"] = "zero in both: not compared";
     return answers_.push_back(std::move(answer));
   }
   known_ = true;
@@ -115,9 +115,9 @@ json Comparison::result() const
   const std::string verdict = answers_.empty() ? "nothing to compare: the scene has no crack, temperature or "
                                                  "Reference"
                               : open_.empty() && !known_
-                                  ? "nothing to compare: all answers are zero in both runs; see whether "
+                                  ? "nothing to compare: all results are zero in both runs; see whether "
                                     "loads act, and come to the crack before Time > Final Time"
-                              : resolved ? "resolved: no answer moves by more than 5 %, no path or "
+                              : resolved ? "resolved: no result moves by more than 5 %, no path or "
                                            "position by more than a cell"
                                          : "not resolved: " + open_ + "; " + advice_;
   return {

@@ -113,7 +113,7 @@ std::string usage()
          "page of Markdown (docs/reference.md)\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
          "--kokkos-num-threads=N (OpenMP back end).\nExit: 0 finished, 1 the scene is wrong, 2 the run "
          "failed, 3 a defect of the program,\n      4 finished, but a value of the scene's Reference section "
-         "is outside its tolerance,\n        or --strict and a warning during the run.\n";
+         "is outside its tolerance,\n        or --strict and a warning during the run (1: before it).\n";
 }
 
 } // namespace Rhegma::program

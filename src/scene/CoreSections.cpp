@@ -42,11 +42,11 @@ Section domain()
           "Edge length of the square (2D) or cubic (3D) cells of the background grid, before refinement.");
   s.choice("Accuracy", {"10 %", "3 %", "1 %", "0.3 %"})
       .optional()
-      .meaning("Target error of G, K or a temperature rise. The program chooses Cell Size if it is absent, "
-               "and adds Adaptivity and Sub-Cycling at crack fronts if the scene has neither. Values given "
-               "in the scene are kept, but a Cell Size that is too large for cells that cannot be refined, "
-               "or not enough, is "
-               "refused (docs/accuracy-and-cost.md).");
+      .meaning(
+          "Target error of G, K or a temperature rise. The program chooses Cell Size if it is absent, "
+          "and adds Adaptivity and Sub-Cycling at crack fronts if the scene has neither. Values given "
+          "in the scene are kept. A Cell Size that is too large is rejected if cells can't be refined to the "
+          "required size (docs/accuracy-and-cost.md).");
   s.choice("Shape Functions", {"Linear", "GIMP"})
       .byDefault("GIMP")
       .meaning("Linear: cheap, but stresses jump when particles cross cell boundaries. GIMP: shape functions "
@@ -231,7 +231,8 @@ Section reference()
   Section entry("reference", "A value that a result is compared with at the end of the run.");
   entry.text("Quantity")
       .notEmpty()
-      .meaning("Path of the result in summary.json, such as cracks.0.fronts.0.G_J or energy.kinetic.");
+      .meaning("Path of the result in summary.json, such as cracks.Notch.fronts.0.G_J or energy.kinetic. An "
+               "entry of a list is given by its number, from 0, or its name.");
   entry.real("Value").meaning("Expected value, in the unit of the quantity.");
   entry.real("Tolerance").positive().meaning("Largest allowed relative error; absolute error if Value is 0.");
   entry.text("Source").notEmpty().meaning("Source of the value, such as a paper.");

@@ -106,7 +106,7 @@ std::string ruleAsText(const Together& rule)
   case Together::Rule::AtMostOne:
     return "At most one of " + asText(rule.names) + " is given.";
   case Together::Rule::AllOrNone:
-    return "Either all of " + asText(rule.names, " and ") + " are given or none.";
+    return asText(rule.names, " and ") + " are given together or not at all.";
   }
   return {};
 }

@@ -179,7 +179,8 @@ private:
     return "energy.residual: new crack faces took " + readableEnergy(fracture_) +
            " (toughness times new area), but bodies and loads released " + readableEnergy(released) +
            " as cracks grew: G at which they grew is not the energy release rate, so neither the load nor "
-           "the length of the cracks is right; see whether the contour of G (Propagation > Release Contour) "
+           "the length of the cracks is right; see whether the domain integral for G (Propagation > Release "
+           "Contour) "
            "contains another material, a load or a support, and use smaller increments (Propagation > "
            "Increment) and smaller cells (Domain > Cell Size)";
   }

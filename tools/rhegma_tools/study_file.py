@@ -14,14 +14,14 @@ A study is a Teuchos parameter list named Study:
 
   <ParameterList name="Study">
     <Parameter name="Scene" type="string" value="../verification/dcb_h8.xml"/>    relative to the study
-    <Parameter name="Title" type="string" value="Double cantilever beam"/>        optional; of the pictures
+    <Parameter name="Title" type="string" value="Double cantilever beam"/>        optional; title of the pictures
     <Parameter name="Error Of" type="string" value="cracks.0.fronts.0.G_J"/>      path in summary.json
-    <Parameter name="Error Label" type="string" value="G"/>                       optional: what the axis calls it
-    <Parameter name="Reference Value" type="double" value="0.12873"/>             what the exact answer is
-    <Parameter name="Source" type="string" value="finite elements"/>              optional; where it is from
-    <Parameter name="Curve Of" type="string" value="Notch.0.G_J"/>                optional: a column of history.csv,
-    <Parameter name="Curve Divided By" type="double" value="0.1"/>                drawn over time in curves.png,
-    <Parameter name="Curve Label" type="string" value="G / G of beam theory"/>    its axis
+    <Parameter name="Error Label" type="string" value="G"/>                       optional: label of the axis
+    <Parameter name="Reference Value" type="double" value="0.12873"/>             the exact result
+    <Parameter name="Source" type="string" value="finite elements"/>              optional; source of the value
+    <Parameter name="Curve Of" type="string" value="Notch.0.G_J"/>                optional: a column of history.csv
+    <Parameter name="Curve Divided By" type="double" value="0.1"/>                drawn over time in curves.png, divided by this
+    <Parameter name="Curve Label" type="string" value="G / G of beam theory"/>    optional: label of the axis
     <Parameter name="Value Label" type="string" value="toughness [J/m2]"/>        optional: axes of values.png
     <Parameter name="At Label" type="string" value="speed [m/s]"/>
     <ParameterList name="Sweep">
@@ -35,17 +35,21 @@ A study is a Teuchos parameter list named Study:
     </ParameterList>
   </ParameterList>
 
-Error Of may be an array of paths, and Reference Value then one of as many numbers: the error is the root of the sum of all
-squared deviations over that of all squared references, which unlike each of them passes no zero where one changes its sign.
+Error Of can be an array of paths, with an array of the same length as Reference Value. The error is then the root of the
+sum of squared deviations, over the root of the sum of squared references. It has no zero where one deviation changes its sign.
 
-A parameter of a family is the path of a parameter of the scene, its parts joined by colons. Zip runs the first values
-of all arrays together, then the second ones, so the arrays have one length; Product runs every combination. A family
-may have a Scene of its own, and it may change the quantity (Error Of), its Reference Value, for example where the
-quantity is in other units, and the column Curve Of. A family with a Value, an expression of its runs' numbers At (an
-array, one for each run; "at" in the expression), of [paths] in their summary.json and of [[paths]] in that of the run of
-the same position in the family Compared With, is drawn in values.png over At, or over Drawn At, an expression of the same kind whose
-value the Value may have too ("drawn"), with True, an expression of "at". Values that are arrays themselves are written in braces:
-{{0, 0}, {1, 0}}.
+A parameter of a family is a parameter of the scene: its path, with colons between the parts. Zip runs the first values of
+all arrays together, then the second ones, so all arrays have the same length; Product runs every combination. Values that
+are arrays themselves are written in braces: {{0, 0}, {1, 0}}. A family can have its own Scene, Error Of, Reference Value and
+Curve Of.
+
+A family with a Value is drawn in values.png:
+
+  Value          expression of "at", of [paths] in summary.json of the run, and of [[paths]] in summary.json of the run with
+                 the same number in the family Compared With
+  At             array of numbers, one for each run; "at" in expressions
+  Drawn At       optional: expression for the horizontal axis instead of At; "drawn" in Value
+  True           optional: expression of "at" for the exact value
 """
 
 STUDY_NAMES = ["Scene", "Title", "Error Of", "Error Label", "Reference Value", "Source", "Curve Of", "Curve Divided By", "Curve Label",

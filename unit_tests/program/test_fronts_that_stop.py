@@ -213,7 +213,7 @@ class FrontsThatStop(ProgramTest):
         arrival = next(text for text in summary["warnings"] if "reached the surface" in text)
         for number in re.search(r"body at t = \S+ \w+, at (\S+), (\S+) m", arrival).groups():
             self.assertEqual(number, f"{float(number):.4g}")
-        self.assertRegex(summary["answers"][2], r"energy balance: .*not accounted for")
+        self.assertRegex(summary["answers"][2], r"energy balance: .*residual")
         warnings = summary["warnings"]
         self.assertEqual(len(summary["answers"]), 4)
         self.assertRegex(summary["answers"][-1], rf"^{len(warnings)} warnings? \(.*, in full above and in summary.json$")

@@ -91,7 +91,7 @@ class OneRun(RestartTest):
                 status, output, messages = check_tool(folder)
                 self.assertEqual(status, 2, output + messages)
                 self.assertRegex(output, "^The run was stopped by SIGINT " + ("at" if name == "moving" else r"(at|within .* from)") + " t = ")
-                self.assertIn(f"All files so far in {folder} are whole.", output)
+                self.assertIn(f"All files in {folder} are undamaged so far.", output)
                 self.assertIn(f"--output {folder} --restart {folder}/checkpoint.h5 continues from", output)
                 with open(os.path.join(folder, "history.csv"), encoding="utf-8") as file:
                     rows = file.read().splitlines()[1:]

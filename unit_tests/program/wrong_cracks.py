@@ -18,7 +18,7 @@ CRACKS = [
      one("Cracks > Notch", "crosses Cracks > Other", "not at the start")),
     ("absurdly_long_crack", plate().set(NOTCH, [0.0, 0.5, 1e308, 0.5]), one(NOTCH, "cells long", "metres")),
     ("contour_outside_of_the_body", plate().set("Energy Release > Outer Radius", 0.7),
-     one("Energy Release > Outer Radius", "leaves the body", "at most")),
+     one("Energy Release > Outer Radius", "domain integral", "leaves the body", "at most")),
     ("contour_of_no_width", plate().set("Energy Release > Outer Radius", 0.16),
      one("Energy Release > Outer Radius", "one cell", "at least 0.2")),
     ("energy_release_of_nothing",

@@ -409,7 +409,7 @@ std::set<std::string> namesOf(const Record& record)
 } // namespace
 
 /// A program that reads other names than an older one wrote has another schema, so that it refuses the older
-/// checkpoints in a sentence of its own.
+/// checkpoints with its own message.
 TEST(NamesInCheckpoints, ChangeWithTheSchemaOnly)
 {
   std::vector<Case> cases = ownCases();

@@ -49,7 +49,7 @@ class Check(ToolTest):
         self.assertIn("2 whole frames", output)
         self.assertIn("3 rows", output)
         self.assertTrue(output.startswith("The run finished at t = 2 s.\n"), output)
-        self.assertTrue(output.endswith("is whole.\n"), output)
+        self.assertTrue(output.endswith("are complete and undamaged.\n"), output)
         self.assertEqual(run("rhegma-check", self.out, "--quiet"), (0, "", ""))
 
     def test_changed_history(self):
@@ -109,7 +109,7 @@ class Check(ToolTest):
             status, output, messages = self.end_of_run(2.0, status=unstable, **end)
             self.assertEqual((status, messages), (2, ""))
             self.assertEqual(output.splitlines()[0], f"T{unstable[1:]}.")
-            self.assertNotIn("is whole", output)
+            self.assertNotIn("complete and undamaged", output)
         status, output, _ = self.end_of_run(2.0, status="a particle left the domain", end="stopped")
         self.assertEqual((status, output.splitlines()[0]), (2, "The run did not come to its end: a particle left the domain."))
         status, output, _ = self.end_of_run(2.0, status="finished", end="no known word")
@@ -145,8 +145,8 @@ class Check(ToolTest):
     def test_exit_status_is_that_of_the_help(self):
         """0: finished and whole; 1: damaged, missing, or no folder of a run; 2: going on, killed or stopped."""
         help_text = " ".join(run("rhegma-check", "--help")[1].split())
-        for words in ("0: the run finished and its files are whole", "1: something is missing, damaged or can't be read, or could not be written by the run, or DIR is not",
-                      "2: the run is still going on, was killed, or stopped before its end"):
+        for words in ("0: the run finished, and its files are complete and undamaged", "1: a file is missing, damaged or unreadable, or could not be written by the run, or DIR is not",
+                      "2: the run is active, was killed, or stopped before its end"):
             self.assertIn(words, help_text)
         self.assertEqual(run("rhegma-check", self.out)[0], 0)
         for name in ("history.csv", "summary.json", "manifest.json"):

@@ -112,7 +112,7 @@ TEST(FrontEnd, AStopWithoutContourHasNoG)
 {
   Paused<2> one(1, 120e-6);
   one.front.nodes[0].stopped = true;
-  one.front.stop = {"with no material left in the contour", 1e-4, {}, 9.0, 10.0, true};
+  one.front.stop = {"with no material left in the domain", 1e-4, {}, 9.0, 10.0, true};
   EXPECT_NE(textOf(one).find("G is not known, it was last 9 J/m2 for Gc = 10 J/m2"), std::string::npos)
       << textOf(one);
   one.front.stop.lost = false;

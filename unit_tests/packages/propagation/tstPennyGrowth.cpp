@@ -364,7 +364,7 @@ TEST(PennyGrowth, StopsNodesWithoutAContour)
   EXPECT_LT(front.numStopped(), static_cast<int>(front.nodes.size()));
   int reported = 0;
   for (const std::string& warning : state.warnings)
-    reported += warning.find("a front node stopped with no material left in the contour of its J integral, "
+    reported += warning.find("a front node stopped with no material left in the domain of its J integral, "
                              "G is not known, it was last 500 J/m2") != std::string::npos;
   EXPECT_EQ(reported, 1);
   const nlohmann::json summary = report(run), entry = summary["cracks"][0]["fronts"][0];

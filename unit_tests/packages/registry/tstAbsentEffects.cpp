@@ -108,6 +108,8 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Type" type="string" value="Full"/></ParameterList>)xml"},
 };
 
+bool hasScene(const std::string& effect) { return sectionsOf.count(effect) > 0; }
+
 /// What a run of a few steps, the last with a sample, left behind.
 struct Trace
 {
@@ -251,7 +253,7 @@ std::vector<std::string> effectNames()
 
 TEST_P(AbsentEffects, HasASceneHere)
 {
-  EXPECT_EQ(sectionsOf.count(GetParam()), 1u) << "write a scene of " << GetParam() << " into sectionsOf";
+  EXPECT_TRUE(hasScene(GetParam())) << "write a scene of " << GetParam() << " into sectionsOf";
   EXPECT_TRUE(std::filesystem::is_directory(std::filesystem::path(RHEGMA_SOURCE_DIR) / folderOf(GetParam())));
 }
 
@@ -259,6 +261,8 @@ TEST_P(AbsentEffects, HasASceneHere)
 TEST_P(AbsentEffects, ShowsWithItsSection)
 {
   const std::string effect = GetParam();
+  if (!hasScene(effect))
+    GTEST_SKIP() << "HasASceneHere fails for " << effect;
   const Trace& trace = traceWith(effect);
   EXPECT_EQ(trace.effects.count(effect), 1u);
   // Propagation decides on the host: its folder has no kernel.
@@ -279,8 +283,12 @@ TEST_P(AbsentEffects, ShowsWithItsSection)
 TEST_P(AbsentEffects, LeavesNoTraceWithoutItsSection)
 {
   const std::string effect = GetParam();
-  std::vector<std::string> scenes = effectNames();
-  scenes.push_back(""); // the bare scene
+  if (!hasScene(effect))
+    GTEST_SKIP() << "HasASceneHere fails for " << effect;
+  std::vector<std::string> scenes = {""}; // the bare scene
+  for (const std::string& name : effectNames())
+    if (hasScene(name))
+      scenes.push_back(name);
   int looked = 0;
   for (const std::string& other : scenes)
   {

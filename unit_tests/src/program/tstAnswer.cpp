@@ -57,7 +57,7 @@ TEST(Answer, NamesAllTermsOfTheEnergyBalance)
                        {"stabilised", 1e-3},   {"largest_fraction", 80.0}};
   EXPECT_EQ(answersOf(summary)[1],
             "energy balance: external work 5 J, strain 2 J, kinetic 500 mJ, fracture 250 mJ, "
-            "damped 2.25 J, stabilised 1 mJ; not accounted for 0 J (0 % of the largest of "
+            "damped 2.25 J, stabilised 1 mJ; residual 0 J (0 % of the largest of "
             "these)");
 }
 
@@ -67,8 +67,7 @@ TEST(Answer, ComparesTheResidualWithTheMostThatWasSupplied)
   json summary = finished(0);
   summary["energy"] = {{"external_work", 0.02}, {"strain", 0.01}, {"kinetic", 0.0}, {"residual", 0.01}};
   summary["largest_energy_supplied"] = 1.0;
-  EXPECT_NE(answersOf(summary)[1].find("not accounted for 10 mJ (1 % of the 1 J supplied at most)"),
-            std::string::npos)
+  EXPECT_NE(answersOf(summary)[1].find("residual 10 mJ (1 % of the 1 J supplied at most)"), std::string::npos)
       << answersOf(summary)[1];
   summary["largest_energy_supplied"] = 0.02;
   EXPECT_NE(answersOf(summary)[1].find("(50 % of the largest of these)"), std::string::npos);
@@ -94,7 +93,7 @@ TEST(Answer, GivesNoEnergyBalanceOfALoadStepWithoutEquilibrium)
   EXPECT_EQ(answersOf(summary)[1],
             "energy balance: not given, as the run stopped within a load step, which has no equilibrium");
   summary["equilibrium"] = {{"last_step_complete", true}};
-  EXPECT_NE(answersOf(summary)[1].find("not accounted for -4 kJ"), std::string::npos);
+  EXPECT_NE(answersOf(summary)[1].find("residual -4 kJ"), std::string::npos);
 }
 
 /// Under given loads unstable growth releases more than the toughness takes; under a factor it does not.

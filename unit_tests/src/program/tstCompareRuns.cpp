@@ -381,9 +381,9 @@ TEST(CompareRuns, DoesNotResolveZeros)
   const json comparison = compareRuns(still(), still());
   EXPECT_FALSE(comparison["resolved"].get<bool>());
   EXPECT_NE(
-      comparisonAsText(comparison).find("Verdict: nothing to compare: all answers are zero in both runs"),
+      comparisonAsText(comparison).find("Verdict: nothing to compare: all results are zero in both runs"),
       std::string::npos);
-  EXPECT_EQ(answer(comparison, "G_J of Notch.0")["verdict"], "zero in both: nothing to resolve");
+  EXPECT_EQ(answer(comparison, "G_J of Notch.0")["verdict"], "zero in both: not compared");
   EXPECT_FALSE(compareRuns(still(), atRest(1.0))["resolved"].get<bool>());
   RunResults heated = still(), other = still();
   heated.summary["temperature"]["peak_rise"] = other.summary["temperature"]["peak_rise"] = 9.0;

@@ -7,6 +7,8 @@
 #include <boundary/LoadVelocity.hpp>
 #include <plan/LastStage.hpp>
 
+#include <algorithm>
+
 using namespace Rhegma;
 
 namespace
@@ -29,7 +31,7 @@ double inBox(const State<D>& state, const Sponge<D>& sponge, const Act& act)
   const NodePositions<D> positions = nodePositions(state);
   double sum = 0.0;
   Kokkos::parallel_reduce(
-      "sponge::inBox", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      "rhegma::sponge::inBox", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& all) {
         const int n = activeNode(nodes, i);
         const Vector<D> x = positions(latticeNode(nodes, n));
@@ -69,6 +71,9 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
 {
   const Sponge<D> sponge{readVector<D>(list, "Lower Corner"), readVector<D>(list, "Upper Corner"),
                          list.get<double>("Rate")};
+  const double own = 1.0 / sponge.rate; // half the largest stable step [s]
+  parts.effect.timeStepLimit = [before = parts.effect.timeStepLimit, own](const State<D>& state)
+  { return before ? std::min(before(state), own) : own; };
   parts.effect.call({Stage::BeforeSolve,
                      "sponge",
                      {quantity::nodalMomentum},

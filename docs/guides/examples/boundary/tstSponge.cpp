@@ -87,6 +87,17 @@ TEST(Sponge, SlowsABlock)
   EXPECT_NEAR(std::log(v / speed), -rate * end, rate * rate * dt * end);
 }
 
+/// A force so large that it, and not the wave speed, sets the step: 1 / rate, half of what is stable.
+TEST(Sponge, LimitsTheStep)
+{
+  const SceneResult result = read("0.2");
+  ASSERT_TRUE(result.errors.empty()) << toString(result.errors[0]);
+  result.list->sublist("Boundaries").sublist("Slow").set("Rate", 1.0e8);
+  Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), result.list);
+  simulation.initialize();
+  EXPECT_DOUBLE_EQ(simulation.stableTimeStep(), 1.0e-8);
+}
+
 TEST(Sponge, RefusesABoxWithoutWidth)
 {
   const SceneResult result = read("-0.2");

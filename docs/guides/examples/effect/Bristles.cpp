@@ -21,7 +21,8 @@ void push(const State<D>& state, double stiffness)
   const Nodes<D> nodes = state.mesh.nodes;
   const auto bent = state.mesh.nodalFields.template real<D>(deflection);
   Kokkos::parallel_for(
-      "bristles::push", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
+      "rhegma::bristles::push", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         for (int d = 0; d < D && isOwnedByThisRank(nodes, n); ++d)
           nodes.sums(n, Nodes<D>::forceAt + d) -=
@@ -39,7 +40,7 @@ double bend(const State<D>& state, double stiffness)
   const double dt = state.clock.dt;
   double work = 0.0;
   Kokkos::parallel_reduce(
-      "bristles::bend", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      "rhegma::bristles::bend", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
         for (int d = 0; d < D; ++d)
