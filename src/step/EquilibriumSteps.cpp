@@ -63,10 +63,6 @@ LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene) : largest(largestLo
 template <int D>
 void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& plan, State<D>& state)
 {
-  if (state.ranks.many() && !state.cracks.empty() && !state.cracks.dualField)
-    throw std::invalid_argument(
-        "Cracks > Formulation: broken cells in equilibrium work on one rank only; start the "
-        "program without mpirun, or write Dual Field");
   for (const auto& force : state.motion.stepForces)
     if (const std::string refusal = force->refusalOnRanks(); state.ranks.many() && !refusal.empty())
       throw std::invalid_argument(refusal);

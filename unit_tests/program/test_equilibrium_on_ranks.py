@@ -89,6 +89,27 @@ def growing(draw):
     return scene.set("Propagation", {"Toughness": 100.0, "Direction": "Straight", "Increment": draw.uniform(0.5, 1.0)})
 
 
+def broken(draw, formulation):
+    """A free plate with an inclined crack of broken cells; refined at its fronts where that is allowed."""
+    scene = cracked(draw).set("Cracks > Formulation", formulation).set("Domain > Cell Size", 0.04)
+    if formulation == "Corrected Broken Cell":
+        scene.remove("Adaptivity")
+    return scene
+
+
+def held_and_broken(draw):
+    """An edge crack of corrected broken cells in a plate that is held at its lower edge."""
+    scene = broken(draw, "Corrected Broken Cell").set("Time > Rigid Modes", "Refuse")
+    y = draw.uniform(0.45, 0.55)
+    scene.set("Cracks > Slit", {"Points": [-0.1, y, draw.uniform(0.3, 0.5), y + draw.uniform(-0.1, 0.1)]})
+    scene.set("Boundaries", {
+        "Base": {**SUPPORT, "Upper Corner": [9.0, 0.1]},
+        "Head": {"Type": "Velocity", "Lower Corner": [-9.0, 0.9], "Upper Corner": [9.0, 9.0], "Components": "y",
+                 "Value": [0.0, draw.uniform(1e-4, 1e-3)]},
+    })
+    return scene
+
+
 class EquilibriumOnRanks(OnRanks):
     def agree_for(self, make, **how):
         seed = random.randrange(10**6)
@@ -107,6 +128,13 @@ class EquilibriumOnRanks(OnRanks):
 
     def test_growth(self):
         self.agree_for(growing)
+
+    def test_broken_cells(self):
+        self.agree_for(lambda draw: broken(draw, "Broken Cell"))
+
+    def test_corrected_broken_cells(self):
+        self.agree_for(lambda draw: broken(draw, "Corrected Broken Cell"))
+        self.agree_for(held_and_broken)
 
     def test_a_soft_body_in_several_steps(self):
         """Particles go to other ranks; laws have other tangents."""
