@@ -110,6 +110,34 @@ def held_and_broken(draw):
     return scene
 
 
+def warm(draw, conductivity=0.2):
+    """Steady heat through a plate with a crack, which conducts or insulates: the lower edge is held cold, air takes heat from
+    the upper one, and a source lies in between."""
+    scene = cracked(draw).set("Time > Rigid Modes", "Refuse")
+    low, high = draw.uniform(0.0, 0.05), 1.0 + draw.uniform(0.0, 0.05)
+    scene.set("Bodies > Plate > Lower Corner", [low, low]).set("Bodies > Plate > Upper Corner", [high, high])
+    scene.set("Materials > Polymer", {**plate_materials()["Polymer"], "Specific Heat": 1400.0, "Conductivity": conductivity,
+                                      "Thermal Expansion": 7e-5})
+    scene.set("Thermal", {
+        "Initial Temperature": 293.0,
+        "Conduction": "Steady",
+        "Crack Faces": {"Slit": draw.choice([{"Conduction": "Always", "Conductance": draw.uniform(0.1, 10.0)},
+                                             {"Conduction": "Always"}, {"Conduction": "Insulating"}])},
+        "Sources": {"Torch": {"Type": "Ball", "Centre": [draw.uniform(0.3, 0.6), 0.7], "Radius": 0.15,
+                              "Power": draw.uniform(1.0, 3.0)}},
+    })
+    scene.set("Boundaries", {
+        "Base": {**SUPPORT, "Upper Corner": [9.0, 0.1]},
+        "Head": {"Type": "Velocity", "Lower Corner": [-9.0, 0.9], "Upper Corner": [9.0, 9.0], "Components": "y",
+                 "Value": [0.0, 0.0]},
+        "Cold": {"Type": "Temperature", "Lower Corner": [-9.0, -9.0], "Upper Corner": [9.0, 0.1],
+                 "Temperature": draw.uniform(270.0, 290.0)},
+        "Air": {"Type": "Convection", "Body": "Plate", "From": [high, high], "To": [low, high], "Coefficient": 5.0,
+                "Ambient Temperature": 293.0},
+    })
+    return scene.set("Energy Release", {"Crack Closure": False})
+
+
 class EquilibriumOnRanks(OnRanks):
     def agree_for(self, make, **how):
         seed = random.randrange(10**6)
@@ -135,6 +163,25 @@ class EquilibriumOnRanks(OnRanks):
     def test_corrected_broken_cells(self):
         self.agree_for(lambda draw: broken(draw, "Corrected Broken Cell"))
         self.agree_for(held_and_broken)
+
+    def test_steady_conduction(self):
+        self.agree_for(warm)
+
+    def test_steady_conduction_by_temperature(self):
+        """Conductivities that depend on temperature take several passes."""
+        self.agree_for(lambda draw: warm(draw, "270:0.15, 290:0.2, 330:0.4"))
+
+    def test_temperatures_of_no_solid(self):
+        """The message is that of one rank, whichever rank has the hottest particle."""
+        scene = warm(random.Random(9)).set("Thermal > Sources > Torch > Power", 1e4)
+        messages = []
+        for ranks in (1, 3):
+            launcher = (*LAUNCHER, "-np", str(ranks)) if ranks > 1 else ()
+            answer = rhegma(self.write(scene), launcher=launcher, **ROOT)
+            self.assertEqual(answer.status, 2, answer)
+            messages.append([line for line in answer.messages.splitlines() if "steady conduction: Bodies > Plate" in line])
+        self.assertEqual(*messages)
+        self.assertEqual(len(messages[0]), 1)
 
     def test_a_soft_body_in_several_steps(self):
         """Particles go to other ranks; laws have other tangents."""
