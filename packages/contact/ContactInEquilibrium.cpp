@@ -1,5 +1,7 @@
 #include "contact/ContactInEquilibrium.hpp"
 
+#include "contact/FacePatches.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,47 +39,6 @@ double jumpOf(const View<double*>& displacement, int plus, int minus, int axis)
 } // namespace
 
 template <int D>
-void ContactInEquilibrium<D>::addForces(const State<D>& state, const View<double * [D + 1]>& force)
-{
-  patches_.collect(state);
-  for (const Patch& patch : patches_.all())
-    for (const Part& part : patch.parts)
-      for (int d = 0; d < D; ++d)
-      {
-        double onPlus = part.jump[0][d] * patch.pressure;
-        for (int t = 0; t < D - 1; ++t)
-          onPlus -= part.jump[1 + t][d] * patch.shear[t];
-        force(part.plus, d) += patch.area * onPlus;
-        force(part.minus, d) -= patch.area * onPlus;
-      }
-}
-
-template <int D>
-void ContactInEquilibrium<D>::balance(const State<D>& state, const View<double * [D + 1]>& force)
-{
-  patches_.collect(state);
-  const View<double * [D + 1]>& spring = state.cracks.spring;
-  std::vector<char> done(force.extent(0), 0);
-  for (const Patch& patch : patches_.all())
-    for (const Part& part : patch.parts)
-    {
-      if (!(patch.pressure > 0.0) || done[part.plus] != 0)
-        continue;
-      done[part.plus] = 1;
-      const bool plusIsPrimary = part.plus < state.mesh.nodes.numLattice;
-      const int primary = plusIsPrimary ? part.plus : part.minus;
-      for (int d = 0; d < D; ++d)
-      {
-        const double ofSpring = spring.extent(0) > 0 ? spring(primary, d) : 0.0;
-        const double apart =
-            0.5 * (force(part.plus, d) - force(part.minus, d)) + (plusIsPrimary ? ofSpring : -ofSpring);
-        force(part.plus, d) -= apart;
-        force(part.minus, d) += apart;
-      }
-    }
-}
-
-template <int D>
 typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const State<D>& state,
                                                                         const View<int*>& rowOf)
 {
@@ -96,17 +57,41 @@ typename ContactInEquilibrium<D>::Groups ContactInEquilibrium<D>::begin(const St
     patch.touch = !patch.touching                       ? Touch::Open
                   : contact_.law() == Law::Frictionless ? Touch::Sliding
                                                         : Touch::Sticking;
-    groups.emplace_back();
     for (Part& part : patch.parts)
     {
       part.plusRow = rowOf(part.plus);
       part.minusRow = rowOf(part.minus);
-      for (const int row : {part.plusRow, part.minusRow})
-        if (row >= 0)
-          groups.back().push_back(row);
     }
+    addGroups(patch, groups);
   }
   return groups;
+}
+
+template <int D>
+void ContactInEquilibrium<D>::addGroups(const Patch& patch, Groups& groups) const
+{
+  const auto addRows = [](const Part& part, std::vector<int>& group)
+  {
+    for (const int row : {part.plusRow, part.minusRow})
+      if (row >= 0)
+        group.push_back(row);
+  };
+  if (std::none_of(patch.parts.begin(), patch.parts.end(), [](const Part& part) { return part.ofThisRank; }))
+    return;
+  std::vector<int> whole;
+  for (const Part& a : patch.parts)
+  {
+    addRows(a, whole);
+    for (const Part& b : patch.parts)
+      if (patch.isWide && a.ofThisRank && patches_.areCoupled(patch, a, b))
+      {
+        groups.emplace_back();
+        addRows(a, groups.back());
+        addRows(b, groups.back());
+      }
+  }
+  if (!patch.isWide)
+    groups.push_back(whole);
 }
 
 template <int D>
@@ -183,23 +168,39 @@ void ContactInEquilibrium<D>::choose(Patch& patch) const
 }
 
 template <int D>
-void ContactInEquilibrium<D>::add(const Values& displacement, const Values& force)
+void ContactInEquilibrium<D>::findJumps(const Values& displacement)
 {
-  for (Patch& patch : patches_.all())
-  {
-    patch.moved = patch.middle = Vector<D>{};
-    for (Part& part : patch.parts)
+  std::vector<Patch>& patches = patches_.all();
+  std::vector<double> sums(2 * D * patches.size(), 0.0); // moved, middle
+  for (std::size_t m = 0; m < patches.size(); ++m)
+    for (Part& part : patches[m].parts)
     {
       part.own = Vector<D>{};
-      for (int c = 0; c < D; ++c)
+      for (int c = 0; c < D && part.ofThisRank; ++c)
+      {
         for (int d = 0; d < D; ++d)
         {
           const double jump = jumpOf<D>(displacement, part.plusRow, part.minusRow, d);
-          patch.moved[c] += part.jump[c][d] * jump;
+          sums[2 * D * m + c] += part.jump[c][d] * jump;
           part.own[c] += part.axes[c][d] * jump;
         }
-      patch.middle = patch.middle + (part.weight / patch.weights) * part.own;
+        sums[2 * D * m + D + c] += part.weight / patches[m].weights * part.own[c];
+      }
     }
+  patches_.ranks().sum(sums.data(), static_cast<int>(sums.size()));
+  for (std::size_t m = 0; m < patches.size(); ++m)
+  {
+    std::copy_n(sums.data() + 2 * D * m, D, patches[m].moved.c);
+    std::copy_n(sums.data() + 2 * D * m + D, D, patches[m].middle.c);
+  }
+}
+
+template <int D>
+void ContactInEquilibrium<D>::add(const Values& displacement, const Values& force)
+{
+  findJumps(displacement);
+  for (Patch& patch : patches_.all())
+  {
     press(patch);
     const Vector<D> joint = jointStiffness(patch);
     Vector<D> traction; // its change, on side +1
@@ -207,7 +208,7 @@ void ContactInEquilibrium<D>::add(const Values& displacement, const Values& forc
     for (int t = 0; t < D - 1; ++t)
       traction[1 + t] = patch.shear[t] - patch.now.shear[t];
     for (const Part& part : patch.parts)
-      for (int c = 0; c < D; ++c)
+      for (int c = 0; c < D && part.ofThisRank; ++c)
         for (int d = 0; d < D; ++d)
         {
           const double one = patch.area * part.jump[c][d] * traction[c] -
@@ -250,6 +251,8 @@ bool ContactInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addBl
     for (const Part& a : patch.parts)
       for (const Part& b : patch.parts)
       {
+        if (!a.ofThisRank || !patches_.areCoupled(patch, a, b))
+          continue;
         double block[D * D] = {}, opposite[D * D];
         for (int c = 0; c < D; ++c)
           for (int e = 0; e < D; ++e)
@@ -304,6 +307,8 @@ std::vector<HeldDirection<D>> ContactInEquilibrium<D>::heldDirections() const
         for (const Part& part : patch.parts) // pieces of both faces are among them
           for (const int row : {part.plusRow, part.minusRow})
           {
+            if (!part.ofThisRank)
+              continue;
             one.row = row;
             one.direction = normal;
             if (row >= 0)
@@ -316,6 +321,12 @@ std::vector<HeldDirection<D>> ContactInEquilibrium<D>::heldDirections() const
           }
       }
   return held;
+}
+
+template <int D>
+int ContactInEquilibrium<D>::reach() const
+{
+  return mostNodesApart + 1;
 }
 
 template <int D>
@@ -361,14 +372,6 @@ void ContactInEquilibrium<D>::accept(const State<D>& state)
     }
   }
   contact_.accept(state, found, stored, lost);
-}
-
-template <int D>
-std::string ContactInEquilibrium<D>::refusalOnRanks() const
-{
-  return "Contact: contact in equilibrium works on one rank only; start the program without mpirun, or "
-         "remove "
-         "this section";
 }
 
 template class ContactInEquilibrium<2>;

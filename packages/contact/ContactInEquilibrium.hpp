@@ -45,10 +45,11 @@ public:
   std::vector<HeldDirection<D>> heldDirections() const override;
   bool joinsPieces() const override { return true; }
   std::string reason() const override;
-  std::string refusalOnRanks() const override;
+  int reach() const override;
 
   /// Adds the forces of the points' tractions at the start of a step, as the nodes take them [N], to the
-  /// first D columns of a row a node. Needs the nodes of the step.
+  /// first D columns of a row a node. Needs the nodes of the step. On several ranks those that this rank
+  /// owns.
   void addForces(const State<D>& state, const View<double * [D + 1]>& force);
 
   /// Adds to the internal forces on nodes, front springs left out, what contact exerts in equilibrium with
@@ -72,6 +73,10 @@ private:
   using Patch = ContactPatch<D>;
   using Part = PatchNode<D>;
 
+  /// Adds the rows of a patch with nodes that this rank owns to the groups of coupled rows.
+  void addGroups(const Patch& patch, Groups& groups) const;
+  /// Jumps of the nodes and their means over the patches. Collective.
+  void findJumps(const Values& displacement);
   Stiffness stiffnessOf(const Patch& patch) const;
   /// Slip over the step.
   Vector<D - 1> slipOf(const Patch& patch) const;

@@ -2,9 +2,9 @@
 /// The patches of face points over which contact acts in equilibrium.
 
 #include "contact/FaceContact.hpp"
-#include "contact/FaceNodes.hpp"
+#include "contact/PatchFrames.hpp"
+#include "parallel/Ranks.hpp"
 
-#include <map>
 #include <vector>
 
 namespace Rhegma::contact
@@ -24,6 +24,8 @@ struct PatchNode
 {
   int plus = 0, minus = 0;         ///< nodes of its fields
   int plusRow = -1, minusRow = -1; ///< their rows
+  bool ofThisRank = true;          ///< whether this rank owns the node
+  Vector<D> position{};            ///< [m]
   double jump[D][D] = {};
   double weight = 0.0;    ///< size of its area [m2]
   double axes[D][D] = {}; ///< of the normal and the tangents
@@ -39,6 +41,7 @@ struct ContactPatch
   double area = 0.0;                ///< of the nodes' shares [m2]
   std::vector<int> points;          ///< that act
   std::vector<PatchNode<D>> parts;  ///< of the mean jump, a node with two fields each
+  bool isWide = false;              ///< whether nodes lie too far apart to be coupled on several ranks
   bool touching = false;            ///< at the start of the step
   bool slid = false;                ///< then
   double gap = 0.0, pressure = 0.0; ///< then [m, Pa]
@@ -54,6 +57,9 @@ struct ContactPatch
 };
 
 /// The patches of all cracks, with the nodes that have two fields next to them.
+///
+/// On several ranks all have all patches with the same means. Of the nodes of a patch a rank has those in its
+/// window, among them all that are coupled with its own.
 template <int D>
 class ContactPatches
 {
@@ -61,11 +67,15 @@ public:
   /// \param contact whose points and history they have, and which must outlive them
   explicit ContactPatches(const FaceContact<D>& contact) : contact_(contact) {}
 
-  /// Finds them anew at the start of a step. Needs the nodes of the step.
+  /// Finds them anew at the start of a step. Needs the nodes of the step. Collective.
   void collect(const State<D>& state);
 
   std::vector<ContactPatch<D>>& all() { return patches_; }
   const std::vector<ContactPatch<D>>& all() const { return patches_; }
+  const Ranks& ranks() const { return ranks_; }
+
+  /// Whether two nodes of a patch are coupled: all are on one rank.
+  bool areCoupled(const ContactPatch<D>& patch, const PatchNode<D>& a, const PatchNode<D>& b) const;
 
   /// Unit tangents at a point, the same for all of its patch but for the turn of its normal.
   Vector<D> tangent(int point, int which) const;
@@ -74,20 +84,22 @@ public:
   void serialize(Archive& archive);
 
 private:
-  /// Sums over the points of a patch, each times its area and the weight of a node there [m2].
-  struct Frame
-  {
-    double area = 0.0;
-    double axes[D][D] = {}; ///< of the normal and the tangents
-  };
-
   void divide(const State<D>& state);
-  void addJumps(ContactPatch<D>& patch, const std::map<int, Frame>& frames,
+  /// The frames of all patches. \param nodes with two fields
+  PatchFrames<D> framesOf(const State<D>& state, const std::vector<FaceNode<D>>& nodes) const;
+  /// Sums the areas of the patches' nodes over the ranks. \param scale of each node
+  void sumAreas(const State<D>& state, const PatchFrames<D>& frames, const std::vector<FaceNode<D>>& nodes,
+                const std::vector<double>& scale);
+  void addJumps(const State<D>& state, ContactPatch<D>& patch, const std::map<int, PatchFrame<D>>& frames,
                 const std::vector<FaceNode<D>>& nodes, const std::vector<double>& scale) const;
+  /// Means of the points' gaps and tractions at the start of the step.
+  void addHistory(const State<D>& state, ContactPatch<D>& patch) const;
 
   const FaceContact<D>& contact_;
   View<int*> patchOf_; ///< of each point
   std::vector<ContactPatch<D>> patches_;
+  Ranks ranks_;                      ///< that have parts of them
+  double mostApart_ = 0.0;           ///< of nodes that are coupled, along an axis [m]
   std::vector<Vector<D>> reference_; ///< of each point: where its first tangent points, before projection
 };
 

@@ -1,5 +1,6 @@
 #include "contact/FaceNodes.hpp"
 
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <cmath>
@@ -17,36 +18,61 @@ constexpr double unbalanced = 0.05;
 /// Weight of a node in a particle's stencil that is more than rounding.
 constexpr double leastWeight = 1e-12;
 
+/// Sums over the particles around the fields of nodes that have two: of volume times slope [m2], and the
+/// number of particles that see the field. Rows 2 i of the primary, 2 i + 1 of the enriched field.
+template <int D>
+struct FieldSums
+{
+  static constexpr int width = D + 1;
+  View<double* [width]> rows;
+
+  explicit FieldSums(const State<D>& state)
+      : rows("rhegma::contact::fieldSums", 2 * state.mesh.nodes.numEnriched)
+  {
+    const Nodes<D>& nodes = state.mesh.nodes;
+    const View<int*> fieldOf("rhegma::contact::fieldOfNode", nodes.sums.extent(0));
+    Kokkos::deep_copy(fieldOf, -1);
+    for (int i = 0; i < nodes.numEnriched; ++i)
+    {
+      fieldOf(nodes.parent(i)) = 2 * i;
+      fieldOf(nodes.numLattice + i) = 2 * i + 1;
+    }
+    const auto volume = state.particles.scalar(fields::volume);
+    withConnectivity(state,
+                     [&](const auto& connect)
+                     {
+                       for (int p = 0; p < state.particles.size(); ++p)
+                         connect.visit(p,
+                                       [&](int node, double weight, const double* slope)
+                                       {
+                                         const int field = fieldOf(node);
+                                         if (field < 0)
+                                           return;
+                                         rows(field, D) += weight > leastWeight ? 1.0 : 0.0;
+                                         for (int d = 0; d < D; ++d)
+                                           rows(field, d) += volume(p) * slope[d];
+                                       });
+                     });
+    sumOverRanks(state, rows.data(), width, 0, width, fieldOf);
+  }
+
+  bool isSeen(int field) const { return rows(field, D) > 0.0; }
+  Vector<D> area(int field) const
+  {
+    Vector<D> sum;
+    for (int d = 0; d < D; ++d)
+      sum[d] = rows(field, d);
+    return sum;
+  }
+};
+
 } // namespace
 
 template <int D>
 std::vector<FaceNode<D>> findFaceNodes(const State<D>& state)
 {
   const Nodes<D>& nodes = state.mesh.nodes;
-  std::vector<int> fieldOf(nodes.sums.extent(0), -1); // 2 i of the primary, 2 i + 1 of the enriched field
-  for (int i = 0; i < nodes.numEnriched; ++i)
-  {
-    fieldOf[nodes.parent(i)] = 2 * i;
-    fieldOf[nodes.numLattice + i] = 2 * i + 1;
-  }
-  std::vector<Vector<D>> sums(2 * nodes.numEnriched, Vector<D>{});
-  std::vector<char> seen(2 * nodes.numEnriched, 0);
-  const auto volume = state.particles.scalar(fields::volume);
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     for (int p = 0; p < state.particles.size(); ++p)
-                       connect.visit(p,
-                                     [&](int node, double weight, const double* slope)
-                                     {
-                                       const int field = fieldOf[node];
-                                       if (field < 0)
-                                         return;
-                                       seen[field] = seen[field] != 0 || weight > leastWeight ? 1 : 0;
-                                       for (int d = 0; d < D; ++d)
-                                         sums[field][d] += volume(p) * slope[d];
-                                     });
-                   });
+  const FieldSums<D> sums(state);
   std::vector<FaceNode<D>> found(nodes.numEnriched);
   const double whole =
       std::pow(state.mesh.smallestSpacing(), D - 1) * (D == 2 ? state.method.thickness : 1.0);
@@ -57,9 +83,9 @@ std::vector<FaceNode<D>> findFaceNodes(const State<D>& state)
     const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
     found[i].plus = primaryIsPlus ? primary : enriched;
     found[i].minus = primaryIsPlus ? enriched : primary;
-    found[i].isDouble = seen[plus] != 0 && seen[minus] != 0;
-    found[i].area = 0.5 * (sums[minus] - sums[plus]);
-    found[i].isInside = norm(sums[minus] + sums[plus]) <= unbalanced * whole;
+    found[i].isDouble = sums.isSeen(plus) && sums.isSeen(minus);
+    found[i].area = 0.5 * (sums.area(minus) - sums.area(plus));
+    found[i].isInside = norm(sums.area(minus) + sums.area(plus)) <= unbalanced * whole;
   }
   return found;
 }

@@ -23,7 +23,8 @@ struct FaceNode
   bool isInside = false;
 };
 
-/// The nodes with two fields, in the order of the enriched fields.
+/// The nodes with two fields, in the order of the enriched fields. On several ranks those of the rank's
+/// window, with the areas that the particles of all ranks give. Collective.
 template <int D>
 std::vector<FaceNode<D>> findFaceNodes(const State<D>& state);
 

@@ -14,6 +14,12 @@ namespace Rhegma::contact
 /// cracks that cut cells Bechet, Moes and Wohlmuth, Int. J. Numer. Meth. Eng. 78 (2009) 931).
 constexpr double patchSpacing = 3.0;
 
+/// Most cells between two nodes of a patch, along an axis: points are less than `patchSpacing` from the
+/// middle of their patch when it is made, their nodes less than a cell from them, and faces stretch by up to
+/// a third before points are placed anew. Nodes farther apart are not coupled on several ranks, which takes
+/// more iterations to the same equilibrium.
+constexpr int mostNodesApart = 11;
+
 /// Cosine of the largest angle between the normals of a patch's points and that of its middle.
 constexpr double patchAlignment = 0.95;
 

@@ -197,6 +197,44 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
   state.energy.heat += heat;
 }
 
+namespace
+{
+
+/// What a pass of a steady step finds, of all ranks.
+struct SteadyPass
+{
+  double range = 0.0;                                       ///< of the temperatures of particles [K]
+  double changed = std::numeric_limits<double>::infinity(); ///< largest change since the last pass [K]
+  bool failed = false;                                      ///< whether the run cannot go on
+
+  bool goesOn() const { return changed > passTolerance * range && !failed; }
+};
+
+/// Compares the temperatures of the particles with those of the last pass. Of particles: a node that has a
+/// fraction e of a cell's heat takes 1 / sqrt(e) of the gradient next to it, so that its value is no
+/// temperature of the body. Collective. \param before temperatures then, which become those now; empty before
+/// the first pass
+template <int D>
+SteadyPass comparePasses(const State<D>& state, bool first, std::vector<double>& before)
+{
+  const auto temperature = onHost(state.particles.scalar(fields::temperature));
+  std::vector<double> now(temperature.data(), temperature.data() + state.particles.size());
+  constexpr double none = std::numeric_limits<double>::lowest();
+  double most[] = {none, none, 0.0, state.failure.empty() ? 0.0 : 1.0}; // -lowest, highest, change, failed
+  for (std::size_t i = 0; i < now.size(); ++i)
+  {
+    most[0] = std::max(most[0], -now[i]);
+    most[1] = std::max(most[1], now[i]);
+    most[2] = std::max(most[2], first ? 0.0 : std::fabs(now[i] - before[i]));
+  }
+  before = std::move(now);
+  state.ranks.max(most, 4);
+  return {most[1] > none ? most[0] + most[1] : 0.0, first ? std::numeric_limits<double>::infinity() : most[2],
+          most[3] > 0.0};
+}
+
+} // namespace
+
 template <int D>
 void Conduction<D>::solveSteady(State<D>& state)
 {
@@ -206,39 +244,31 @@ void Conduction<D>::solveSteady(State<D>& state)
     linear = linear && materials(m).count == 1;
   double length = 0.0;
   for (int d = 0; d < D; ++d)
-    length += state.mesh.grid.cells[d] * state.mesh.grid.spacing;
+    length += wholeLattice(state).cells[d] * state.mesh.grid.spacing;
   const double dt = crossings * length * length / diffusivity;
   const double at = state.method.analysis == Analysis::Static ? finalTime : state.clock.time + state.clock.dt;
   facesKnown = false;
-  double range = 0.0, changed = std::numeric_limits<double>::infinity();
+  SteadyPass pass;
+  pass.failed = state.ranks.max(state.failure.empty() ? 0.0 : 1.0) > 0.0;
   std::vector<double> before;
-  for (int k = 0; k < mostPasses && changed > passTolerance * range && state.failure.empty(); ++k)
+  for (int k = 0; k < mostPasses && pass.goesOn(); ++k)
   {
     supplyAll(state, 0.0, at);
     once(state, dt, at, at, supply.extent(0) > 0 ? supply : View<double*>());
-    // Of particles: a node that has a fraction e of a cell's heat takes 1 / sqrt(e) of the gradient next to
-    // it, so that its value is no temperature of the body.
-    const auto temperature = onHost(state.particles.scalar(fields::temperature));
-    std::vector<double> now(temperature.data(), temperature.data() + state.particles.size());
-    const auto [low, high] = std::minmax_element(now.begin(), now.end());
-    range = now.empty() ? 0.0 : *high - *low;
-    if (range > widestRange && state.failure.empty())
-      state.failure = "steady conduction: the temperatures of bodies differ by " + formatReal(range) +
+    pass = comparePasses(state, k == 0, before);
+    if (pass.range > widestRange && state.failure.empty())
+      state.failure = "steady conduction: the temperatures of bodies differ by " + formatReal(pass.range) +
                       " K; heat flows into a body, or into a part that insulating cracks cut off, that no "
                       "Temperature or Convection (Boundaries) lets out; check heat sources and fluxes, or "
                       "prescribe a temperature of this body or part";
-    if (before.size() == now.size())
-      changed = 0.0;
-    for (std::size_t i = 0; i < before.size() && before.size() == now.size(); ++i)
-      changed = std::max(changed, std::fabs(now[i] - before[i]));
-    before = std::move(now);
+    pass.failed = pass.failed || pass.range > widestRange;
     if (linear)
-      changed = 0.0;
+      pass.changed = 0.0;
   }
-  if (changed > passTolerance * range && state.failure.empty())
+  if (pass.goesOn() && state.failure.empty())
     state.failure = "steady conduction with conductivities that depend on temperature did not converge";
-  if (state.failure.empty())
-    state.failure = failureOfSteady(state, *this);
+  if (const std::string reason = failureOfSteady(state, *this); state.failure.empty())
+    state.failure = reason;
   reportFronts(state);
   pending = 0.0;
   waited = 0;

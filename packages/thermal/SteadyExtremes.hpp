@@ -5,6 +5,7 @@
 #include "thermal/Conduction.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace Rhegma::thermal
@@ -32,7 +33,8 @@ double stretchOf(const State<D>& state, int particle)
 }
 
 /// Why steady temperatures leave nothing to solve for: they are not above absolute zero, or above all melting
-/// points with a thermal strain of no solid. Empty otherwise. One rank.
+/// points with a thermal strain of no solid. Empty otherwise, and on ranks without the particle that is
+/// coldest or hottest of all. Collective.
 /// \return the body, its temperature and thermal strain, and the sections that determine them
 template <int D>
 std::string failureOfSteady(const State<D>& state, const Conduction<D>& conduction)
@@ -44,9 +46,14 @@ std::string failureOfSteady(const State<D>& state, const Conduction<D>& conducti
     coldest = T(p) < T(coldest) ? p : coldest;
     hottest = T(p) > T(hottest) ? p : hottest;
   }
-  if (state.particles.size() == 0)
+  const bool any = state.particles.size() > 0;
+  constexpr double none = std::numeric_limits<double>::lowest();
+  const double own[] = {any ? -T(coldest) : none, any ? T(hottest) : none};
+  double most[] = {own[0], own[1]};
+  state.ranks.max(most, 2);
+  const bool cold = !(-most[0] > 0.0);
+  if (!any || (cold ? own[0] < most[0] : own[1] < most[1]))
     return {};
-  const bool cold = !(T(coldest) > 0.0);
   const int at = cold ? coldest : hottest;
   const double theta = stretchOf(state, at);
   const double strain = theta - 1.0;

@@ -125,10 +125,6 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     throw std::invalid_argument(
         "Thermal > Conduction: no material conducts, so there is no steady state; give a "
         "Conductivity in Materials");
-  if (run.conduction.integrator.method == Method::Steady && state.ranks.many())
-    throw std::invalid_argument(
-        "Thermal > Conduction: steady conduction in equilibrium works on one rank only; start "
-        "the program without mpirun, or write Implicit and Analysis = Quasi-Static");
   judgeTemperatures(scene, run.conduction, run.finalTime, state);
   run.tables = tabulated(scene.sublist("Materials"));
   startEnergy(state);

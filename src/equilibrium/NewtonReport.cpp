@@ -178,11 +178,12 @@ FreePiece NewtonStep<D>::pieceOfMotion(const State<D>& state, const RigidMode<D>
 template <int D>
 std::vector<int> NewtonStep<D>::piecesThatStayWhole() const
 {
-  std::vector<int> whole(piecesApart_, 0);
+  std::vector<double> whole(piecesApart_, 0.0); // on ranks that have a row of the piece
   const std::vector<int> all = sizesOf(pieceOf_, pieces_), apart = sizesOf(apart_, piecesApart_);
   for (std::size_t r = 0; r < apart_.size(); ++r)
-    whole[apart_[r]] = apart[apart_[r]] == all[pieceOf_[r]] ? 1 : 0;
-  return whole;
+    whole[apart_[r]] = apart[apart_[r]] == all[pieceOf_[r]] ? 1.0 : 0.0;
+  owners_.ranks().max(whole.data(), piecesApart_);
+  return {whole.begin(), whole.end()};
 }
 
 template <int D>

@@ -77,16 +77,28 @@ int Division<D>::ownerOf(const int (&cell)[D]) const
 }
 
 template <int D>
+CellBox<D> Division<D>::windowCells(int rank) const
+{
+  CellBox<D> cells;
+  for (int d = 0; d < D; ++d)
+  {
+    cells.low[d] = std::max(boxes[rank].low[d] - margin, 0);
+    cells.high[d] = std::min(boxes[rank].high[d] + margin, lattice.cells[d]);
+  }
+  return cells;
+}
+
+template <int D>
 Grid<D> Division<D>::window(int rank) const
 {
   Grid<D> window = lattice;
   window.numNodes = 1;
+  const CellBox<D> cells = windowCells(rank);
   for (int d = 0; d < D; ++d)
   {
-    const int first = boxes[rank].low[d] - gridMargin;
-    window.before[d] = first;
-    window.origin[d] = lattice.origin[d] + first * lattice.spacing;
-    window.cells[d] = boxes[rank].high[d] - boxes[rank].low[d] + 2 * gridMargin;
+    window.before[d] = cells.low[d];
+    window.origin[d] = lattice.origin[d] + cells.low[d] * lattice.spacing;
+    window.cells[d] = cells.high[d] - cells.low[d];
   }
   numberNodes(window);
   return window;

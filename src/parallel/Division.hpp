@@ -31,12 +31,15 @@ struct Division
 {
   Grid<D> lattice; ///< of the whole domain
   std::vector<CellBox<D>> boxes;
+  int margin = gridMargin; ///< cells around its box that a rank has, too, as far as the lattice reaches
 
   /// The cell of the domain that is nearest to a position.
   void cellAt(const Vector<D>& x, int (&cell)[D]) const;
   /// The rank that owns a cell of the domain.
   int ownerOf(const int (&cell)[D]) const;
-  /// The part of the lattice that the particles of a rank can reach: its box and the margin around it.
+  /// The cells that a rank has: its box and the margin around it, which its particles can reach.
+  CellBox<D> windowCells(int rank) const;
+  /// The part of the lattice with these cells.
   Grid<D> window(int rank) const;
 };
 

@@ -34,12 +34,10 @@ struct NodeBox
 template <int D>
 NodeBox<D> windowNodes(const Division<D>& division, int rank)
 {
+  const CellBox<D> cells = division.windowCells(rank);
   NodeBox<D> box;
-  for (int d = 0; d < D; ++d)
-  {
-    box.low[d] = division.boxes[rank].low[d] - gridMargin;
-    box.high[d] = division.boxes[rank].high[d] + gridMargin;
-  }
+  std::copy_n(cells.low, D, box.low);
+  std::copy_n(cells.high, D, box.high);
   return box;
 }
 

@@ -27,6 +27,7 @@ struct HeldDirection
 /// `add` adds its change since. Displacements [m] and forces [N] have D numbers a row.
 ///
 /// On several ranks each rank adds its part of the force; displacements are the same on all that have a row.
+/// `begin` and `add` are collective; what `addStiffness` and `update` return is the same on all ranks.
 ///
 /// A law may have branches, such as closed and open: `update` chooses them, `begin` by a first guess.
 template <int D>
@@ -67,8 +68,10 @@ public:
   /// Whether pieces that only this force joins may have free motions, as closed faces that slide.
   virtual bool joinsPieces() const { return false; }
 
-  /// Why a run with this force needs one rank; empty if it doesn't.
-  virtual std::string refusalOnRanks() const { return {}; }
+  /// Cells of the lattice between the farthest rows that the force couples, and one more. On several ranks
+  /// the part of the lattice that a rank has reaches so far beyond its own cells. 0: the force couples rows
+  /// of nearby nodes only, as particles do.
+  virtual int reach() const { return 0; }
 
   /// What of the force may keep a step from its equilibrium, for a message; empty if there is nothing to say.
   virtual std::string reason() const { return {}; }

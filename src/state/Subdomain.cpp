@@ -2,7 +2,9 @@
 
 #include "parallel/NeighbourSums.hpp"
 #include "state/Migration.hpp"
+#include "state/StepForce.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -41,6 +43,18 @@ std::vector<double> costsOf(const State<D>& state, long begin, long end)
   for (long p = begin; p < end; ++p)
     costs.push_back(std::ldexp(1.0, level(p)));
   return costs;
+}
+
+/// The division of a run by positions and costs, with a margin that the rows coupled by its forces need.
+/// Collective.
+template <int D>
+Division<D> divisionOf(const State<D>& state, const Grid<D>& lattice, long begin, long end)
+{
+  Division<D> division =
+      divide(state.ranks, lattice, positionsOf(state, begin, end), costsOf(state, begin, end));
+  for (const std::shared_ptr<StepForce<D>>& force : state.motion.stepForces)
+    division.margin = std::max(division.margin, force->reach());
+  return division;
 }
 
 /// Throws std::logic_error, on all ranks, where particles were lost or are on two of them.
@@ -118,8 +132,7 @@ void divideState(State<D>& state)
   // All ranks have all particles; each handles a part of them during the division.
   const long n = state.particles.size(), rank = state.ranks.rank(), size = state.ranks.size();
   const long begin = n * rank / size, end = n * (rank + 1) / size;
-  const Division<D> division =
-      divide(state.ranks, state.mesh.grid, positionsOf(state, begin, end), costsOf(state, begin, end));
+  const Division<D> division = divisionOf(state, state.mesh.grid, begin, end);
   const std::vector<int> owner = ownersOf(state, division);
   std::vector<int> stay;
   for (std::size_t p = 0; p < owner.size(); ++p)
@@ -144,9 +157,8 @@ void redivideState(State<D>& state)
 {
   if (!state.mesh.subdomain)
     return;
-  const long count = state.particles.size();
-  const Division<D> division = divide(state.ranks, state.mesh.subdomain->division.lattice,
-                                      positionsOf(state, 0, count), costsOf(state, 0, count));
+  const Division<D> division =
+      divisionOf(state, state.mesh.subdomain->division.lattice, 0, state.particles.size());
   sendParticles(state, ownersOf(state, division));
   settle(state, division, Branches<D>(state.mesh.subdomain->refined));
 }

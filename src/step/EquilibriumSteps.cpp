@@ -5,7 +5,6 @@
 #include "base/StopRequest.hpp"
 #include "plan/LoadOverStep.hpp"
 #include "state/EnergySums.hpp"
-#include "state/StepForce.hpp"
 #include "state/Subdomain.hpp"
 #include "step/RunStage.hpp"
 
@@ -63,13 +62,6 @@ LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene) : largest(largestLo
 template <int D>
 void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& plan, State<D>& state)
 {
-  if (state.ranks.many() && !state.cracks.empty() && !state.cracks.dualField)
-    throw std::invalid_argument(
-        "Cracks > Formulation: broken cells in equilibrium work on one rank only; start the "
-        "program without mpirun, or write Dual Field");
-  for (const auto& force : state.motion.stepForces)
-    if (const std::string refusal = force->refusalOnRanks(); state.ranks.many() && !refusal.empty())
-      throw std::invalid_argument(refusal);
   for (const std::string& name : sublistNames(scene.sublist("Bodies")))
     for (const char* const motion : {"Velocity", "Angular Velocity"})
       for (const double v : scene.sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
