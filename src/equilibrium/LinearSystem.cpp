@@ -396,7 +396,8 @@ bool LinearSystem<D>::takesUnsymmetric()
   if (rowsOfAll_ == 0)
     return true;
   prepare();
-  if (method_ != Method::Direct && !isTooLarge_ && DirectSolver::available())
+  const bool tries = D == 2 && unknowns_ <= mostDirectUnknowns<D> && DirectSolver::available();
+  if (method_ != Method::Direct && !isTooLarge_ && tries)
   {
     isTooLarge_ = direct_.analyse(matrix_) > mostOperationsAtLast;
     method_ = isTooLarge_ ? method_ : Method::Direct;

@@ -47,7 +47,7 @@ public:
 
   /// Whether matrices that are not symmetric can be solved: by factorisation, not by conjugate gradients.
   /// With the symmetric part of the stiffness of sliding faces, Newton's method need not converge, so
-  /// factorises from now on if that takes minutes at most.
+  /// factorises from now on in 2D if that takes minutes at most, in 3D never.
   bool takesUnsymmetric();
 
   /// Solves for the change of the free unknowns, those that are held changing as given.
