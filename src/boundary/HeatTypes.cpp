@@ -42,9 +42,11 @@ BoundaryType convectionBoundary()
       .unit("W/(m2 K)")
       .positive()
       .meaning("Heat transfer coefficient: heat flux per temperature difference.");
-  s.real("Ambient Temperature").unit("K").positive().meaning("Temperature of the surroundings.");
-  describeHistory(s).meaning(
-      "Factor on Ambient Temperature as a function of time: an expression of t or a table \"0:0, 1e-3:5\".");
+  s.real("Ambient Temperature")
+      .unit("K")
+      .positive()
+      .meaning("Temperature of the surroundings; History is a factor on it.");
+  describeHistory(s);
   return {s, checkSurface, {}, {}, capability::heat};
 }
 
