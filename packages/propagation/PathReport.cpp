@@ -26,10 +26,12 @@ std::string asText(const PathState& state)
   return formatShort(state.factor) + " (new area " + formatShort(state.area) + " m2)";
 }
 
+/// An entry keeps its names when there is no such state (yet), so that a Reference to it is no mistake of the
+/// scene, also of a run that goes on from a checkpoint.
 nlohmann::json entryOf(const std::vector<PathState>& path, int state)
 {
   if (state < 0)
-    return nullptr;
+    return {{"load_factor", nullptr}, {"new_area", nullptr}, {"time", nullptr}};
   return {{"load_factor", path[state].factor}, {"new_area", path[state].area}, {"time", path[state].time}};
 }
 
@@ -48,9 +50,7 @@ void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summar
                                  ", in the load step from " + readableTime(first.from) + " to " +
                                  readableTime(first.time) + effectOfShearOnFirst(summary));
   }
-  entry["unstable_from"] = nullptr;
-  if (path.empty())
-    entry["unstable_from"] = {{"new_area", nullptr}, {"time", nullptr}};
+  entry["unstable_from"] = {{"new_area", nullptr}, {"time", nullptr}};
   if (rises != path.end())
     entry["unstable_from"] = {{"new_area", rises->area}, {"time", rises->time}};
   if (rises != path.end())
@@ -93,10 +93,9 @@ void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor,
   nlohmann::json& entry = summary["propagation"];
   if (path.empty()) // what will be there is known from the start
   {
-    const nlohmann::json unknown = {{"load_factor", nullptr}, {"new_area", nullptr}, {"time", nullptr}};
     entry["load_factor"] = nullptr;
     for (const char* name : {"initiation", "largest_load", "unstable_from", "unstable_to", "snap_back_from"})
-      entry[name] = unknown;
+      entry[name] = entryOf(path, -1);
     return;
   }
   const PathEvents events = eventsOf(path);

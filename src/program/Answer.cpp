@@ -91,7 +91,8 @@ bool isUnstableGrowth(const nlohmann::json& summary)
 {
   const nlohmann::json growth = summary.value("propagation", nlohmann::json::object());
   const nlohmann::json from = growth.value("unstable_from", nlohmann::json());
-  return from.is_object() && !from.contains("load_factor");
+  return from.is_object() && !from.contains("load_factor") &&
+         from.value("new_area", nlohmann::json()).is_number();
 }
 
 /// The largest term of the energy balance [J], and whether it is one without heat: millionths of heat become

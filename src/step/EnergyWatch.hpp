@@ -201,7 +201,7 @@ private:
     if (growth.grown && !growth.nonlinear && !negative)
       return "where G rises above the toughness in a load step, what is released above it is not "
              "dissipated by the crack, and would become motion; if growth is stable (propagation > "
-             "unstable_from in summary.json is null), more Time > Load Steps reduce it";
+             "unstable_from > time in summary.json is null), more Time > Load Steps reduce it";
     return std::string(
                "in a load step forces are taken to rise in proportion to displacements, which does not "
                "hold for plastic flow or large strain; use ") +

@@ -105,6 +105,8 @@ TEST(Answer, SaysWhatUnstableGrowthLeavesInTheEnergyBalance)
   EXPECT_EQ(answersOf(summary)[1].find(reason), std::string::npos);
   summary["propagation"]["unstable_from"] = {{"new_area", 0.1}, {"time", 1.0}, {"load_factor", 0.5}};
   EXPECT_EQ(answersOf(summary)[1].find(reason), std::string::npos);
+  summary["propagation"]["unstable_from"] = {{"new_area", nullptr}, {"time", nullptr}};
+  EXPECT_EQ(answersOf(summary)[1].find(reason), std::string::npos);
   summary["propagation"]["unstable_from"] = {{"new_area", 0.1}, {"time", 1.0}};
   EXPECT_NE(answersOf(summary)[1].find(reason), std::string::npos);
 }
