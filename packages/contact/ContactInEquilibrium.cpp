@@ -25,6 +25,12 @@ constexpr double joining = 20.0;
 /// residual.
 constexpr double touchingGap = 1e-9;
 
+/// How often a patch may open, or begin to slide, before its nodes are free to move apart while it presses or
+/// sticks. Those of a patch in which the faces part at one end may overlap in the mean when they are free and
+/// pull in the mean when they are kept together, so that neither is an equilibrium. Once they are free, a mean
+/// pressure closes a mean overlap.
+constexpr int mostChanges = 1;
+
 /// Rounding of the shear traction of faces that slide, as a part of its limit.
 constexpr double atLimit = 1e-6;
 
@@ -116,9 +122,10 @@ Vector<D> ContactInEquilibrium<D>::jointStiffness(const Patch& patch) const
   Vector<D> joint{};
   const Stiffness dynamic = contact_.stiffnessOf(patch.crack);
   const Stiffness k{joining * dynamic.normal, joining * dynamic.tangential};
-  joint[0] = patch.touch == Touch::Open ? 0.0 : k.normal;
+  joint[0] = patch.touch == Touch::Open || patch.opened > mostChanges ? 0.0 : k.normal;
   for (int t = 1; t < D; ++t)
-    joint[t] = patch.touch == Touch::Sticking && !patch.slid ? k.tangential : 0.0;
+    joint[t] = patch.touch == Touch::Sticking && !patch.slid && patch.slipped <= mostChanges ? k.tangential
+                                                                                             : 0.0;
   return joint;
 }
 
@@ -143,9 +150,12 @@ void ContactInEquilibrium<D>::choose(Patch& patch) const
   const Return<D - 1> law = returnMap(contact_.law(), contact_.friction(), k,
                                       patch.gap + patch.moved[0] - patch.normalMultiplier / k.normal,
                                       patch.touching, Vector<D - 1>{}, (1.0 / k.tangential) * trial, {});
-  const bool slid = patch.touch == Touch::Sliding && norm(before) > 0.0;
-  patch.normalMultiplier = law.pressure;
-  patch.shearMultiplier = law.shear;
+  const Touch touched = patch.touch;
+  const bool slid = touched == Touch::Sliding && norm(before) > 0.0;
+  // The overlap of a patch that was open is that without contact: what it needs to close the patch is
+  // unknown. As a multiplier it would be closed twice, and the next iteration could open it again.
+  patch.normalMultiplier = touched == Touch::Open ? 0.0 : law.pressure;
+  patch.shearMultiplier = touched == Touch::Open ? Vector<D - 1>{} : law.shear;
   patch.direction = {};
   const double size = norm(law.shear), limit = contact_.friction() * law.pressure;
   const bool sticks = patch.touching && (contact_.law() == Law::Stick ||
@@ -165,6 +175,8 @@ void ContactInEquilibrium<D>::choose(Patch& patch) const
     if (size > 0.0)
       patch.direction = (1.0 / size) * law.shear;
   }
+  patch.opened += touched != Touch::Open && patch.touch == Touch::Open ? 1 : 0;
+  patch.slipped += touched == Touch::Sticking && patch.touch == Touch::Sliding ? 1 : 0;
 }
 
 template <int D>

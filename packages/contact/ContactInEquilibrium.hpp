@@ -25,7 +25,8 @@ namespace Rhegma::contact
 ///
 /// Forces act on nodes with two fields, in proportion to the areas of their faces (FaceNodes.hpp), equal and
 /// opposite on both. The nodes of a patch that presses have one normal jump, and one tangential jump until it
-/// slides: forces on them whose sum is zero keep them together.
+/// slides: forces on them whose sum is zero keep them together. They do so until the patch has opened, or
+/// begun to slide, twice in the iterations of a step.
 template <int D>
 class ContactInEquilibrium : public StepForce<D>
 {

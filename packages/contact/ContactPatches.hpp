@@ -52,6 +52,7 @@ struct ContactPatch
   Vector<D> middle{};               ///< mean of their own jumps, by the last `add` [m]
   Vector<D> moved{};                ///< jump over the step by the last `add`: normal, tangents [m]
   Touch touch = Touch::Open;        ///< that `add` and `addStiffness` take
+  int opened = 0, slipped = 0;      ///< how often it did so in the iterations of this step
   Vector<D - 1> direction{};        ///< of the shear traction while sliding, of unit length or zero
   Return<D - 1> now{};              ///< tractions by the last `add`
 };
