@@ -27,8 +27,8 @@ constexpr double touchingGap = 1e-9;
 
 /// How often a patch may open, or begin to slide, before its nodes are free to move apart while it presses or
 /// sticks. Those of a patch in which the faces part at one end may overlap in the mean when they are free and
-/// pull in the mean when they are kept together, so that neither is an equilibrium. Once they are free, a mean
-/// pressure closes a mean overlap.
+/// pull in the mean when they are kept together, so that neither is an equilibrium. Once they are free, a
+/// mean pressure closes a mean overlap.
 constexpr int mostChanges = 1;
 
 /// Rounding of the shear traction of faces that slide, as a part of its limit.
@@ -124,8 +124,8 @@ Vector<D> ContactInEquilibrium<D>::jointStiffness(const Patch& patch) const
   const Stiffness k{joining * dynamic.normal, joining * dynamic.tangential};
   joint[0] = patch.touch == Touch::Open || patch.opened > mostChanges ? 0.0 : k.normal;
   for (int t = 1; t < D; ++t)
-    joint[t] = patch.touch == Touch::Sticking && !patch.slid && patch.slipped <= mostChanges ? k.tangential
-                                                                                             : 0.0;
+    joint[t] =
+        patch.touch == Touch::Sticking && !patch.slid && patch.slipped <= mostChanges ? k.tangential : 0.0;
   return joint;
 }
 
@@ -139,7 +139,18 @@ void ContactInEquilibrium<D>::press(Patch& patch) const
   patch.now.pressure = patch.normalMultiplier - k.normal * (patch.gap + patch.moved[0]);
   patch.now.shear = patch.touch == Touch::Sticking
                         ? patch.shearMultiplier + k.tangential * slipOf(patch)
-                        : (contact_.friction() * patch.now.pressure) * patch.direction;
+                        : (contact_.friction() * patch.now.pressure) * slidingDirection(patch);
+}
+
+template <int D>
+Vector<D - 1> ContactInEquilibrium<D>::slidingDirection(const Patch& patch) const
+{
+  if (!(patch.slideRadius > 0.0))
+    return patch.direction;
+  const Vector<D - 1> further = slipOf(patch) - patch.slipThen;
+  const Vector<D - 1> sideways = further - dot(further, patch.direction) * patch.direction;
+  const Vector<D - 1> turned = patch.direction + (1.0 / patch.slideRadius) * sideways;
+  return (1.0 / norm(turned)) * turned;
 }
 
 template <int D>
@@ -157,6 +168,7 @@ void ContactInEquilibrium<D>::choose(Patch& patch) const
   patch.normalMultiplier = touched == Touch::Open ? 0.0 : law.pressure;
   patch.shearMultiplier = touched == Touch::Open ? Vector<D - 1>{} : law.shear;
   patch.direction = {};
+  patch.slideRadius = 0.0;
   const double size = norm(law.shear), limit = contact_.friction() * law.pressure;
   const bool sticks = patch.touching && (contact_.law() == Law::Stick ||
                                          (contact_.law() == Law::Coulomb && norm(trial) <= limit));
@@ -173,7 +185,11 @@ void ContactInEquilibrium<D>::choose(Patch& patch) const
   {
     patch.touch = Touch::Sliding;
     if (size > 0.0)
+    {
       patch.direction = (1.0 / size) * law.shear;
+      patch.slipThen = slipOf(patch);
+      patch.slideRadius = norm(trial) / k.tangential;
+    }
   }
   patch.opened += touched != Touch::Open && patch.touch == Touch::Open ? 1 : 0;
   patch.slipped += touched == Touch::Sticking && patch.touch == Touch::Sliding ? 1 : 0;
@@ -242,6 +258,14 @@ bool ContactInEquilibrium<D>::derive(const Patch& patch, bool symmetric, double 
   if (patch.touch == Touch::Sticking)
     for (int t = 1; t < D; ++t)
       C[t][t] = k.tangential;
+  // The direction of sliding turns with the slip sideways, without which a body that slides would drift
+  // there.
+  const double turning = patch.touch == Touch::Sliding && patch.slideRadius > 0.0 && patch.now.pressure > 0.0
+                             ? contact_.friction() * patch.now.pressure / patch.slideRadius
+                             : 0.0;
+  for (int s = 0; s < D - 1 && turning > 0.0; ++s)
+    for (int t = 0; t < D - 1; ++t)
+      C[1 + s][1 + t] = turning * ((s == t ? 1.0 : 0.0) - patch.direction[s] * patch.direction[t]);
   if (patch.touch == Touch::Sticking || symmetric)
     return true;
   for (int s = 0; s < D - 1; ++s)

@@ -79,6 +79,9 @@ private:
   /// Jumps of the nodes and their means over the patches. Collective.
   void findJumps(const Values& displacement);
   Stiffness stiffnessOf(const Patch& patch) const;
+  /// Shear traction of a patch that slides, over its limit: the direction of the last `choose`, turned by the
+  /// slip sideways since then. It is never reversed: `choose` lets a patch stick that slides back.
+  Vector<D - 1> slidingDirection(const Patch& patch) const;
   /// Slip over the step.
   Vector<D - 1> slipOf(const Patch& patch) const;
   /// Tractions of a patch as it is taken to touch.

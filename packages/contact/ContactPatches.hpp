@@ -54,6 +54,8 @@ struct ContactPatch
   Touch touch = Touch::Open;        ///< that `add` and `addStiffness` take
   int opened = 0, slipped = 0;      ///< how often it did so in the iterations of this step
   Vector<D - 1> direction{};        ///< of the shear traction while sliding, of unit length or zero
+  Vector<D - 1> slipThen{};         ///< slip over the step when it got this direction [m]
+  double slideRadius = 0.0;         ///< slip sideways, over which the direction would turn by one radian [m]
   Return<D - 1> now{};              ///< tractions by the last `add`
 };
 
