@@ -42,7 +42,7 @@ public:
   void add(const Values& displacement, const Values& force) override;
   bool addStiffness(bool symmetric, const AddBlock& addBlock) override;
   bool update() override;
-  int iterationFactor() const override { return 3; }
+  bool hasBranches() const override { return true; }
   std::vector<HeldDirection<D>> heldDirections() const override;
   bool joinsPieces() const override { return true; }
   std::string reason() const override;

@@ -23,13 +23,20 @@ constexpr double leastLinearResidual = 1e-8;
 /// gains digits: rounding keeps large matrices from the tolerance.
 constexpr double usefulResidual = 1e-3;
 
-/// Unknowns up to which a direct solution is considered: beyond, its ordering alone takes seconds.
+/// Unknowns up to which a direct solution is considered: beyond, its ordering alone takes seconds. The second
+/// number is that of systems that conjugate gradients solve slowly.
 template <int D>
 constexpr int mostDirectUnknowns = D == 2 ? 400000 : 12000;
+template <int D>
+constexpr int mostDirectUnknownsOfForces = D == 2 ? 400000 : 50000;
 
-/// Floating-point operations of a factorisation that take as long as conjugate gradients with multigrid, or
-/// with the diagonal in 3D: a second or two.
-constexpr double mostOperations = 3e9;
+/// Floating-point operations of a factorisation that take as long as conjugate gradients with multigrid: a
+/// second or two.
+constexpr double mostOperations = 2e10;
+
+/// The same of forces of the step that change the stiffness in each iteration and are up to a thousand times
+/// as stiff as the material, by which conjugate gradients take hundreds of iterations.
+constexpr double mostOperationsOfForces = 2e11;
 
 /// The same where conjugate gradients have failed, or would take longer: minutes.
 constexpr double mostOperationsAtLast = 1e12;
@@ -231,8 +238,8 @@ template <int D>
 typename LinearSystem<D>::Method LinearSystem<D>::choose()
 {
   const bool multigrid = Multigrid::available() && unknowns_ >= leastMultigridUnknowns<D>;
-  // In 2D conjugate gradients with the diagonal take longer than any factorisation that fits.
-  const double most = D == 2 && !multigrid ? mostOperationsAtLast : mostOperations;
+  // Conjugate gradients with the diagonal take longer than any factorisation of so few unknowns.
+  const double most = multigrid ? mostOperations : mostOperationsAtLast;
   if (DirectSolver::available() && unknowns_ <= mostDirectUnknowns<D> && direct_.analyse(matrix_) <= most)
     return Method::Direct;
   gradients_ =
@@ -396,10 +403,10 @@ bool LinearSystem<D>::takesUnsymmetric()
   if (rowsOfAll_ == 0)
     return true;
   prepare();
-  const bool tries = D == 2 && unknowns_ <= mostDirectUnknowns<D> && DirectSolver::available();
+  const bool tries = unknowns_ <= mostDirectUnknownsOfForces<D> && DirectSolver::available();
   if (method_ != Method::Direct && !isTooLarge_ && tries)
   {
-    isTooLarge_ = direct_.analyse(matrix_) > mostOperationsAtLast;
+    isTooLarge_ = direct_.analyse(matrix_) > mostOperationsOfForces;
     method_ = isTooLarge_ ? method_ : Method::Direct;
   }
   return method_ == Method::Direct;

@@ -168,9 +168,7 @@ bool NewtonStep<D>::assemble(const State<D>& state)
       for (std::size_t b = 0; b < jump.row.size(); ++b)
         add(jump.row[a], jump.row[b], jump.weight * jump.coefficient[a] * jump.coefficient[b]);
   symmetric_ = true;
-  const bool hasBranches = std::any_of(forces_.begin(), forces_.end(),
-                                       [](const auto& force) { return force->iterationFactor() > 1; });
-  const bool symmetricOnly = hasBranches && !system_->takesUnsymmetric();
+  const bool symmetricOnly = hasBranches() && !system_->takesUnsymmetric();
   for (const auto& force : forces_)
     symmetric_ = force->addStiffness(symmetricOnly,
                                      [&](int row, int other, const double(&values)[D * D])
@@ -291,12 +289,15 @@ bool NewtonStep<D>::searchWith(SecantMixing* mixing, const State<D>& state, cons
 }
 
 template <int D>
+bool NewtonStep<D>::hasBranches() const
+{
+  return std::any_of(forces_.begin(), forces_.end(), [](const auto& force) { return force->hasBranches(); });
+}
+
+template <int D>
 int NewtonStep<D>::iterationsFor(int most) const
 {
-  for (const auto& force : forces_)
-    if (most > 1)
-      most = std::max(most, mostIterations * force->iterationFactor());
-  return most;
+  return most > 1 && hasBranches() ? std::max(most, mostIterationsWithBranches) : most;
 }
 
 template <int D>
@@ -313,9 +314,8 @@ bool NewtonStep<D>::supportsAreInPlace() const
 template <int D>
 bool NewtonStep<D>::keepsStiffness(double before, double now, double forces) const
 {
-  for (const auto& force : forces_)
-    if (force->iterationFactor() > 1) // its branches change the stiffness
-      return false;
+  if (hasBranches())
+    return false;
   const double fraction = now / before;
   return fraction * now <= forceTolerance * forces || (boxes_.any() && fraction <= usefulFraction);
 }

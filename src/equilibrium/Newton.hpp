@@ -21,6 +21,9 @@ constexpr double forceTolerance = 1e-9;
 /// Iterations after which a step counts as failed; a quadratic rate needs a handful.
 constexpr int mostIterations = 20;
 
+/// The same where forces choose between branches: each choice takes an iteration.
+constexpr int mostIterationsWithBranches = 60;
+
 /// A residual that no longer falls is rounding if it is no larger a fraction of the forces.
 constexpr double roundingOfForces = 1e-6;
 
@@ -144,6 +147,8 @@ private:
   /// Free motions of pieces that forces of the step join, as they are now, as a message; empty if none. Free
   /// motions of all that is joined are those of Time > Rigid Modes.
   std::string motionsBetweenPieces(const State<D>& state) const;
+  /// Whether a force of the step chooses between branches.
+  bool hasBranches() const;
   int iterationsFor(int most) const;
   /// Whether held unknowns have the displacement of their supports.
   bool supportsAreInPlace() const;

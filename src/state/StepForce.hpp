@@ -56,8 +56,9 @@ public:
   /// of the last `add`, which has been accepted. \return whether the force may have changed
   virtual bool update() { return false; }
 
-  /// Times as many iterations as a smooth law may take.
-  virtual int iterationFactor() const { return 1; }
+  /// Whether `update` chooses between branches: their stiffness is not that of the iteration before, may be
+  /// unsymmetric, and takes more iterations than a smooth law.
+  virtual bool hasBranches() const { return false; }
 
   /// Where the force resists motion now, in addition to supports.
   virtual std::vector<HeldDirection<D>> heldDirections() const { return {}; }

@@ -103,6 +103,20 @@ TEST(ContactInEquilibrium, PressesAndKeepsThePressureAsAMultiplier)
   EXPECT_EQ(joint.forces(joint.displaced(0.0, 1.01 * overlap))[0][1], 0.0);
 }
 
+/// An overlap that was found while a patch was open says nothing of the pressure that closes it.
+TEST(ContactInEquilibrium, WhatOpenedClosesWithoutAMultiplier)
+{
+  Joint joint(Law::Frictionless);
+  const double expected = stiff * overlap * joint.area();
+  joint.forces(joint.displaced(0.0, overlap));
+  joint.faces.update();
+  ASSERT_EQ(joint.faces.touchOf(0), Touch::Open);
+  EXPECT_EQ(joint.forces(joint.displaced(0.0, -overlap))[0][1], 0.0);
+  joint.faces.update();
+  EXPECT_NEAR(joint.forces(joint.displaced(0.0, 0.0))[0][1], 0.0, 1e-13 * expected);
+  EXPECT_NEAR(joint.forces(joint.displaced(0.0, -overlap))[0][1], expected, 1e-13 * expected);
+}
+
 /// A rotation closes one edge of the joint and opens the other.
 TEST(ContactInEquilibrium, ClosesWhereFacesOverlap)
 {
@@ -193,7 +207,7 @@ TEST(ContactInEquilibrium, FacesThatMeetBeginWithoutShear)
   joint.begin();
   joint.forces(joint.displaced(overlap, -6.0 * overlap));
   joint.faces.update();
-  const auto forces = joint.forces(joint.displaced(overlap, -5.0 * overlap));
+  const auto forces = joint.forces(joint.displaced(overlap, -6.0 * overlap));
   EXPECT_NEAR(forces[0][1], stiff * overlap * joint.area(), 1e-12 * stiff * overlap * joint.area());
   EXPECT_NEAR(forces[0][0], 0.0, 1e-12 * stiff * overlap * joint.area());
 }
