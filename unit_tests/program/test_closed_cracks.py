@@ -64,7 +64,7 @@ class ClosedCracks(ProgramTest):
         # Sums of some 1e4 forces of residuals of 1e-9 of the forces, and their rounding.
         for name in ("strain", "external_work", "contact", "friction"):
             self.assertLess(abs(one.get(name, 0.0) - other.get(name, 0.0)), 1e-7 * one["strain"], f"seed {seed}: {name} {one} {other}")
-        self.assertGreaterEqual(one.get("friction", 0.0), 0.0)
+        self.assertGreaterEqual(one.get("friction", 0.0), -1e-12 * one["strain"])
         # The work of loads goes into strain and friction: bodies are linear, steps are small, and the rest is that of the ghost penalty.
         lost = one["external_work"] - one["strain"] - one.get("friction", 0.0) - one.get("stabilised", 0.0)
         self.assertLess(abs(lost), 5e-3 * one["external_work"], f"seed {seed}: {one}")
