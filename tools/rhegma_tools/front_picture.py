@@ -82,7 +82,7 @@ def draw_surface(crack, title, time, path):
     points = crack.points * factor
     opening = np.linalg.norm(crack.opening, axis=1)
     scale, unit = style.scale(float(opening.max()), "m")
-    figure = plt.figure(figsize=(7.2, 5.4))
+    figure = plt.figure(figsize=(7.2, 4.6))
     axes = figure.add_subplot(projection="3d")
     surface = Poly3DCollection(points[crack.cells], cmap="viridis", edgecolors=style.QUIET, linewidths=0.25)
     surface.set_array(opening[crack.cells].mean(axis=1) * scale)
@@ -93,7 +93,7 @@ def draw_surface(crack, title, time, path):
     for i, name in enumerate("xyz"):
         getattr(axes, f"set_{name}lim")(middle[i] - half[i], middle[i] + half[i])
         getattr(axes, f"set_{name}label")(f"{name} [{metres}]")
-    axes.set_box_aspect(half, zoom=0.9)
+    axes.set_box_aspect(half, zoom=1.15)
     axes.locator_params(nbins=5)
     factor, seconds = style.scale(time, "s")
     axes.set_title(f"{title}: crack surface at t = {time * factor:.4g} {seconds}", fontsize=12)

@@ -2,6 +2,7 @@
 
 from . import style
 from .answers import is_number
+from .html_text import element
 from .report_facts import all_fronts, grown_by, largest_release, short
 
 MODES = ("K_I", "K_II", "K_III")
@@ -33,15 +34,15 @@ class Column:
         return "0" if abs(value) <= SMALL * self.largest else short(value * self.factor)
 
     def cell(self, i):
-        """The text of a front's value."""
+        """A front's value; its range along the front in a line below."""
         if not is_number(self.values[i]):
             return "-"
         text = self.text(self.values[i])
         if is_number(self.errors[i]):
             text += f" ± {self.errors[i] * self.factor:.2g}"
-        if self.ranges[i] is not None:
-            text += f" ({self.text(self.ranges[i][0])} to {self.text(self.ranges[i][1])})"
-        return text
+        if self.ranges[i] is None:
+            return text
+        return [text, element("br"), f"({self.text(self.ranges[i][0])} to {self.text(self.ranges[i][1])})"]
 
 
 def largest_of(*lists):
@@ -108,8 +109,10 @@ def front_table(summary):
         return None
     fronts.sort(key=lambda entry: -(largest_release(entry[2]) or 0.0))
     columns = columns_of(fronts, "equilibrium" in summary)
-    where, texts = positions(fronts)
-    head = ["crack", "front", "state", *(column.title() for column in columns), where]
-    rows = [(name, number, state_of(front), *(column.cell(i) for column in columns), texts[i])
-            for i, (name, number, front) in enumerate(fronts)]
-    return head, rows, range(3, 3 + len(columns))
+    head = ["crack and front", "state", *(column.title() for column in columns)]
+    rows = [[f"{name}, {number}", state_of(front), *(column.cell(i) for column in columns)] for i, (name, number, front) in enumerate(fronts)]
+    if all(len(front.get("position") or []) < 3 for _, _, front in fronts):  # in 3D it is a mean along the front
+        where, texts = positions(fronts)
+        head.append(where)
+        rows = [row + [text] for row, text in zip(rows, texts)]
+    return head, rows, range(2, 2 + len(columns))

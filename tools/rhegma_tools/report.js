@@ -3,7 +3,7 @@
 // Without this script the page has still pictures of all panels. The body's attribute data-script is "ready" at its end.
 (function () {
   const INK = "#222222", QUIET = "#dddddd", FRAME = "#555555";
-  const LEFT = 72, RIGHT = 16, TOP = 28, BOTTOM = 44; // margins of a plot [px]
+  const LEFT = 72, RIGHT = 26, TOP = 28, BOTTOM = 44; // margins of a plot [px]
   const SMALLEST = 1e-9; // visible part of an axis
   const SAME = 0.02; // smallest range of an axis of chosen columns, over the size of its values
   const holder = document.createElement("div");

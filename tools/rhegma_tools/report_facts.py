@@ -4,7 +4,6 @@ import os
 
 from . import style
 from .answers import is_number
-from .whole_folder import went_to_its_end
 
 SHORT = 6  # digits of a number without a known unit
 
@@ -92,54 +91,6 @@ def grown_by(front):
         return front["mean_advance"]
     lengths = [run.get("length") for run in front.get("runs") or []]
     return sum(lengths) if lengths and all(is_number(length) for length in lengths) else None
-
-
-def grown_fronts(grown, count, in_equilibrium, start):
-    """Which fronts grew, from when on and by how much. grown: [(crack, number, entry)]; count: of all fronts; start: load factor at
-    which the first one grew, or None"""
-    grown = sorted(grown, key=lambda entry: entry[2]["initiated"])
-    texts = []
-    for name, number, front in grown[:4]:
-        length = grown_by(front)
-        text = f"{name}, front {number}, grew" + ("" if length is None else f" by {readable(length, 'm')}")
-        texts.append(text if in_equilibrium else text + f" from t = {readable(front['initiated'], 's')} on")
-    more = f"; {len(grown) - 4} more" if len(grown) > 4 else ""
-    still = f" ({len(grown)} of {count} fronts grew)" if count > 1 else ""
-    factor = f", starting at {start:.4g} times the given loads" if is_number(start) else ""
-    return "; ".join(texts) + more + still + factor + "."
-
-
-def stopped_fronts(fronts):
-    """A warning of numerical stops; empty where there are none."""
-    stopped = [f"{name}, front {number}" for name, number, front in fronts if front.get("stopped")]
-    if not stopped:
-        return ""
-    shown = "; ".join(stopped[:4]) + (f" and {len(stopped) - 4} more" if len(stopped) > 4 else "")
-    return f" Stopped for a numerical reason, not by the material: {shown}."
-
-
-def verdict(summary):
-    """Whether a crack has run, as a line; None where the scene has no crack."""
-    fronts = all_fronts(summary)
-    if not fronts:
-        return None
-    grown = [entry for entry in fronts if is_number(entry[2].get("initiated"))]
-    start = ((summary.get("propagation") or {}).get("initiation") or {}).get("load_factor")
-    if grown:
-        return f"Yes: {grown_fronts(grown, len(fronts), 'equilibrium' in summary, start)}{stopped_fronts(fronts)}"
-    if is_number(start):
-        return f"The first crack starts at {start:.4g} times the given loads."
-    if "propagation" in summary:
-        nearest = max((front["closest_to_initiation"] for _, _, front in fronts if is_number(front.get("closest_to_initiation"))), default=None)
-        reached = "" if nearest is None else f"; G reached at most {nearest:.3g} of the initiation toughness"
-        until = "" if went_to_its_end(summary) else " up to the time at which the run ended early"
-        return f"No{until}: no front grew{reached}."
-    largest = max(((largest_release(front), f"{name}, front {number}") for name, number, front in fronts if largest_release(front) is not None),
-                  default=None)
-    if largest is None:
-        return "Not decided: the scene computes no energy release rate (section Energy Release)."
-    return (f"Not decided: the scene has no toughness (section Propagation). A crack runs if its toughness is below G; the largest G of all "
-            f"samples is {readable(largest[0], 'J/m²')} ({largest[1]}).")
 
 
 def certainty(summary):

@@ -12,6 +12,7 @@ from .html_text import Markup, data_block, element, folded, markup, picture, tab
 from .interpreter import Problem
 from .report_pictures import field_pictures, film, front_pictures, history_pictures, seconds
 from .summary import read_summary
+from .report_verdict import verdict
 from .style import COLOURS
 from .whole_folder import Found, check_scene, how_it_stands, read_manifest
 from .zoom_data import rounded
@@ -143,7 +144,7 @@ def answer_part(run):
     if not summary:
         return None
     parts = [element("h2", "Does the crack run?" if facts.all_fronts(summary) else "Results")]
-    decided = facts.verdict(summary)
+    decided = verdict(summary)
     if decided:
         parts.append(element("p", decided, class_="verdict"))
     parts.append(element("ul", [element("li", answer) for answer in summary.get("answers") or []]))

@@ -51,8 +51,10 @@ def body_picture(fields, summary, title, quantity, view):
     name = QUANTITIES[quantity_shown(fields, quantity)]
     what = f"{name[0].upper()}{name[1:]} [{unit}] at t = {seconds(fields.time)}{section_of(view)}; {magnified(factor)}."
     cracks = "" if fields.crack is None else " Lines are crack faces; a white dot is a crack front, a red one a front that stopped numerically."
+    zero = not fields.values(quantity).any()
+    scale = f" The {name} is zero everywhere." if zero else " The most extreme half percent of the values has the colours at the ends of the scale."
     return Shown("png", target.getvalue(), f"{title}: the body, coloured by the {name} in {unit}, at t = {seconds(fields.time)}, {magnified(factor)}",
-                 what + cracks + " The most extreme half percent of the values has the colours at the ends of the scale.")
+                 what + cracks + (scale if name != "temperature" else ""))
 
 
 def field_pictures(folder, summary, title):

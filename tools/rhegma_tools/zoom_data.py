@@ -45,9 +45,10 @@ def curve_of(line, most):
             "width": line.get_linewidth(), "x": rounded(x[kept]), "y": rounded(y[kept])}
 
 
-def line_across(line, value):
-    """A straight line through the whole panel at a value."""
-    return {"name": plain(line.get_label()), "colour": to_hex(line.get_color()), "dashes": DASHES.get(line.get_linestyle(), "7 3"),
+def line_across(line, value, dashed):
+    """A straight line through the whole panel at a value. dashed: its dashes, where matplotlib only knows that it has some"""
+    dashes = dashed if line.get_linestyle() == "--" else DASHES.get(line.get_linestyle(), "")
+    return {"name": plain(line.get_label()), "colour": to_hex(line.get_color()), "dashes": dashes,
             "width": line.get_linewidth(), "at": float(value)}
 
 
@@ -85,7 +86,7 @@ def panel_data(axes):
         "title": axes.get_title(loc="left"), "x": axes.get_xlabel(), "y": axes.get_ylabel(),
         "range": [float(end) for end in (*axes.get_xlim(), *axes.get_ylim())],
         "curves": [curve_of(line, most) for line in curves],
-        "across": [line_across(line, line.get_ydata()[0]) for line in level],
-        "marks": [line_across(line, line.get_xdata()[0]) for line in upright],
+        "across": [line_across(line, line.get_ydata()[0], "8 3 2 3") for line in level],
+        "marks": [line_across(line, line.get_xdata()[0], "1 3") for line in upright],
         "bands": [band_of(patch) for patch in axes.patches], "areas": areas, "bars": bars,
     }
