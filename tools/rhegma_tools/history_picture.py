@@ -71,7 +71,8 @@ def width(i, count, thinnest=1.6):
 
 
 def legend(axes):
-    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, handlelength=2.6)
+    if axes.get_legend_handles_labels()[0]:  # of values that are all zero no line is drawn
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, handlelength=2.6)
 
 
 def widen(axes, fraction=SMALLEST_RANGE):

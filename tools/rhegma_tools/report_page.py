@@ -165,7 +165,7 @@ def figures(shown, first):
     """Figures of pictures; those with numbers are drawn again by the script. first: number of the first one, for ids"""
     parts = []
     for i, one in enumerate(shown, first):
-        still = picture(one.kind, one.data, one.alt, class_="still")
+        still = picture(one.kind, one.data, one.alt, class_=None if one.panel is None else "still")
         if one.panel is None:
             parts.append(element("figure", still, element("figcaption", one.caption)))
         else:

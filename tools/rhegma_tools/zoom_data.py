@@ -5,6 +5,7 @@ import re
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
+from matplotlib.container import ErrorbarContainer
 
 POINTS = 40_000  # of all curves of a panel together
 FEWEST = 300  # of a curve, however many there are
@@ -75,7 +76,8 @@ def band_of(patch):
 def panel_data(axes):
     """{title, x, y: labels; range: of all: [left, right, bottom, top]; curves, across, marks, bands, areas, bars} of axes on which
     one of the panels of history_picture or path_picture was drawn."""
-    drawn = [line for line in axes.get_lines() if line.get_linestyle() not in ("None", "none", "")]
+    ends = [container.lines[0] for container in axes.containers if isinstance(container, ErrorbarContainer)]
+    drawn = [line for line in axes.get_lines() if line.get_linestyle() not in ("None", "none", "") and line not in ends]
     upright = [line for line in drawn if line.get_transform() is axes.get_xaxis_transform(which="grid")]
     level = [line for line in drawn if line.get_transform() is axes.get_yaxis_transform(which="grid")]
     curves = [line for line in drawn if line not in upright and line not in level]
