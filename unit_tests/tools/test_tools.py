@@ -18,6 +18,7 @@ from plot_tests import *  # noqa: E402,F401,F403
 from report_tests import *  # noqa: E402,F401,F403
 from same_tests import *  # noqa: E402,F401,F403
 from study_tests import *  # noqa: E402,F401,F403
+from verdict_tests import *  # noqa: E402,F401,F403
 
 if __name__ == "__main__":
     unittest.main()
