@@ -18,9 +18,12 @@ def fronts_with_nodes(summary):
     found = []
     for crack, number, front in all_fronts(summary or {}):
         nodes = front.get("front_nodes") or {}
-        if len(nodes.get("arc_length") or []) > 1:
-            found.append((f"{crack}, front {number}", {key: np.array([v if is_number(v) else np.nan for v in values])
-                                                       for key, values in nodes.items() if values and not isinstance(values[0], list)}))
+        arc = nodes.get("arc_length")
+        if not isinstance(arc, list) or len(arc) < 2 or not all(map(is_number, arc)):
+            continue
+        whole = {key: values for key, values in nodes.items() if isinstance(values, list) and len(values) == len(arc)}
+        found.append((f"{crack}, front {number}", {key: np.array([v if is_number(v) else np.nan for v in values]) for key, values in whole.items()
+                                                   if not any(isinstance(v, list) for v in values)}))
     return found[:MOST]
 
 

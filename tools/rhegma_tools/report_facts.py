@@ -7,6 +7,22 @@ from .answers import is_number
 
 SHORT = 6  # digits of a number without a known unit
 
+# Lists and objects of a summary that the page uses: [shape of each entry] and {name: shape}.
+FRONT = {"runs": [{}], "position": [], "stop": {"node_positions": []}, "arrival": {}, "front_nodes": {}}
+SHAPE = {"cracks": [{"fronts": [FRONT]}], "energy": {}, "cells": {}, "propagation": {"initiation": {}}, "equilibrium": {}, "references": [{}],
+         "warnings": [], "answers": [], "effects": []}
+
+
+def sound(value, shape, where, problems):
+    """A value with lists and objects where they are expected; others are left out and added to the problems. where: its name"""
+    if not isinstance(value, type(shape)):
+        problems.append(f"{where} is not what a run writes, and is left out.")
+        return type(shape)()
+    if isinstance(shape, list):
+        return [sound(entry, shape[0], f"{where} > {i}", problems) for i, entry in enumerate(value)] if shape else value
+    inner = {name: sound(value[name], one, f"{where} > {name}", problems) for name, one in shape.items() if value.get(name) is not None}
+    return dict(value, **inner)
+
 
 def short(value, digits=4):
     """A number with so many digits, without an exponent where it is a few digits long."""

@@ -34,7 +34,7 @@ class Run:
         self.folder, self.problems = folder, []
         self.twice, run = twice_of(folder)
         self.run = run
-        self.summary = self.read(read_summary) or {}
+        self.summary = facts.sound(self.read(read_summary) or {}, facts.SHAPE, "summary.json", self.problems)
         self.history = self.read(read_history)
         self.fields = self.read(read_fields)
         found = Found()
@@ -82,7 +82,7 @@ def twice_of(folder):
     run = next((run for run in runs if os.path.isdir(run)), None)
     if os.path.exists(os.path.join(folder, "history.csv")) or not os.path.exists(path) or run is None:
         return None, folder
-    return read_summary(folder, "twice.json"), run
+    return facts.sound(read_summary(folder, "twice.json"), {"answers": [{}]}, path, []), run
 
 
 def read_text(name):
@@ -235,8 +235,6 @@ def page_of(run):
     along = run.draw(front_pictures, run.summary)
     if run.fields is None and not any("fields.h5" in problem for problem in run.problems):
         run.problems.append("The run wrote no fields (Output > Fields), so there are no pictures of the body.")
-    used = sum(len(one.data) * 4 // 3 for one in pictures + plots + along)
-    moving = None if run.fields is None else film(run.run, max((LARGEST_PAGE - 1_500_000 - used) * 3 // 4, FEWEST_FILM), run.problems)
     body = [head_of(run), answer_part(run)]
     if pictures:
         body.append(element("section", element("h2", "Pictures"), figures(pictures, 0)))
@@ -245,9 +243,13 @@ def page_of(run):
         body.append(element("section", element("h2", "History"), hint, figures(plots, 0), figures(along, len(plots))))
     if run.history is not None:
         body.append(columns_part(run.history))
-    if moving is not None:
-        body.append(film_part(moving))
-    body.append(scene_part(run))
+    scene = scene_part(run)
+    if run.fields is not None:
+        left = LARGEST_PAGE - sum(len(part) for part in [*body, scene] if part)
+        moving = film(run.run, max(left * 3 // 4, FEWEST_FILM), run.problems)
+        body += [] if moving is None else [film_part(moving)]
+        body[0] = head_of(run)  # with what prevented the film
+    body.append(scene)
     head = element("head", element("meta", charset="utf-8"), element("meta", name="viewport", content="width=device-width, initial-scale=1"),
                    element("title", run.title), element("style", Markup(read_text("report.css"))))
     script = element("script", Markup(read_text("report.js")))

@@ -62,12 +62,19 @@ def of_no_growth(summary, fronts):
 
 
 def of_no_toughness(fronts):
-    known = [(largest_release(entry[2]), name_of(entry)) for entry in fronts if largest_release(entry[2]) is not None]
+    known = [entry for entry in fronts if largest_release(entry[2]) is not None]
     if not known:
         return "Not decided: the scene computes no energy release rate (section Energy Release)."
-    largest, name = max(known)
-    return (f"Not decided: the scene has no toughness (section Propagation). A crack runs if its toughness is below G; the largest G of all samples "
-            f"is {readable(largest, 'J/m²')} ({name}).")
+    most = max(known, key=lambda entry: largest_release(entry[2]))
+    largest, last = largest_release(most[2]), most[2].get("G_J")
+    error = most[2].get("G_J_error_estimate")
+    at_end = ""
+    if is_number(last):
+        estimate = f" ± {100.0 * error / last:.2g} %" if is_number(error) and last > 0.0 else ""
+        at_end = f"{readable(last, 'J/m²')}{estimate} at the end"
+    peak = f"{', ' if at_end else ''}{readable(largest, 'J/m²')} at most" if not is_number(last) or largest > last else ""
+    return (f"Not decided: the scene has no toughness (section Propagation). A crack runs if its toughness is below G. The largest is that of "
+            f"{name_of(most)}: G = {at_end}{peak}.")
 
 
 def verdict(summary):

@@ -179,7 +179,7 @@ class Report(ToolTest):
         page = self.page()
         self.assertIn("80 more fronts", page.text)
         self.assertLess(page.text.index("C99, 0"), page.text.index("C98, 0"))
-        self.assertIn("the largest G of all samples is 100 J/m² (C99, front 0)", page.text)
+        self.assertIn("The largest is that of C99, front 0: G = 100 J/m² at the end.", page.text)
         self.assertIn("This plot has 373 of its 5000 rows.", page.text)  # 150000 numbers of 402 columns
         self.assertLess(os.path.getsize(self.path("report.html")), 6e6)
 

@@ -6,7 +6,7 @@ import unittest
 from tool import ToolTest  # first, as it finds the Python for all others
 
 from rhegma_tools.front_table import front_table
-from rhegma_tools.report_facts import analysis_of, cells_of, certainty, duration, readable, reference_rows, run_facts, short
+from rhegma_tools.report_facts import SHAPE, analysis_of, cells_of, certainty, duration, readable, reference_rows, run_facts, short, sound
 from rhegma_tools.report_verdict import verdict
 
 
@@ -18,9 +18,10 @@ class Verdict(ToolTest):
     def test_without_crack_or_toughness(self):
         self.assertIsNone(verdict({"cracks": []}))
         self.assertIn("computes no energy release rate", verdict(summary_of({})))
-        text = verdict(summary_of({"G_J": 300.0, "largest_G_J": 643.0}, {"G_J": 10.0}))
+        text = verdict(summary_of({"G_J": 500.0, "G_J_error_estimate": 10.0, "largest_G_J": 643.0}, {"G_J": 10.0}))
         self.assertTrue(text.startswith("Not decided"), text)
-        self.assertIn("643 J/m² (A, front 0)", text)
+        self.assertTrue(text.endswith("A, front 0: G = 500 J/m² ± 2 % at the end, 643 J/m² at most."), text)
+        self.assertTrue(verdict(summary_of({"G_J": 10.0})).endswith("A, front 0: G = 10 J/m² at the end."))
 
     def test_growth_in_motion(self):
         text = verdict(summary_of({"initiated": 33e-6, "runs": [{"length": 0.01}, {"length": 0.02}]}, {"initiated": None}, propagation={}))
@@ -98,6 +99,30 @@ class Facts(ToolTest):
         self.assertEqual(rows[0][1:6], ("126 mJ/m²", "128.7 mJ/m²", "2.14 %", "4 %", "within"))
         self.assertEqual(rows[1][1:6], ("0.001", "0", "0.001", "0.0001", "OUTSIDE"))
         self.assertEqual(rows[2][1:6], ("-", "0.00046", "-", "3 %", "not compared: why"))
+
+
+class Sound(ToolTest):
+    def test_what_is_no_list_or_object_is_left_out(self):
+        problems = []
+        summary = sound({"status": "finished", "energy": 3.0, "cracks": [{"name": "A", "fronts": "many"}, None], "warnings": ["w"]}, SHAPE, "S", problems)
+        self.assertEqual(summary, {"status": "finished", "energy": {}, "cracks": [{"name": "A", "fronts": []}, {}], "warnings": ["w"]})
+        self.assertEqual([problem.split(" is")[0] for problem in problems], ["S > cracks > 0 > fronts", "S > cracks > 1", "S > energy"])
+
+    def test_any_changed_entry_gives_text(self):
+        """Entries of a summary replaced at random: the answer, the certainty and the tables are still made."""
+        seed = random.randrange(10**6)
+        chance = random.Random(seed)
+        front = {"G_J": 100.0, "G_J_error_estimate": 4.5, "K_I": 1e6, "position": [0.0, 1.0], "initiated": 1e-5, "runs": [{"length": 0.1}],
+                 "status": "running", "arrival": {"what": "joined"}, "stopped": False, "closest_to_initiation": 0.5}
+        for _ in range(500):
+            summary = summary_of(dict(front), energy={"residual": 1.0}, propagation={"initiation": {"load_factor": 2.0}}, cells={"largest": 1.0},
+                                 references=[{"quantity": "a.K_I", "value": 1.0}], effects=["Cracks"], equilibrium={"load_steps": 1})
+            at = chance.choice([summary, summary["cracks"][0], summary["cracks"][0]["fronts"][0], summary["propagation"], summary["references"][0]])
+            key = chance.choice(list(at))
+            at[key] = chance.choice([None, float("nan"), -1.0, 0, True, "text", [], {}])
+            found = sound(summary, SHAPE, "S", [])
+            text = (str(verdict(found)) + str(certainty(found)) + str(reference_rows(found)) + str(front_table(found)) + str(run_facts(found, 2)))
+            self.assertIn("Version" if "version" in found else "Analysis", text, f"seed {seed}: {key} = {at[key]}")
 
 
 class FrontTable(ToolTest):
