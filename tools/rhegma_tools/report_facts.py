@@ -72,7 +72,7 @@ def cells_of(summary):
 
 def run_facts(summary, dimension):
     """[(name, text)] of what was run. dimension: 2, 3 or None where it is not known"""
-    facts = [("Scene", summary.get("scene")), ("Analysis", analysis_of(summary)),
+    facts = [("Scene", summary.get("scene")), ("Analysis", analysis_of(summary) if "status" in summary else None),
              ("Dimension", None if dimension is None else f"{dimension}D"), ("Cells", cells_of(summary))]
     for name, key in (("Particles", "particles"), ("Steps", "steps")):
         facts.append((name, f"{summary[key]:,}".replace(",", " ") if is_number(summary.get(key)) else None))

@@ -12,7 +12,7 @@ from .html_text import Markup, data_block, element, folded, markup, picture, tab
 from .interpreter import Problem
 from .report_pictures import field_pictures, film, front_pictures, history_pictures, seconds
 from .summary import read_summary
-from .report_verdict import verdict
+from .report_verdict import so_far, verdict
 from .style import COLOURS
 from .whole_folder import Found, check_scene, how_it_stands, read_manifest
 from .zoom_data import rounded
@@ -119,7 +119,7 @@ def head_of(run):
     status = run.summary.get("status") if run.ended else None
     parts.append(element("p", f"Status: {status}" if status else "Status: not ended", class_="status"))
     parts.append(notices(run))
-    parts.append(fact_list(facts.run_facts(run.summary, run.dimension)))
+    parts.append(fact_list(facts.run_facts(run.summary or {"scene": run.scene}, run.dimension)))
     if run.twice is not None:
         parts.append(element("p", f"This page shows the run in {os.path.basename(run.run)} of rhegma --twice, and its comparison with the other."))
     return element("header", parts)
@@ -142,7 +142,8 @@ def fronts_part(summary):
 def answer_part(run):
     summary = run.summary
     if not summary:
-        return None
+        grown = None if run.history is None else so_far(run.history)
+        return grown and element("section", element("h2", "Does the crack run?"), element("p", grown, class_="verdict"))
     parts = [element("h2", "Does the crack run?" if facts.all_fronts(summary) else "Results")]
     decided = verdict(summary)
     if decided:

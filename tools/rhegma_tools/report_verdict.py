@@ -1,6 +1,7 @@
 """Whether a crack of a run has grown, as a line of text."""
 
 from .answers import is_number
+from .history_picture import areas, growth
 from .report_facts import all_fronts, grown_by, largest_release, readable, short
 from .whole_folder import went_to_its_end
 
@@ -92,3 +93,18 @@ def verdict(summary):
         text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts)
     stopped = [entry for entry in fronts if entry[2].get("stopped")]
     return text + (f" Stopped for a numerical reason, not by the material: {listed(stopped)}." if stopped else "")
+
+
+def so_far(history):
+    """Of a run without a summary: which fronts have grown up to the last sample; None where the history has no fronts."""
+    if not history.fronts:
+        return None
+    moved = growth(history)
+    time = readable(float(history.time[-1]), "s")
+    if not moved:
+        return f"Not up to t = {time}, the last sample: no front has grown."
+    larger = areas(history, moved)
+    texts = [f"{name}, new area {short(float(area[-1]) * 1e6)} mm²" for name, area in larger]
+    texts = texts or [f"{name_of(front)}, crack extension {readable(float(samples[-1]), 'm')}" for front, samples in moved]
+    more = f"; {len(texts) - NAMED} more" if len(texts) > NAMED else ""
+    return f"Yes, up to t = {time}, the last sample: {'; '.join(texts[:NAMED])}{more}."

@@ -1,13 +1,15 @@
 """Tests of rhegma-report: whole pages."""
 
 import fcntl
+import glob
 import json
 import os
 import random
 import re
+import shutil
 import unittest
 
-from tool import ToolTest, run  # first, as it finds the Python for all others
+from tool import TOOLS, ToolTest, run  # first, as it finds the Python for all others
 
 import made_up_run
 import numpy as np
@@ -134,9 +136,14 @@ class Report(ToolTest):
             fcntl.flock(lock, fcntl.LOCK_EX)
             page = self.page()
         self.assertIn("A run is going on in", page.text)
+        self.assertIn("Not up to t = 3 ms, the last sample: no front has grown.", page.text)
+        self.assertNotIn("Analysis", page.text)
         self.assertIn("Status: not ended", page.text)
         self.assertIn("The page shows the run so far.", page.text)
         os.remove(self.path("run.lock"))
+        time = np.linspace(0.0, 1e-3, 50)
+        made_up_run.write_history(self.folder, {"time": time, "strain": time, "A.0.G_J": time, "A.0.length": 0.01 + 5.0 * time, "A.0.speed": 5.0 + 0.0 * time})
+        self.assertIn("Yes, up to t = 1 ms, the last sample: A, front 0, crack extension 5 mm.", self.page().text)
         self.assertIn("was cut off and has no checkpoint", self.page().text)
 
     def test_history_with_numbers_that_are_missing(self):
@@ -226,6 +233,25 @@ class Report(ToolTest):
         self.assertIn("Results", page.text)
         self.assertNotIn("Does the crack run?", page.text)
         self.assertIn("Temperature [K] at t = 2 s", page.text)
+
+    def test_installed_copy(self):
+        """Laid out as the rules of cmake/RhegmaInstall.cmake do, the tool finds its style and its script."""
+        made_up_run.beam(self.folder)
+        with open(os.path.join(TOOLS, "..", "cmake", "RhegmaInstall.cmake"), encoding="utf-8") as file:
+            rule = re.search(r"install\(DIRECTORY \S*/tools/rhegma_tools DESTINATION (\S+)\s+FILES_MATCHING ([^)]*)\)", file.read())
+        for pattern in re.findall(r"PATTERN (\S+)", rule[2]):
+            for path in glob.glob(os.path.join(TOOLS, "rhegma_tools", pattern)):
+                target = self.path("prefix", rule[1], "rhegma_tools")
+                os.makedirs(target, exist_ok=True)
+                shutil.copy(path, target)
+        os.makedirs(self.path("prefix", "bin"))
+        tool = shutil.copy(os.path.join(TOOLS, "rhegma-report"), self.path("prefix", "bin"))
+        status, output, messages = run(tool, self.folder)
+        self.assertEqual((status, messages), (0, ""))
+        with open(self.path("report.html"), encoding="utf-8") as file:
+            page = Page(file.read())
+        self.assertIn("figcaption", page.pieces["style"][0])
+        self.assertIn("use strict", page.pieces["script"][0])
 
     def test_two_cell_sizes(self):
         for name in ("as_is", "half"):
