@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""All tests of the tools at once: python3 test_tools.py."""
+"""All tests of the other tools than rhegma-report at once: python3 test_tools.py."""
 
 import os
 import sys
@@ -9,16 +9,13 @@ sys.dont_write_bytecode = True
 import unittest  # noqa: E402
 
 from accuracy_tests import *  # noqa: E402,F401,F403
-from browser_tests import *  # noqa: E402,F401,F403
 from check_tests import *  # noqa: E402,F401,F403
 from extension_tests import *  # noqa: E402,F401,F403
 from history_tests import *  # noqa: E402,F401,F403
 from limits_tests import *  # noqa: E402,F401,F403
 from plot_tests import *  # noqa: E402,F401,F403
-from report_tests import *  # noqa: E402,F401,F403
 from same_tests import *  # noqa: E402,F401,F403
 from study_tests import *  # noqa: E402,F401,F403
-from verdict_tests import *  # noqa: E402,F401,F403
 
 if __name__ == "__main__":
     unittest.main()
