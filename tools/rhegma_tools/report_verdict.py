@@ -101,6 +101,8 @@ def so_far(history):
         return None
     moved = growth(history)
     time = readable(float(history.time[-1]), "s")
+    if not moved and all(history.of_front(front, "stopped") is None for front in history.fronts):  # a column of Propagation alone
+        return f"Not decided up to t = {time}, the last sample: the scene has no toughness (section Propagation); compare G with it."
     if not moved:
         return f"Not up to t = {time}, the last sample: no front has grown."
     larger = areas(history, moved)

@@ -18,7 +18,8 @@ from html_page import Page
 from rhegma_tools import film_frames, zoom_data
 from rhegma_tools.html_text import element, markup
 from rhegma_tools.report_page import chosen_columns
-from rhegma_tools.history import read_history
+from rhegma_tools.report_verdict import so_far
+from rhegma_tools.history import History, read_history
 from rhegma_tools.style import plt
 
 
@@ -136,13 +137,15 @@ class Report(ToolTest):
             fcntl.flock(lock, fcntl.LOCK_EX)
             page = self.page()
         self.assertIn("A run is going on in", page.text)
-        self.assertIn("Not up to t = 3 ms, the last sample: no front has grown.", page.text)
+        self.assertIn("Not decided up to t = 3 ms, the last sample: the scene has no toughness", page.text)
         self.assertNotIn("Analysis", page.text)
         self.assertIn("Status: not ended", page.text)
         self.assertIn("The page shows the run so far.", page.text)
         os.remove(self.path("run.lock"))
         time = np.linspace(0.0, 1e-3, 50)
         made_up_run.write_history(self.folder, {"time": time, "strain": time, "A.0.G_J": time, "A.0.length": 0.01 + 5.0 * time, "A.0.speed": 5.0 + 0.0 * time})
+        self.assertEqual(so_far(History({"time": time, "A.0.length": 1.0 + 0.0 * time, "A.0.stopped": 0.0 * time})),
+                         "Not up to t = 1 ms, the last sample: no front has grown.")
         self.assertIn("Yes, up to t = 1 ms, the last sample: A, front 0, crack extension 5 mm.", self.page().text)
         self.assertIn("was cut off and has no checkpoint", self.page().text)
 
