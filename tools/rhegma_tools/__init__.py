@@ -1,1 +1,1 @@
-"""What rhegma-plot and rhegma-study are made of."""
+"""What rhegma-plot, rhegma-report and rhegma-study are made of."""

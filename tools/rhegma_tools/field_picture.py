@@ -264,7 +264,7 @@ def stop_after(fields, summary):
 
 
 def draw_fields(fields, summary, title, path, stress="principal", magnification=None, asked=None):
-    """Writes the picture; returns the magnification it used. asked: a slice, as read_slice gives it."""
+    """Writes the picture; returns the magnification it used and the unit of the colours. asked: a slice, as read_slice gives it."""
     if magnification is None:
         magnification = automatic_magnification(fields.position, fields.displacement)
     view = choose_view(fields, asked)
@@ -340,4 +340,4 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     bar.set_label(f"{QUANTITIES[stress]} [{stress_unit}]")
     bar.outline.set_linewidth(0.6)
     style.save(figure, path)
-    return magnification
+    return magnification, stress_unit

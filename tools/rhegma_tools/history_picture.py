@@ -71,7 +71,8 @@ def width(i, count, thinnest=1.6):
 
 
 def legend(axes):
-    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, handlelength=2.6)
+    if axes.get_legend_handles_labels()[0]:  # of values that are all zero no line is drawn
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, handlelength=2.6)
 
 
 def widen(axes, fraction=SMALLEST_RANGE):
@@ -142,6 +143,14 @@ def draw_error(axes, summary, front, quantity, time, samples, factor, colour):
         axes.errorbar(time[-1:], samples[-1:] * factor, yerr=error * factor, color=colour, capsize=4, lw=1.2, clip_on=False)
 
 
+def draw_extremes(axes, history, front, quantity, time, factor, colour):
+    """The range along a front in 3D, where the history has it."""
+    low, high = (history.of_front(front, f"{quantity}_{end}") for end in ("min", "max"))
+    if low is not None and high is not None:
+        label = "range along the front" if front == history.fronts[0] and quantity in ("G_J", "K_I") else None
+        axes.fill_between(time, low * factor, high * factor, color=colour, alpha=0.15, lw=0, label=label)
+
+
 def draw_release(axes, history, summary, time, per_second=1.0):
     """`time` is drawn, in units of which there are so many in a second."""
     rates = release_rates(history)
@@ -162,6 +171,7 @@ def draw_release(axes, history, summary, time, per_second=1.0):
             colour = style.COLOURS[[m[0] for m in METHODS].index(quantity) if name == "" else fronts.index(front)]
             axes.plot(time, samples * factor, color=colour, ls=dashes, label=name + method,
                       lw=width(fronts.index(front), len(fronts)))
+            draw_extremes(axes, history, front, quantity, time, factor, colour)
             draw_error(axes, summary, front, quantity, time, samples, factor, colour)
     else:
         for (quantity, method, dashes), colour in zip(METHODS, style.COLOURS):
@@ -192,7 +202,7 @@ def intensities(history):
     return [entry for entry in found if finite_maximum([entry[2]]) > 1.0e-3 * largest]
 
 
-def draw_intensities(axes, found, time, summary=None):
+def draw_intensities(axes, found, time, summary=None, history=None):
     factor, unit = style.scale(finite_maximum([samples for _, _, samples in found]), "Pa")
     fronts = list(dict.fromkeys(front for front, _, _ in found))
     for front, mode, samples in found:
@@ -201,6 +211,8 @@ def draw_intensities(axes, found, time, summary=None):
         colour = style.COLOURS[fronts.index(front)]
         axes.plot(time, samples * factor, color=colour, ls=dashes, label=rf"{name}$K_\mathrm{{{mode}}}$",
                   lw=width(fronts.index(front), len(fronts)))
+        if history is not None:
+            draw_extremes(axes, history, front, f"K_{mode}", time, factor, colour)
         draw_error(axes, summary, front, f"K_{mode}", time, samples, factor, colour)
     axes.set_title("Stress intensity")
     axes.set_ylabel(f"K [{unit} √m]")
@@ -344,21 +356,18 @@ def draw_speed(axes, history, moved, summary, time, per_second=1.0):
     legend(axes)
 
 
-def draw_history(history, summary, title, path):
-    """Writes the picture of a history."""
-    moved = growth(history)
+def panels_of(history, summary):
+    """(functions that each draw a panel on axes, unit of time): a panel for each kind of quantity that the history has."""
+    moved, stressed, inside, warm = growth(history), intensities(history), pressures(history), temperatures(history)
     panels = []
     factor, unit = style.scale(finite_maximum([history.time]), "s")
     time = history.time * factor
     if release_rates(history):
         panels.append(lambda axes: draw_release(axes, history, summary, time, factor))
-    stressed = intensities(history)
     if stressed:
-        panels.append(lambda axes: draw_intensities(axes, stressed, time, summary))
-    inside = pressures(history)
+        panels.append(lambda axes: draw_intensities(axes, stressed, time, summary, history))
     if inside:
         panels.append(lambda axes: draw_pressures(axes, inside, time))
-    warm = temperatures(history)
     if warm:
         panels.append(lambda axes: draw_temperatures(axes, warm, time))
     if any(name in history.column for name, _, _ in ENERGIES):
@@ -367,6 +376,12 @@ def draw_history(history, summary, title, path):
         panels.append(lambda axes: draw_growth(axes, history, moved, time, summary, factor))
         if any(history.of_front(front, "speed") is not None for front, _ in moved):
             panels.append(lambda axes: draw_speed(axes, history, moved, summary, time, factor))
+    return panels, unit
+
+
+def draw_history(history, summary, title, path):
+    """Writes the picture of a history."""
+    panels, unit = panels_of(history, summary)
     if not panels:
         raise Problem("the history holds neither energies nor energy release rates; there is nothing to draw.")
     figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(7.2, 2.7 * len(panels) + 0.4),

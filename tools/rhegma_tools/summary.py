@@ -6,9 +6,9 @@ import os
 from .interpreter import Problem
 
 
-def read_summary(folder):
-    """The summary of a run, or None where the run left none."""
-    path = os.path.join(folder, "summary.json")
+def read_summary(folder, name="summary.json"):
+    """The summary of a run, or None where the run left none. name: of its file, or that of another file with one JSON object"""
+    path = os.path.join(folder, name)
     if not os.path.exists(path):
         return None
     try:

@@ -1,0 +1,150 @@
+"""Draws the frames of a run as small pictures of one size, with one colour scale, one magnification and one range of positions."""
+
+import io
+
+import numpy as np
+from PIL import Image
+
+from . import style
+from .deformation import automatic_magnification, magnified_faces
+from .field_picture import QUANTITIES, choose_view, colour_scale, crack_segments, draw_crack, draw_particles, heat_scale, limits
+from .field_picture import in_slice, particle_outlines, picture_size, quantity_shown, unit_of
+from .fields import read_fields
+from .interpreter import Problem
+from .style import plt
+
+MOST = 40  # frames
+PARTICLES = 2_000_000  # drawn in all frames together; of larger runs fewer frames are drawn
+SAMPLE = 20_000  # particles of a frame from which the scales are found
+DOTS = 100  # per inch
+
+
+class Film:
+    """frames: [(time [s], PNG)]; written: number of frames of the run; magnification; quantity, unit: of the colours; slice: axis and
+    position of a 3D run as text, or empty."""
+
+    def __init__(self, frames, written, magnification, quantity, unit, where):
+        self.frames, self.written, self.magnification = frames, written, magnification
+        self.quantity, self.unit, self.slice = quantity, unit, where
+
+
+def spread(values, most):
+    """At most so many of the values, evenly spread, the first and the last among them."""
+    if len(values) <= most:
+        return list(values)
+    return [values[i] for i in np.unique(np.round(np.linspace(0, len(values) - 1, max(most, 2))).astype(int))]
+
+
+class Sample:
+    """What a frame contributes to the scales: position, displacement (n, 3) [m] and values of some of its particles in the view."""
+
+    def __init__(self, fields, view, quantity):
+        every = np.arange(len(fields.position))
+        if view.normal is not None:
+            every = every[in_slice(fields, view.normal, view.where)]
+        every = every[:: max(len(every) // SAMPLE, 1)]
+        self.position, self.displacement, self.values = fields.position[every], fields.displacement[every], fields.values(quantity)[every]
+        self.size = fields.size
+
+
+def common_magnification(samples):
+    """That of the frame with the largest displacement, so that the body grows in no frame beyond what is wanted."""
+    largest = max(samples, key=lambda s: float(np.max(np.linalg.norm(s.displacement, axis=1))))
+    return automatic_magnification(largest.position, largest.displacement)
+
+
+def bounds(samples, view, magnification):
+    """Lowest and highest corner [m] of all frames as drawn."""
+    drawn = [view.flat(s.position + (magnification - 1.0) * s.displacement) for s in samples]
+    pad = max(s.size for s in samples)
+    return np.min([d.min(axis=0) for d in drawn], axis=0) - pad, np.max([d.max(axis=0) for d in drawn], axis=0) + pad
+
+
+class Stage:
+    """A figure in which one frame after the other is drawn."""
+
+    def __init__(self, samples, view, quantity, magnification):
+        self.view, self.quantity, self.magnification = view, quantity, magnification
+        low, high = bounds(samples, view, magnification)
+        self.length, metres = style.scale(float(np.max(high - low)), "m")
+        values = np.concatenate([s.values for s in samples])
+        self.factor, self.unit = unit_of(quantity, values)
+        self.colours, self.norm = (heat_scale if quantity == "temperature" else colour_scale)(values * self.factor)
+        self.palette = palette_of(self.colours)
+        _, size = picture_size((high - low) * self.length, False)
+        self.figure, self.axes = plt.subplots(figsize=size, layout="constrained")
+        bar = self.figure.colorbar(plt.cm.ScalarMappable(self.norm, self.colours), ax=self.axes, shrink=0.9, aspect=28, pad=0.02, extend="both")
+        bar.set_label(f"{QUANTITIES[quantity]} [{self.unit}]")
+        limits(self.axes, low * self.length, high * self.length, 0.03)
+        self.axes.set_aspect("equal")
+        drawn_at = "" if magnification == 1.0 else ", magnified"
+        self.axes.set_xlabel(f"{'xyz'[view.axes[0]]}{drawn_at} [{metres}]")
+        self.axes.set_ylabel(f"{'xyz'[view.axes[1]]}{drawn_at} [{metres}]")
+
+    def draw(self, fields, clock):
+        """A PNG of a frame. clock: factor and unit of times"""
+        outlines, drawn = particle_outlines(fields, self.view, self.magnification)
+        added = [draw_particles(self.axes, [o * self.length for o in outlines], fields.values(self.quantity)[drawn] * self.factor,
+                                self.colours, self.norm)] if len(outlines) else []
+        before = set(self.axes.collections)
+        if fields.crack is not None:
+            faces = magnified_faces(fields.crack, fields.position, fields.displacement, self.magnification)
+            draw_crack(self.axes, [face * self.length for face in crack_segments(fields, faces, self.view)], [], 0.9)
+        added += [c for c in self.axes.collections if c not in before]
+        self.axes.set_title(f"t = {fields.time * clock[0]:.4g} {clock[1]}", fontsize=10, fontweight="normal")
+        target = io.BytesIO()
+        self.figure.savefig(target, dpi=DOTS)
+        for artist in added:
+            artist.remove()
+        return few_colours(target.getvalue(), self.palette)
+
+
+def palette_of(colours):
+    """256 colours: those of a colour map, and greys for lines and text."""
+    shades = np.round(255 * plt.get_cmap(colours)(np.linspace(0.0, 1.0, 232))[:, :3]).astype(np.uint8)
+    greys = np.repeat(np.linspace(0, 255, 24).astype(np.uint8)[:, None], 3, axis=1)
+    image = Image.new("P", (1, 1))
+    image.putpalette(np.concatenate([shades, greys]).ravel().tolist())
+    return image
+
+
+def few_colours(png, palette):
+    """A picture with the colours of a palette, a third of the size."""
+    target = io.BytesIO()
+    image = Image.open(io.BytesIO(png)).convert("RGB")
+    image.quantize(palette=palette, dither=Image.Dither.NONE).save(target, "png", optimize=True)
+    return target.getvalue()
+
+
+def within(frames, most_bytes):
+    """At most so many bytes of frames, evenly spread."""
+    kept = list(frames)
+    while len(kept) > 2 and sum(len(png) for _, png in kept) > most_bytes:
+        kept = spread(kept, int(len(kept) * 0.9))
+    return kept
+
+
+def draw_film(folder, most_bytes, quantity="principal"):
+    """The frames of a run as a Film of at most so many bytes; None where the run has less than three frames."""
+    last = read_fields(folder)
+    if last is None or len(last.written) < 3:
+        return None
+    view, quantity = choose_view(last), quantity_shown(last, quantity)
+    each = len(last.position) if view.normal is None else int(in_slice(last, view.normal, view.where).sum())
+    times = spread(last.written, min(MOST, max(PARTICLES // max(each, 1), 3)))
+    samples = [Sample(read_fields(folder, time), view, quantity) for time in times]
+    samples = [sample for sample in samples if len(sample.position)]
+    if not samples:
+        raise Problem("no frame has particles in the section that is drawn.")
+    magnification = common_magnification(samples)
+    stage = Stage(samples, view, quantity, magnification)
+    clock = style.scale(max(abs(time) for time in times), "s")
+    try:
+        frames = [(time, stage.draw(read_fields(folder, time), clock)) for time in times]
+    finally:
+        plt.close(stage.figure)
+    where = ""
+    if view.normal is not None:
+        factor, unit = style.scale(abs(view.where), "m")
+        where = f"{'xyz'[view.normal]} = {view.where * factor:.3g} {unit}"
+    return Film(within(frames, most_bytes), len(last.written), magnification, QUANTITIES[quantity], stage.unit, where)

@@ -1,0 +1,148 @@
+"""The pictures of a page of a run. Each is a Shown: its bytes with what a reader who can't see it must know, and a caption."""
+
+import io
+
+from . import style
+from .cell_picture import draw_cells
+from .field_picture import QUANTITIES, choose_view, draw_fields, quantity_shown
+from .fields import read_fields
+from .film_frames import draw_film
+from .front_picture import draw_surface, panels_along
+from .history_picture import panels_of
+from .interpreter import Problem
+from .path_picture import curves, draw_factor, draw_force, is_path
+from .state_picture import draw_state
+from .style import plt
+from .zoom_data import panel_data
+
+LARGEST_DRAWING = 150_000  # bytes of a still panel as SVG; beyond it is a PNG
+PANEL = (7.2, 3.0)  # inches
+
+
+class Shown:
+    """kind: png or svg+xml; data: bytes; alt, caption: text; panel: numbers from which the script draws it again, or None."""
+
+    def __init__(self, kind, data, alt, caption, panel=None):
+        self.kind, self.data, self.alt, self.caption, self.panel = kind, data, alt, caption, panel
+
+
+def seconds(time):
+    factor, unit = style.scale(abs(time), "s")
+    return f"{time * factor:.4g} {unit}"
+
+
+def magnified(factor):
+    return "true displacements" if factor == 1.0 else f"displacements {factor:,.7g} times as large as they are".replace(",", " ")
+
+
+def section_of(view):
+    """Where a 3D run is cut, in words; empty in 2D."""
+    if view.normal is None:
+        return ""
+    factor, unit = style.scale(abs(view.where), "m")
+    return f", section at {'xyz'[view.normal]} = {view.where * factor:.3g} {unit}"
+
+
+def body_picture(fields, summary, title, quantity, view):
+    """The body with its cracks at a time, coloured by a quantity. view: the section of a 3D run"""
+    target = io.BytesIO()
+    asked = None if view.normal is None else (view.normal, view.where)
+    factor, unit = draw_fields(fields, summary, title, target, quantity, asked=asked)
+    name = QUANTITIES[quantity_shown(fields, quantity)]
+    what = f"{name[0].upper()}{name[1:]} [{unit}] at t = {seconds(fields.time)}{section_of(view)}; {magnified(factor)}."
+    cracks = "" if fields.crack is None else " Lines are crack faces; a white dot is a crack front, a red one a front that stopped numerically."
+    zero = not fields.values(quantity).any()
+    scale = f" The {name} is zero everywhere." if zero else " The most extreme half percent of the values has the colours at the ends of the scale."
+    return Shown("png", target.getvalue(), f"{title}: the body, coloured by the {name} in {unit}, at t = {seconds(fields.time)}, {magnified(factor)}",
+                 what + cracks + (scale if name != "temperature" else ""))
+
+
+def field_pictures(folder, summary, title):
+    """Pictures of the last and the first fields; none where the run has no fields."""
+    fields = read_fields(folder)
+    if fields is None:
+        return []
+    view = choose_view(fields)
+    found = [body_picture(fields, summary, title, "principal", view)]
+    if fields.temperature is not None and fields.stress is not None:
+        found.append(body_picture(fields, summary, title, "temperature", view))
+    if len(fields.written) > 1:
+        found.append(body_picture(read_fields(folder, fields.written[0]), summary, title, "principal", view))
+    if fields.leaves is not None and fields.leaves.refined:
+        target = io.BytesIO()
+        count = draw_cells(fields, title, target)
+        found.append(Shown("png", target.getvalue(), f"{title}: {count} cells, coloured by their level of refinement",
+                           f"The {count} cells in use at t = {seconds(fields.time)}, by level of refinement, and the finest ones with their "
+                           f"particles; true displacements."))
+    if fields.crack is not None and fields.crack.is_surface:
+        target = io.BytesIO()
+        unit = draw_surface(fields.crack, title, fields.time, target)
+        found.append(Shown("png", target.getvalue(), f"{title}: crack surface in 3D, coloured by its opening in {unit}",
+                           f"Crack surface at t = {seconds(fields.time)}, coloured by the opening [{unit}]; true positions. The black line is its border: "
+                           f"the front, and edges on surfaces or planes of symmetry."))
+    return found
+
+
+def still(figure):
+    """(kind, bytes) of a figure: a drawing of lines where that is small, else a picture."""
+    try:
+        for kind, form in (("svg+xml", "svg"), ("png", "png")):
+            target = io.BytesIO()
+            figure.savefig(target, format=form, dpi=style.DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.08,
+                           metadata={"Date": None} if form == "svg" else None)
+            if form == "png" or len(target.getvalue()) <= LARGEST_DRAWING:
+                return kind, target.getvalue()
+    finally:
+        plt.close(figure)
+
+
+def panel_picture(draw, across=None):
+    """A panel as a still picture and as numbers. across: label of the horizontal axis, where the panel has none of its own"""
+    with plt.rc_context({"svg.hashsalt": "rhegma"}):
+        figure, axes = plt.subplots(figsize=PANEL, layout="constrained")
+        draw(axes)
+        if across:
+            axes.set_xlabel(across)
+        panel = panel_data(axes)
+        names = [curve["name"] for curve in panel["curves"] if curve["name"]]
+        shown = ", ".join(names[:6]) + (f" and {len(names) - 6} more" if len(names) > 6 else "")
+        caption = f"{panel['title']}: {panel['y']} over {panel['x']}."
+        if panel["title"].startswith("Energy") and "energy" in panel["y"]:
+            caption += " The residual is what the balance can't account for."
+        if panel["bars"]:
+            caption += " Bars at the end are estimated numerical errors."
+        if panel["marks"]:
+            caption += " Vertical lines mark where a front ended; red ones, where it stopped numerically."
+        kind, data = still(figure)
+    return Shown(kind, data, f"{panel['title']}: {panel['y']} against {panel['x']}" + (f"; curves: {shown}" if shown else ""), caption, panel)
+
+
+def history_pictures(history, summary, title):
+    """Panels of the history; of a single sample, bars with values."""
+    if len(history.time) == 1:
+        target = io.BytesIO()
+        draw_state(history, summary, title, target)
+        return [Shown("png", target.getvalue(), f"{title}: values of the single sample, as bars",
+                      f"The single sample of the history, at t = {seconds(history.time[0])}; units are at the bars.")]
+    found = []
+    if is_path(history):
+        if curves(history):
+            found.append(panel_picture(lambda axes: draw_force(axes, curves(history))))
+        found.append(panel_picture(lambda axes: draw_factor(axes, history)))
+    panels, unit = panels_of(history, summary)
+    across = f"time of the load steps [{unit}]" if is_path(history) else f"time [{unit}]"
+    return found + [panel_picture(draw, across) for draw in panels]
+
+
+def front_pictures(summary):
+    """G and K along the fronts of a run in 3D, at its end."""
+    return [panel_picture(draw) for draw in panels_along(summary)]
+
+
+def film(folder, most_bytes, problems):
+    """The frames of a run as a Film, or None. problems: a list to which what prevents it is added"""
+    try:
+        return draw_film(folder, most_bytes)
+    except Problem as problem:
+        problems.append(f"There is no film: {problem}")
+        return None

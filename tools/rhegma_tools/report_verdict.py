@@ -1,0 +1,112 @@
+"""Whether a crack of a run has grown, as a line of text."""
+
+from .answers import is_number
+from .history_picture import areas, growth
+from .report_facts import all_fronts, grown_by, largest_release, readable, short
+from .whole_folder import went_to_its_end
+
+NAMED = 4  # fronts named in a line
+HOOP = 0.995  # load by the largest hoop stress over that by G, below which the program names both
+
+
+def name_of(entry):
+    return f"{entry[0]}, front {entry[1]}"
+
+
+def listed(entries):
+    """Names of the first fronts, and the number of the others."""
+    more = f" and {len(entries) - NAMED} more" if len(entries) > NAMED else ""
+    return "; ".join(name_of(entry) for entry in entries[:NAMED]) + more
+
+
+def growth_of(grown, count, in_equilibrium):
+    """By how much fronts grew and from when on. grown: [(crack, number, entry)]; count: of all fronts"""
+    grown = sorted(grown, key=lambda entry: entry[2]["initiated"])
+    texts = []
+    for entry in grown[:NAMED]:
+        length = grown_by(entry[2])
+        text = f"{name_of(entry)}, grew" + ("" if length is None else f" by {readable(length, 'm')}")
+        texts.append(text if in_equilibrium else text + f" from t = {readable(entry[2]['initiated'], 's')} on")
+    more = f"; {len(grown) - NAMED} more" if len(grown) > NAMED else ""
+    return "; ".join(texts) + more + (f" ({len(grown)} of {count} fronts grew)" if count > 1 else "")
+
+
+def factor_error(fronts):
+    """Estimated relative error of a load factor: half of that of G, as the load is proportional to 1 / sqrt(G); 0 where not known."""
+    errors = [front["G_J_error_estimate"] / front["G_J"] for _, _, front in fronts
+              if is_number(front.get("G_J_error_estimate")) and is_number(front.get("G_J")) and front["G_J"] > 0.0]
+    return 0.5 * max(errors, default=0.0)
+
+
+def of_load_factor(fronts, start, grown):
+    """start: factor on the loads at which G first reaches the toughness"""
+    hoop = min((front["hoop_stress_factor"] for _, _, front in fronts if is_number(front.get("hoop_stress_factor"))), default=start)
+    factor, how = (hoop, f" by the largest hoop stress ({short(start)} by G of a straight extension)") if hoop < HOOP * start else (start, "")
+    error = factor_error(fronts)
+    near = abs(factor - 1.0) <= error * factor
+    decided = "Not certain, as the factor is 1 within its error" if near else "Yes" if factor < 1.0 else "No"
+    estimate = f" ± {100.0 * error:.2g} %" if error > 0.0 else ""
+    followed = f" The run then followed the growth: {growth_of(grown, len(fronts), True)}." if grown else ""
+    return f"{decided}, at the given loads: cracks start at {short(factor)}{estimate} times these loads{how}.{followed}"
+
+
+def of_no_growth(summary, fronts):
+    """Of a scene with a toughness in which no front grew."""
+    until = "" if went_to_its_end(summary) else " up to the time at which the run ended early"
+    release = [front["closest_to_initiation"] for _, _, front in fronts if is_number(front.get("closest_to_initiation"))]
+    hoop = [front["closest_by_hoop_stress"] for _, _, front in fronts if is_number(front.get("closest_by_hoop_stress"))]
+    if max(hoop, default=0.0) >= 1.0:
+        return (f"By the largest hoop stress yes, by G no: K of the largest hoop stress reached {short(max(hoop), 3)} times the toughness, G at most "
+                f"{short(max(release, default=0.0), 3)} of it. With shear the crack starts at the lower of both loads.")
+    reached = f"; G reached at most {max(release):.3g} of the initiation toughness" if release else ""
+    return f"No{until}: no front grew{reached}."
+
+
+def of_no_toughness(fronts):
+    known = [entry for entry in fronts if largest_release(entry[2]) is not None]
+    if not known:
+        return "Not decided: the scene computes no energy release rate (section Energy Release)."
+    most = max(known, key=lambda entry: largest_release(entry[2]))
+    largest, last = largest_release(most[2]), most[2].get("G_J")
+    error = most[2].get("G_J_error_estimate")
+    at_end = ""
+    if is_number(last):
+        estimate = f" ± {100.0 * error / last:.2g} %" if is_number(error) and last > 0.0 else ""
+        at_end = f"{readable(last, 'J/m²')}{estimate} at the end"
+    peak = f"{', ' if at_end else ''}{readable(largest, 'J/m²')} at most" if not is_number(last) or largest > last else ""
+    return (f"Not decided: the scene has no toughness (section Propagation). A crack runs if its toughness is below G. The largest is that of "
+            f"{name_of(most)}: G = {at_end}{peak}.")
+
+
+def verdict(summary):
+    """Whether a crack has run; None where the scene has no crack."""
+    fronts = all_fronts(summary)
+    if not fronts:
+        return None
+    grown = [entry for entry in fronts if is_number(entry[2].get("initiated"))]
+    start = ((summary.get("propagation") or {}).get("initiation") or {}).get("load_factor")
+    if is_number(start):
+        text = of_load_factor(fronts, start, grown)
+    elif grown:
+        text = f"Yes: {growth_of(grown, len(fronts), 'equilibrium' in summary)}."
+    else:
+        text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts)
+    stopped = [entry for entry in fronts if entry[2].get("stopped")]
+    return text + (f" Stopped for a numerical reason, not by the material: {listed(stopped)}." if stopped else "")
+
+
+def so_far(history):
+    """Of a run without a summary: which fronts have grown up to the last sample; None where the history has no fronts."""
+    if not history.fronts:
+        return None
+    moved = growth(history)
+    time = readable(float(history.time[-1]), "s")
+    if not moved and all(history.of_front(front, "stopped") is None for front in history.fronts):  # a column of Propagation alone
+        return f"Not decided up to t = {time}, the last sample: the scene has no toughness (section Propagation); compare G with it."
+    if not moved:
+        return f"Not up to t = {time}, the last sample: no front has grown."
+    larger = areas(history, moved)
+    texts = [f"{name}, new area {short(float(area[-1]) * 1e6)} mm²" for name, area in larger]
+    texts = texts or [f"{name_of(front)}, crack extension {readable(float(samples[-1]), 'm')}" for front, samples in moved]
+    more = f"; {len(texts) - NAMED} more" if len(texts) > NAMED else ""
+    return f"Yes, up to t = {time}, the last sample: {'; '.join(texts[:NAMED])}{more}."

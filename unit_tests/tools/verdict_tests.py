@@ -1,0 +1,155 @@
+"""Tests of what a page of a run states: its answer, certainty, references and the table of fronts."""
+
+import random
+import unittest
+
+from tool import ToolTest  # first, as it finds the Python for all others
+
+from rhegma_tools.front_table import front_table
+from rhegma_tools.report_facts import SHAPE, analysis_of, cells_of, certainty, duration, readable, reference_rows, run_facts, short, sound
+from rhegma_tools.report_verdict import verdict
+
+
+def summary_of(*fronts, **more):
+    return dict({"end": "finished", "status": "finished", "cracks": [{"name": "A", "fronts": list(fronts)}]}, **more)
+
+
+class Verdict(ToolTest):
+    def test_without_crack_or_toughness(self):
+        self.assertIsNone(verdict({"cracks": []}))
+        self.assertIn("computes no energy release rate", verdict(summary_of({})))
+        text = verdict(summary_of({"G_J": 500.0, "G_J_error_estimate": 10.0, "largest_G_J": 643.0}, {"G_J": 10.0}))
+        self.assertTrue(text.startswith("Not decided"), text)
+        self.assertTrue(text.endswith("A, front 0: G = 500 J/m² ± 2 % at the end, 643 J/m² at most."), text)
+        self.assertTrue(verdict(summary_of({"G_J": 10.0})).endswith("A, front 0: G = 10 J/m² at the end."))
+
+    def test_growth_in_motion(self):
+        text = verdict(summary_of({"initiated": 33e-6, "runs": [{"length": 0.01}, {"length": 0.02}]}, {"initiated": None}, propagation={}))
+        self.assertEqual(text, "Yes: A, front 0, grew by 30 mm from t = 33 µs on (1 of 2 fronts grew).")
+        text = verdict(summary_of({"initiated": 80e-6, "mean_advance": 3e-3, "runs": [{"length": None}], "stopped": True}, propagation={}))
+        self.assertEqual(text, "Yes: A, front 0, grew by 3 mm from t = 80 µs on. Stopped for a numerical reason, not by the material: A, front 0.")
+
+    def test_no_growth(self):
+        front = {"initiated": None, "closest_to_initiation": 0.71}
+        self.assertEqual(verdict(summary_of(front, propagation={})), "No: no front grew; G reached at most 0.71 of the initiation toughness.")
+        self.assertIn("No up to the time", verdict(summary_of(front, propagation={}, end="stopped")))
+        self.assertEqual(verdict(summary_of({"initiated": None}, propagation={})), "No: no front grew.")
+        # With shear the crack starts though G is below the toughness.
+        self.assertTrue(verdict(summary_of(dict(front, closest_by_hoop_stress=1.2), propagation={})).startswith("By the largest hoop stress yes"))
+        self.assertTrue(verdict(summary_of(dict(front, closest_by_hoop_stress=0.99), propagation={})).startswith("No"))
+
+    def test_load_factor(self):
+        """The factor of the given loads decides, not that the run followed growth; the lower of both criteria; within its error it does not."""
+        def of(factor, **front):
+            return verdict(summary_of(dict({"initiated": None}, **front), propagation={"initiation": {"load_factor": factor}}, equilibrium={}))
+
+        self.assertEqual(of(1.9), "No, at the given loads: cracks start at 1.9 times these loads.")
+        self.assertTrue(of(1.9, initiated=0.1, runs=[{"length": 6e-3}]).startswith("No, at the given loads: cracks start at 1.9 times"))
+        self.assertTrue(of(0.8).startswith("Yes, at the given loads"))
+        text = of(1.1, hoop_stress_factor=0.96)
+        self.assertTrue(text.startswith("Yes, at the given loads: cracks start at 0.96 times these loads by the largest hoop stress (1.1 by G"), text)
+        self.assertNotIn("hoop", of(1.1, hoop_stress_factor=1.098))
+        # 6 % of G are 3 % of the load.
+        self.assertTrue(of(1.02, G_J=100.0, G_J_error_estimate=6.0).startswith("Not certain"))
+        self.assertIn("1.04 ± 3 % times", of(1.04, G_J=100.0, G_J_error_estimate=6.0))
+        self.assertTrue(of(1.04, G_J=100.0, G_J_error_estimate=6.0).startswith("No,"))
+
+
+class Facts(ToolTest):
+    def test_numbers(self):
+        self.assertEqual([readable(value, "J/m²") for value in (0.126, 1234.0, 0.0, None, float("nan"), -2e-9)],
+                         ["126 mJ/m²", "1.234 kJ/m²", "0 J/m²", "-", "-", "-2 nJ/m²"])
+        self.assertEqual(readable(1.32e6, "Pa √m"), "1.32 MPa √m")
+        self.assertEqual([short(value) for value in (1334.918, 12345.6, 0.00012346, 9e6)], ["1335", "12346", "0.0001235", "9e+06"])
+        self.assertEqual([duration(s) for s in (0.5, 119.0, 150.0, 7500.0)], ["0.5 s", "119 s", "2 min", "2 h 5 min"])
+
+    def test_any_number_keeps_its_value(self):
+        seed = random.randrange(10**6)
+        chance = random.Random(seed)
+        prefixes = {"G": 1e9, "M": 1e6, "k": 1e3, "m": 1e-3, "µ": 1e-6, "n": 1e-9}
+        for _ in range(500):
+            value = chance.choice((-1, 1)) * 10.0 ** chance.uniform(-9, 11)
+            number, unit = readable(value, "Pa").split()
+            read = float(number) * prefixes.get(unit[:-2], 1.0)
+            self.assertAlmostEqual(read / value, 1.0, delta=5.1e-4, msg=f"seed {seed}: {value}")
+
+    def test_what_was_run(self):
+        self.assertEqual(analysis_of({}), "dynamic")
+        self.assertEqual(analysis_of({"equilibrium": {"load_steps": 1}}), "equilibrium, 1 load step")
+        self.assertEqual(cells_of({"cells": {"largest": 2.5e-3, "smallest": 6.25e-4}}), "2.5 mm, refined to 625 µm")
+        self.assertNotIn("Analysis", dict(run_facts({"scene": "a.xml"}, 2)))  # of a run that goes on it is not known
+        facts = dict(run_facts({"status": "finished", "particles": 15086, "wall_seconds": 3.0, "time": 8e-5, "ranks": 2, "threads": 1, "backend": "Serial"}, 2))
+        self.assertEqual((facts["Particles"], facts["Simulated time"], facts["Run on"]), ("15 086", "80 µs", "2 ranks, 1 thread, Serial"))
+        self.assertEqual(facts["Analysis"], "dynamic")
+        self.assertNotIn("Scene", facts)
+
+    def test_how_certain_it_is(self):
+        pairs = certainty(summary_of({"G_J": 100.0, "G_J_error_estimate": 4.5}, {"G_J": 10.0, "G_J_error_estimate": None, "no_error_estimate": "reason"},
+                                     energy={"residual": 0.5}, largest_energy_supplied=100.0))
+        self.assertEqual([name for name, _ in pairs], ["Numerical error of G", "No estimate of errors", "Error of the energy balance"])
+        self.assertIn("at most 4.5 % (1 front)", pairs[0][1])
+        self.assertEqual(pairs[2][1], "500 mJ (0.5 % of the energy supplied)")
+        self.assertIn("not static", certainty({"ended_before_settled": True})[0][1])
+
+    def test_references(self):
+        entries = [{"name": "J", "quantity": "cracks.A.fronts.0.G_J", "value": 0.126, "reference": 0.12873, "relative_error": 0.0214, "tolerance": 0.04,
+                    "within": True, "source": "s"},
+                   {"name": "Z", "quantity": "momentum.0", "value": 1e-3, "reference": 0.0, "relative_error": 1e-3, "tolerance": 1e-4, "within": False},
+                   {"name": "T", "quantity": "cracks.0.fronts.0.initiated", "value": None, "reference": 4.6e-4, "relative_error": None, "tolerance": 0.03,
+                    "within": None, "left_out": "why"}]
+        rows = reference_rows({"references": entries})
+        self.assertEqual(rows[0][1:6], ("126 mJ/m²", "128.7 mJ/m²", "2.14 %", "4 %", "within"))
+        self.assertEqual(rows[1][1:6], ("0.001", "0", "0.001", "0.0001", "OUTSIDE"))
+        self.assertEqual(rows[2][1:6], ("-", "0.00046", "-", "3 %", "not compared: why"))
+
+
+class Sound(ToolTest):
+    def test_what_is_no_list_or_object_is_left_out(self):
+        problems = []
+        summary = sound({"status": "finished", "energy": 3.0, "cracks": [{"name": "A", "fronts": "many"}, None], "warnings": ["w"]}, SHAPE, "S", problems)
+        self.assertEqual(summary, {"status": "finished", "energy": {}, "cracks": [{"name": "A", "fronts": []}, {}], "warnings": ["w"]})
+        self.assertEqual([problem.split(" is")[0] for problem in problems], ["S > cracks > 0 > fronts", "S > cracks > 1", "S > energy"])
+
+    def test_any_changed_entry_gives_text(self):
+        """Entries of a summary replaced at random: the answer, the certainty and the tables are still made."""
+        seed = random.randrange(10**6)
+        chance = random.Random(seed)
+        front = {"G_J": 100.0, "G_J_error_estimate": 4.5, "K_I": 1e6, "position": [0.0, 1.0], "initiated": 1e-5, "runs": [{"length": 0.1}],
+                 "status": "running", "arrival": {"what": "joined"}, "stopped": False, "closest_to_initiation": 0.5}
+        for _ in range(500):
+            summary = summary_of(dict(front), energy={"residual": 1.0}, propagation={"initiation": {"load_factor": 2.0}}, cells={"largest": 1.0},
+                                 references=[{"quantity": "a.K_I", "value": 1.0}], effects=["Cracks"], equilibrium={"load_steps": 1})
+            at = chance.choice([summary, summary["cracks"][0], summary["cracks"][0]["fronts"][0], summary["propagation"], summary["references"][0]])
+            key = chance.choice(list(at))
+            at[key] = chance.choice([None, float("nan"), -1.0, 0, True, "text", [], {}])
+            found = sound(summary, SHAPE, "S", [])
+            text = (str(verdict(found)) + str(certainty(found)) + str(reference_rows(found)) + str(front_table(found)) + str(run_facts(found, 2)))
+            self.assertIn("Analysis" if "status" in found else "Effects", text, f"seed {seed}: {key} = {at[key]}")
+
+
+class FrontTable(ToolTest):
+    def test_columns_have_one_unit_and_rounding_is_zero(self):
+        head, rows, numbers = front_table(summary_of(
+            {"G_J": 90.0, "G_J_error_estimate": 5.0, "K_I": 2e6, "K_II": 1e-7, "position": [0.05, 0.1], "status": "not initiated"},
+            {"G_J": 2000.0, "K_I": 5e6, "K_II": -3e5, "position": [0.01, 0.0], "stopped": True}))
+        self.assertEqual(head, ["crack and front", "state", "G [kJ/m²]", "largest G [kJ/m²]", "K_I [MPa √m]", "K_II [MPa √m]", "position [mm]"])
+        self.assertEqual(rows[0], ["A, 1", "stopped numerically", "2", "2", "5", "-0.3", "10, 0"])
+        self.assertEqual(rows[1], ["A, 0", "not initiated", "0.09 ± 0.005", "0.09", "2", "0", "50, 100"])
+        self.assertEqual(list(numbers), [2, 3, 4, 5])
+
+    def test_in_3d_the_range_and_no_position(self):
+        head, rows, _ = front_table(summary_of({"G_J": 77.0, "G_J_min": 73.0, "G_J_max": 83.0, "position": [0.0, 0.0, 0.0]}))
+        self.assertEqual(head, ["crack and front", "state", "G [J/m²]", "largest G [J/m²]"])
+        self.assertEqual("".join(rows[0][2]), "77<br>(73 to 83)")
+
+    def test_times_of_load_steps_are_no_times(self):
+        front = {"initiated": 0.08, "runs": [{"length": 6e-3}], "G_J": 1.0, "settled_speed": 500.0}
+        self.assertNotIn("initiated at", " ".join(front_table(summary_of(front, equilibrium={}))[0]))
+        head, rows, _ = front_table(summary_of(front))
+        self.assertEqual((head[4:7], rows[0][4:7]), (["initiated at [ms]", "speed [m/s]", "grew by [mm]"], ["80", "500", "6"]))
+        self.assertIsNone(front_table({"cracks": []}))
+
+
+del ToolTest  # so that importing this module's names brings tests only
+if __name__ == "__main__":
+    unittest.main()
