@@ -58,9 +58,11 @@ constexpr int fewIterations = 20;
 template <int D>
 LinearSystem<D>::LinearSystem(const RowGraph& graph, const RowOwners& owners,
                               const std::vector<Vector<D>>& positions, const Held& held)
-    : graph_(graph), owners_(owners), position_(positions), held_("rhegma::equilibrium::held", D * graph.rows)
+    : owners_(owners),
+      position_(positions),
+      held_("rhegma::equilibrium::held", D * graph.rows),
+      matrix_(graph, owners_)
 {
-  std::vector<int> own;
   double counts[] = {0.0, 0.0}; // unknowns, rows
   for (int r = 0; r < graph.rows; ++r)
   {
@@ -69,16 +71,12 @@ LinearSystem<D>::LinearSystem(const RowGraph& graph, const RowOwners& owners,
       held_(k) = held.is[k];
       counts[0] += owners.owns(r) && held.is[k] == 0 ? 1.0 : 0.0;
     }
-    if (!owners.owns(r))
-      continue;
-    own.push_back(r);
-    nodes_.push_back(graph.nodeOf(r));
+    if (owners.owns(r))
+      nodes_.push_back(graph.nodeOf(r));
   }
-  own_ = View<int*>("rhegma::equilibrium::ownRows", own.size());
-  std::copy(own.begin(), own.end(), own_.data());
-  b_ = Values("rhegma::equilibrium::right", D * own.size());
-  x_ = Values("rhegma::equilibrium::solution", D * own.size());
-  counts[1] = static_cast<double>(own.size());
+  b_ = Values("rhegma::equilibrium::right", matrix_.rows());
+  x_ = Values("rhegma::equilibrium::solution", matrix_.rows());
+  counts[1] = static_cast<double>(nodes_.size());
   owners.ranks().sum(counts, 2);
   unknowns_ = static_cast<int>(counts[0]);
   rowsOfAll_ = static_cast<int>(counts[1]);
@@ -89,8 +87,8 @@ bool LinearSystem<D>::fits(const RowGraph& graph, const Held& held) const
 {
   const auto same = [](const View<int*>& a, const View<int*>& b)
   { return a.extent(0) == b.extent(0) && std::equal(a.data(), a.data() + a.extent(0), b.data()); };
-  const bool fit = same(graph.nodeOf, graph_.nodeOf) && same(graph.first, graph_.first) &&
-                   same(graph.column, graph_.column) &&
+  const bool fit = same(graph.nodeOf, matrix_.graph().nodeOf) && same(graph.first, matrix_.graph().first) &&
+                   same(graph.column, matrix_.graph().column) &&
                    std::equal(held.is.begin(), held.is.end(), held_.data());
   return owners_.ranks().max(fit ? 0.0 : 1.0) == 0.0;
 }
@@ -120,115 +118,6 @@ void LinearSystem<D>::precondition(const View<double*>& diagonal, const Borrowed
 }
 
 template <int D>
-void LinearSystem<D>::buildRows()
-{
-  const int rows = static_cast<int>(own_.extent(0));
-  // Columns: the rows of this rank, then those of others, both in the order of their numbers.
-  std::vector<int> column(graph_.rows, -1), others;
-  for (int i = 0; i < rows; ++i)
-    column[own_(i)] = i;
-  std::vector<int> entries;
-  entryBegin_ = View<int*>("rhegma::equilibrium::entryBegin", rows + 1);
-  for (int i = 0; i < rows; ++i)
-  {
-    for (int e = graph_.first(own_(i)); e < graph_.first(own_(i) + 1); ++e)
-    {
-      entries.push_back(e);
-      if (int& at = column[graph_.column(e)]; at < 0)
-      {
-        at = rows;
-        others.push_back(graph_.column(e));
-      }
-    }
-    entryBegin_(i + 1) = static_cast<int>(entries.size());
-  }
-  std::sort(others.begin(), others.end(),
-            [this](int a, int b) { return owners_.numberOf(a) < owners_.numberOf(b); });
-  for (std::size_t k = 0; k < others.size(); ++k)
-    column[others[k]] = rows + static_cast<int>(k);
-  matrix_.ranks = owners_.ranks();
-  if (matrix_.ranks.many())
-  {
-    matrix_.number = View<long long*>("rhegma::equilibrium::number", D * (rows + others.size()));
-    for (std::size_t k = 0; k < matrix_.number.extent(0); ++k)
-    {
-      const std::size_t row = k / D;
-      matrix_.number(k) = D * owners_.numberOf(row < own_.extent(0) ? own_(row) : others[row - rows]) + k % D;
-    }
-    for (int i = 0; i < rows; ++i)
-      std::sort(entries.begin() + entryBegin_(i), entries.begin() + entryBegin_(i + 1),
-                [&](int a, int b) { return column[graph_.column(a)] < column[graph_.column(b)]; });
-  }
-  entry_ = View<int*>("rhegma::equilibrium::entries", entries.size());
-  std::copy(entries.begin(), entries.end(), entry_.data());
-  matrix_.first = View<std::size_t*>("rhegma::equilibrium::first", D * rows + 1);
-  matrix_.column = View<int*>("rhegma::equilibrium::column", D * D * entries.size());
-  matrix_.value = View<double*>("rhegma::equilibrium::value", D * D * entries.size());
-  std::size_t next = 0;
-  for (int i = 0; i < rows; ++i)
-    for (int a = 0; a < D; ++a)
-    {
-      for (int e = entryBegin_(i); e < entryBegin_(i + 1); ++e)
-        for (int k = 0; k < D; ++k)
-          matrix_.column(next++) = D * column[graph_.column(entry_(e))] + k;
-      matrix_.first(D * i + a + 1) = next;
-    }
-  columns_ = std::make_unique<ColumnValues>(matrix_);
-}
-
-template <int D>
-void LinearSystem<D>::fill(const StiffnessBlocks& stiffness)
-{
-  const RowGraph graph = graph_;
-  const SparseMatrix matrix = matrix_;
-  const auto held = held_;
-  const View<int*> own = own_, entryBegin = entryBegin_, entry = entry_;
-  Kokkos::parallel_for(
-      "rhegma::equilibrium::fillRows", Kokkos::RangePolicy<ExecSpace>(0, own.extent(0)),
-      KOKKOS_LAMBDA(const int r) {
-        for (int i = 0; i < D; ++i)
-        {
-          const int from = D * own(r) + i;
-          std::size_t at = matrix.first(D * r + i);
-          for (int e = entryBegin(r); e < entryBegin(r + 1); ++e)
-            for (int k = 0; k < D; ++k, ++at)
-            {
-              const int to = D * graph.column(entry(e)) + k;
-              const double value = stiffness(D * D * static_cast<std::size_t>(entry(e)) + D * i + k);
-              if (to == from)
-                matrix.value(at) = held(to) != 0 && value <= 0.0 ? 1.0 : value;
-              else
-                matrix.value(at) = held(from) == 0 && held(to) == 0 ? value : 0.0;
-            }
-        }
-      });
-}
-
-template <int D>
-void LinearSystem<D>::moveHeldToRight(const StiffnessBlocks& stiffness, const Values& right,
-                                      const Values& change)
-{
-  const RowGraph graph = graph_;
-  const auto held = held_;
-  const Values b = b_;
-  const View<int*> own = own_;
-  Kokkos::parallel_for(
-      "rhegma::equilibrium::rightSide", Kokkos::RangePolicy<ExecSpace>(0, own.extent(0)),
-      KOKKOS_LAMBDA(const int r) {
-        for (int i = 0; i < D; ++i)
-        {
-          const int from = D * own(r) + i;
-          double sum = held(from) != 0 ? 0.0 : right(from);
-          for (int e = graph.first(own(r)); e < graph.first(own(r) + 1) && held(from) == 0; ++e)
-            for (int k = 0; k < D; ++k)
-              if (const int other = D * graph.column(e) + k; held(other) != 0)
-                sum -= stiffness(D * D * static_cast<std::size_t>(e) + D * i + k) * change(other);
-          b(D * r + i) = sum;
-        }
-      });
-}
-
-template <int D>
 bool LinearSystem<D>::isLarge(int rows)
 {
   return D * rows > mostDirectUnknowns<D>;
@@ -240,7 +129,8 @@ typename LinearSystem<D>::Method LinearSystem<D>::choose()
   const bool multigrid = Multigrid::available() && unknowns_ >= leastMultigridUnknowns<D>;
   // Conjugate gradients with the diagonal take longer than any factorisation of so few unknowns.
   const double most = multigrid ? mostOperations : mostOperationsAtLast;
-  if (DirectSolver::available() && unknowns_ <= mostDirectUnknowns<D> && direct_.analyse(matrix_) <= most)
+  if (DirectSolver::available() && unknowns_ <= mostDirectUnknowns<D> &&
+      direct_.analyse(matrix_.sparse()) <= most)
     return Method::Direct;
   gradients_ =
       std::make_unique<ConjugateGradients>(linearTolerance, mostLinearIterations, OnStopRequest::Throw);
@@ -274,9 +164,8 @@ std::vector<std::vector<double>> LinearSystem<D>::nearNullSpace() const
     mode.size = 0.5 * norm(high - low);
     mode.coefficient[m] = 1.0;
     std::vector<double> motion(matrix_.rows());
-    for (std::size_t i = 0; i < own_.extent(0); ++i)
-      for (int d = 0; d < D; ++d)
-        motion[D * i + d] = mode.at(position_[own_(i)])[d];
+    for (int k = 0; k < matrix_.rows(); ++k)
+      motion[k] = mode.at(position_[matrix_.unknownOf(k) / D])[k % D];
     motions.push_back(std::move(motion));
   }
   return motions;
@@ -287,11 +176,11 @@ LinearAnswer LinearSystem<D>::solveDirectly(bool symmetric)
 {
   if (!symmetric && !unsymmetricAnalysed_)
   {
-    unsymmetric_.analyse(matrix_);
+    unsymmetric_.analyse(matrix_.sparse());
     unsymmetricAnalysed_ = true;
   }
   DirectSolver& direct = symmetric ? direct_ : unsymmetric_;
-  if (!direct.factorise(matrix_))
+  if (!direct.factorise(matrix_.sparse()))
     return {};
   Kokkos::deep_copy(x_, b_);
   direct.solve(x_);
@@ -309,7 +198,7 @@ void LinearSystem<D>::makeMultigrid()
   const std::vector<std::vector<double>> motions = nearNullSpace();
   try
   {
-    multigrid_ = std::make_unique<Multigrid>(matrix_, D, motions);
+    multigrid_ = std::make_unique<Multigrid>(matrix_.sparse(), D, motions);
   }
   catch (const std::exception&) // a matrix that cannot be aggregated
   {
@@ -325,7 +214,7 @@ template <int D>
 SolveResult LinearSystem<D>::runGradients(const View<double*>& diagonal, int most)
 {
   return gradients_->solve([this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
-                           { matrix_.multiply(columns_->of(x), y); },
+                           { matrix_.multiply(x, y); },
                            [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
                            { precondition(diagonal, x, y); },
                            most);
@@ -348,12 +237,13 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
   const double scale = size * std::max(1.0, wanted / linearTolerance);
   const auto right = gradients_->right();
   View<double*> diagonal("rhegma::equilibrium::diagonal", matrix_.rows());
-  for (int r = 0; r < matrix_.rows(); ++r)
+  const SparseMatrix& matrix = matrix_.sparse();
+  for (int r = 0; r < matrix.rows(); ++r)
   {
     right(r) = b_(r) / scale;
-    for (std::size_t k = matrix_.first(r); k < matrix_.first(r + 1); ++k)
-      if (matrix_.column(k) == r)
-        diagonal(r) = matrix_.value(k);
+    for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
+      if (matrix.column(k) == r)
+        diagonal(r) = matrix.value(k);
   }
   const bool old = multigrid_ != nullptr && method_ == Method::Multigrid;
   if (!old)
@@ -391,8 +281,8 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
 template <int D>
 void LinearSystem<D>::prepare()
 {
-  if (!columns_)
-    buildRows();
+  if (!matrix_.isBuilt())
+    matrix_.build();
   if (method_ == Method::Unknown)
     method_ = choose();
 }
@@ -406,7 +296,7 @@ bool LinearSystem<D>::takesUnsymmetric()
   const bool tries = unknowns_ <= mostDirectUnknownsOfForces<D> && DirectSolver::available();
   if (method_ != Method::Direct && !isTooLarge_ && tries)
   {
-    isTooLarge_ = direct_.analyse(matrix_) > mostOperationsOfForces;
+    isTooLarge_ = direct_.analyse(matrix_.sparse()) > mostOperationsOfForces;
     method_ = isTooLarge_ ? method_ : Method::Direct;
   }
   return method_ == Method::Direct;
@@ -419,8 +309,8 @@ LinearAnswer LinearSystem<D>::solve(StiffnessBlocks stiffness, bool symmetric, c
   if (rowsOfAll_ == 0)
     return {true, 0, 0};
   prepare();
-  fill(stiffness);
-  moveHeldToRight(stiffness, right, change);
+  matrix_.fill(stiffness, held_);
+  matrix_.moveHeldToRight(stiffness, held_, right, change, b_);
   stiffness = {};
   symmetric_ = symmetric;
   return finish(method_ == Method::Direct ? solveDirectly(symmetric) : iterate(enough), symmetric, change);
@@ -433,7 +323,7 @@ LinearAnswer LinearSystem<D>::solveAgain(const Values& right, double enough, con
     return {true, 0, 0};
   for (int k = 0; k < matrix_.rows(); ++k)
   {
-    const int of = D * own_(k / D) + k % D;
+    const int of = matrix_.unknownOf(k);
     b_(k) = held_(of) != 0 ? 0.0 : right(of);
   }
   if (method_ != Method::Direct)
@@ -448,13 +338,13 @@ template <int D>
 LinearAnswer LinearSystem<D>::finish(LinearAnswer answer, bool symmetric, const Values& change)
 {
   if (!answer.solved && method_ != Method::Direct && DirectSolver::available() &&
-      direct_.analyse(matrix_) <= mostOperationsAtLast)
+      direct_.analyse(matrix_.sparse()) <= mostOperationsAtLast)
   {
     method_ = Method::Direct;
     answer = solveDirectly(symmetric);
   }
   for (int k = 0; k < matrix_.rows(); ++k)
-    if (const int of = D * own_(k / D) + k % D; held_(of) == 0)
+    if (const int of = matrix_.unknownOf(k); held_(of) == 0)
       change(of) = x_(k);
   return answer;
 }

@@ -2,9 +2,7 @@
 /// The linear systems of an equilibrium.
 
 #include "equilibrium/EarlierRows.hpp"
-#include "equilibrium/Particles.hpp"
-#include "equilibrium/RowOwners.hpp"
-#include "solver/ColumnValues.hpp"
+#include "equilibrium/SystemMatrix.hpp"
 #include "solver/ConjugateGradients.hpp"
 #include "solver/DirectSolver.hpp"
 #include "solver/Multigrid.hpp"
@@ -46,8 +44,9 @@ public:
   int unknowns() const { return unknowns_; }
 
   /// Whether matrices that are not symmetric can be solved: by factorisation, not by conjugate gradients.
-  /// With the symmetric part of the stiffness of sliding faces, Newton's method need not converge, so
-  /// factorises from now on in 2D if that takes minutes at most, in 3D never.
+  /// With the symmetric part of the stiffness of sliding faces, Newton's method need not converge, and
+  /// conjugate gradients take hundreds of iterations, so factorises from now on if the system is not too
+  /// large.
   bool takesUnsymmetric();
 
   /// Solves for the change of the free unknowns, those that are held changing as given.
@@ -78,9 +77,6 @@ private:
   };
 
   void prepare();
-  void buildRows();
-  void fill(const StiffnessBlocks& stiffness);
-  void moveHeldToRight(const StiffnessBlocks& stiffness, const Values& right, const Values& change);
   Method choose();
   std::vector<std::vector<double>> nearNullSpace() const;
   void makeMultigrid();
@@ -91,17 +87,13 @@ private:
   LinearAnswer iterate(double enough);
   SolveResult runGradients(const View<double*>& diagonal, int most = 0);
 
-  RowGraph graph_;
   RowOwners owners_;
   std::vector<Vector<D>> position_;
   View<char*> held_;
-  View<int*> own_;         ///< rows of this rank, which are those of the matrix, one after another
-  std::vector<int> nodes_; ///< their nodes
-  View<int*> entryBegin_;  ///< of each of them in `entry_`; one more at the end
-  View<int*> entry_;       ///< of the graph, in the order of the matrix
+  SystemMatrix<D> matrix_;
+  std::vector<int> nodes_; ///< of the rows of this rank
   int rowsOfAll_ = 0;      ///< of all ranks
   int unknowns_ = 0;
-  SparseMatrix matrix_;
   Values b_, x_;
   Method method_ = Method::Unknown;
   DirectSolver direct_, unsymmetric_{false};
@@ -109,7 +101,6 @@ private:
   bool isTooLarge_ = false; ///< for any factorisation
   bool symmetric_ = true;   ///< the last matrix
   std::unique_ptr<ConjugateGradients> gradients_;
-  std::unique_ptr<ColumnValues> columns_;
   std::unique_ptr<Multigrid> multigrid_;
   EarlierRows earlier_;    ///< where the multigrid is of an earlier system
   double perDecade_ = 0.0; ///< iterations with the multigrid, when it was made, per decade of the residual
