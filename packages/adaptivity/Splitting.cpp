@@ -23,9 +23,13 @@ View<int*> tooLarge(const State<D>& state)
   const bool boxes = state.method.shape == ShapeKind::Gimp;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
-  const View<int*> mark("rhegma::tooLarge", n);
+  const View<int*> all(Kokkos::view_alloc("rhegma::large", Kokkos::WithoutInitializing), n);
+  const View<char*> mark("rhegma::tooLarge", n);
+  const int deepestOfAll = state.mesh.tree.deepest;
   Kokkos::parallel_for(
       "rhegma::adaptivity::markLarge", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int p) {
+        if (level(p) >= deepestOfAll)
+          return;
         int cell[D];
         for (int d = 0; d < D; ++d)
           cell[d] = static_cast<int>(sight.grid.inCells(position(p, d), d));
@@ -46,7 +50,6 @@ View<int*> tooLarge(const State<D>& state)
         mark(p) = deepest > level(p) ? 1 : 0;
       });
   int count = 0;
-  const View<int*> all("rhegma::large", n);
   Kokkos::parallel_scan(
       "rhegma::adaptivity::listLarge", Kokkos::RangePolicy<ExecSpace>(0, n),
       KOKKOS_LAMBDA(const int p, int& at, const bool final) {
@@ -67,12 +70,12 @@ template <int D>
 void copyParticles(State<D>& state, const View<int*>& list)
 {
   constexpr int more = (1 << D) - 1;
-  const int n = state.particles.size(), count = static_cast<int>(list.extent(0));
-  const View<int*> order("rhegma::splitOrder", n + more * count);
+  const int count = static_cast<int>(list.extent(0));
+  const View<int*> rows(Kokkos::view_alloc("rhegma::splitRows", Kokkos::WithoutInitializing), more * count);
   Kokkos::parallel_for(
-      "rhegma::adaptivity::orderSplit", Kokkos::RangePolicy<ExecSpace>(0, n + more * count),
-      KOKKOS_LAMBDA(const int i) { order(i) = i < n ? i : list((i - n) / more); });
-  state.particles.reorder(order);
+      "rhegma::adaptivity::listCopies", Kokkos::RangePolicy<ExecSpace>(0, more * count),
+      KOKKOS_LAMBDA(const int i) { rows(i) = list(i / more); });
+  state.particles.append(rows);
 }
 
 /// Makes the copies parts of the whole.

@@ -1,10 +1,11 @@
 #include "adaptivity/VelocityCriterion.hpp"
 
+#include "grid/Branches.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace Rhegma::adaptivity
 {
@@ -52,8 +53,67 @@ View<int*> leavesOf(const State<D>& state)
   return leaf;
 }
 
+/// Cells of one level with their sums, ordered by their position.
 template <int D>
-using LevelSums = std::map<std::array<int, D>, GradientSum<D>>;
+using LevelSums = std::vector<std::pair<std::array<int, D>, GradientSum<D>>>;
+
+template <int D>
+void sortByCell(LevelSums<D>& sums)
+{
+  std::sort(sums.begin(), sums.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+/// Sums of cells that come in any order and several times.
+template <int D>
+class SumsByCell
+{
+public:
+  void add(const std::array<int, D>& cell, const GradientSum<D>& sum)
+  {
+    std::uint64_t key = 0;
+    for (int d = 0; d < D; ++d)
+      key = key << Branches<D>::bitsPerAxis | static_cast<std::uint64_t>(cell[d]);
+    const auto number = static_cast<std::size_t>(cells_.add(key));
+    if (number == sums_.size())
+      sums_.push_back({cell, {}});
+    sums_[number].second.add(sum);
+  }
+
+  LevelSums<D> sorted() const
+  {
+    LevelSums<D> sums = sums_;
+    sortByCell<D>(sums);
+    return sums;
+  }
+
+private:
+  KeyNumbers cells_;
+  LevelSums<D> sums_;
+};
+
+/// The cells of the lattice that hold particles. \param sums of all, by their lowest node
+template <int D>
+LevelSums<D> occupiedCells(const Grid<D>& grid, const std::vector<GradientSum<D>>& sums)
+{
+  LevelSums<D> occupied;
+  int all = 1;
+  for (int d = 0; d < D; ++d)
+    all *= grid.cells[d];
+  int at[D] = {};
+  for (int i = 0; i < all; ++i)
+  {
+    const GradientSum<D>& sum = sums[grid.nodeIndex(at)];
+    if (sum.volume > 0.0)
+    {
+      std::array<int, D> cell;
+      std::copy(at, at + D, cell.begin());
+      occupied.push_back({cell, sum});
+    }
+    for (int d = D - 1; d >= 0 && ++at[d] == grid.cells[d]; --d) // in the order of LevelSums
+      at[d] = 0;
+  }
+  return occupied;
+}
 
 /// Sums of all leaves that hold particles, by level. Added on the host in the order of the particles, so that
 /// what is refined does not depend on the number of threads.
@@ -74,15 +134,7 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string
       sum.gradient[k] += volume(p) * rate(p, k);
   }
   std::vector<LevelSums<D>> sums(state.mesh.tree.deepest + 1);
-  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
-    if (lattice[n].volume > 0.0)
-    {
-      int at[D];
-      state.mesh.grid.nodeCoordinates(n, at);
-      std::array<int, D> cell;
-      std::copy(at, at + D, cell.begin());
-      sums[0][cell] = lattice[n];
-    }
+  sums[0] = occupiedCells(state.mesh.grid, lattice);
   const auto level = host(state.mesh.tree.leafLevel);
   const auto corner = host(state.mesh.tree.leafCorner);
   for (std::size_t l = 0; l < leaves.size(); ++l)
@@ -92,8 +144,10 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string
       for (int d = 0; d < D; ++d)
         cell[d] =
             static_cast<int>(std::lround(std::ldexp(state.mesh.grid.inCells(corner(l, d), d), level(l))));
-      sums[level(l)][cell] = leaves[l];
+      sums[level(l)].push_back({cell, leaves[l]});
     }
+  for (int below = 1; below <= state.mesh.tree.deepest; ++below)
+    sortByCell<D>(sums[below]);
   return sums;
 }
 
@@ -115,7 +169,7 @@ std::vector<LevelSums<D>> ofAllRanks(const State<D>& state, const std::vector<Le
       rows.insert(rows.end(), sum.gradient, sum.gradient + D * D);
     }
   rows = state.ranks.gatherOnAll(rows);
-  std::vector<LevelSums<D>> all(own.size());
+  std::vector<SumsByCell<D>> all(own.size());
   for (auto row = rows.begin(); row != rows.end(); row += width)
   {
     std::array<int, D> cell;
@@ -124,9 +178,12 @@ std::vector<LevelSums<D>> ofAllRanks(const State<D>& state, const std::vector<Le
     GradientSum<D> sum;
     sum.volume = row[1 + D];
     std::copy(row + 2 + D, row + width, sum.gradient);
-    all[static_cast<int>(row[0])][cell].add(sum);
+    all[static_cast<int>(row[0])].add(cell, sum);
   }
-  return all;
+  std::vector<LevelSums<D>> sums;
+  for (const SumsByCell<D>& level : all)
+    sums.push_back(level.sorted());
+  return sums;
 }
 
 } // namespace
@@ -141,7 +198,7 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
   for (int level = state.mesh.tree.deepest; level >= 0; --level)
   {
     const double edge = std::ldexp(state.mesh.grid.spacing, -level);
-    LevelSums<D> parents;
+    SumsByCell<D> parents;
     const auto selectAbove = [&](const LevelSums<D>& cells, double bound)
     {
       for (const auto& cell : cells)
@@ -151,12 +208,12 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
         std::array<int, D> parent;
         for (int d = 0; d < D; ++d)
           parent[d] = cell.first[d] >> 1;
-        parents[parent].add(cell.second);
+        parents.add(parent, cell.second);
       }
     };
     selectAbove(leaves[level], threshold);
     selectAbove(refined, keeping);
-    refined = std::move(parents);
+    refined = parents.sorted();
   }
   return wanted;
 }
