@@ -4,14 +4,26 @@
 #include "sub_cycling/TrialStress.hpp"
 #include "transfer/Connectivity.hpp"
 
+#include <algorithm>
+
 namespace Rhegma::sub_cycling
 {
 
 namespace
 {
 
-/// Particles of a part of a sum; parts are no more than these many.
-constexpr int particlesPerPart = 512, mostParts = 32;
+/// Particles of a part of a sum. Each part has a sum for every slot, so small parts cost more than they share
+/// among threads: small ones only where a few threads would have nothing to do.
+constexpr int particlesPerPart = 2048, fewParticlesPerPart = 512;
+constexpr int fewParts = 4, mostParts = 32;
+
+/// Parts of the sum over a number of particles; the same for any number of threads.
+int partsOf(int particles)
+{
+  const int large = (particles + particlesPerPart - 1) / particlesPerPart,
+            small = (particles + fewParticlesPerPart - 1) / fewParticlesPerPart;
+  return std::min(std::max(large, std::min(small, fewParts)), mostParts);
+}
 
 /// Number of steps over which the mean of a force is taken.
 constexpr double meanOver = 500.0;
@@ -49,8 +61,7 @@ template <int D>
 template <class Add>
 void FineParticles<D>::sumInParts(const char* label, int begin, int end, const Add& add)
 {
-  const int wanted = (end - begin + particlesPerPart - 1) / particlesPerPart;
-  const int number = wanted < mostParts ? wanted : mostParts;
+  const int number = partsOf(end - begin);
   if (static_cast<int>(parts_.extent(0)) < number || static_cast<int>(parts_.extent(1)) < numSlots_)
     parts_ = View<double** [D]>("rhegma::subcycling::parts", mostParts, numSlots_ + numSlots_ / 4);
   numParts_ = number;
@@ -148,14 +159,16 @@ void FineParticles<D>::sumForces(const State<D>& state, int level, const Values&
   sumInParts(
       "rhegma::subcycling::force", particlesFrom_[level + 1], particlesFrom_[level],
       KOKKOS_LAMBDA(const int i, double* sums) {
-        const int p = particle(i);
+        const int p = particle(i), entries = count(i);
+        const int* const at = &slot(i, 0);
+        const double* const of = &slope(i, 0, 0);
         double gradient[D][D] = {};
-        for (int k = 0; k < count(i); ++k)
+        for (int k = 0; k < entries; ++k)
         {
-          const ComponentSlopes<D, H> slopes{&slope(i, k, 0)};
+          const ComponentSlopes<D, H> slopes{of + k * ComponentSlopes<D, H>::size};
           for (int a = 0; a < D; ++a)
             for (int b = 0; b < D; ++b)
-              gradient[a][b] += slopes(a, b) * displacement(slot(i, k), a);
+              gradient[a][b] += slopes(a, b) * displacement(at[k], a);
         }
         double tau[symmetricSize<D>], back[D][D];
         trial(p, gradient, tau);
@@ -168,12 +181,16 @@ void FineParticles<D>::sumForces(const State<D>& state, int level, const Values&
             for (int b = 0; b < D; ++b)
               flux[a][c] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
           }
-        for (int k = 0; k < count(i); ++k)
+        for (int k = 0; k < entries; ++k)
         {
-          const ComponentSlopes<D, H> slopes{&slope(i, k, 0)};
+          const ComponentSlopes<D, H> slopes{of + k * ComponentSlopes<D, H>::size};
           for (int a = 0; a < D; ++a)
+          {
+            double sum = sums[at[k] * D + a];
             for (int c = 0; c < D; ++c)
-              sums[slot(i, k) * D + a] += flux[a][c] * slopes(a, c);
+              sum += flux[a][c] * slopes(a, c);
+            sums[at[k] * D + a] = sum;
+          }
         }
       });
 }
@@ -257,14 +274,17 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
       "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
         if (reach(i) < lowest)
           return;
+        const int entries = count(i);
+        const int* const at = &slot(i, 0);
+        const double* const w = &weight(i, 0);
         double own[D] = {};
-        for (int k = 0; k < count(i); ++k)
+        for (int k = 0; k < entries; ++k)
           for (int d = 0; d < D; ++d)
-            own[d] += weight(i, k) * acceleration(slot(i, k), d);
+            own[d] += w[k] * acceleration(at[k], d);
         const double m = mass(particle(i));
-        for (int k = 0; k < count(i); ++k)
+        for (int k = 0; k < entries; ++k)
           for (int d = 0; d < D; ++d)
-            to[slot(i, k) * D + d] += m * weight(i, k) * own[d];
+            to[at[k] * D + d] += m * w[k] * own[d];
       });
   const View<double** [D]> parts = parts_;
   const int number = numParts_;

@@ -105,13 +105,19 @@ public:
 
   // What follows is public because compilers for devices want kernels in public functions.
 
+  /// Lists the nodes that each candidate touches: they decide on all lists below.
+  void findTouched(const State<D>& state);
   void classifyNodes(const State<D>& state);
   /// Gives shared nodes the deepest class that any rank has given them. Collective.
   void fractionClasses(const State<D>& state);
   void listParticles(const State<D>& state);
-  void markNodes(const State<D>& state, int begin, int end, int own, bool onlyNew);
+  /// Lists the candidates of a class after the first `before` listed ones. \return the number of listed ones
+  int listClass(int own, int before);
+  /// Gives the nodes of listed particles begin .. end - 1 the class `own`, or where `onlyNew` only those
+  /// without one.
+  void markNodes(int begin, int end, int own, bool onlyNew);
   void numberSlots(const State<D>& state, int from);
-  void listNeighbours(const State<D>& state);
+  void listNeighbours();
   void packStencils(const State<D>& state);
   void holdNodes(const State<D>& state);
   void weighNodes(const State<D>& state);
@@ -132,7 +138,10 @@ private:
   View<double*> reported_;      ///< by ranks of the class of every shared node
   NearParticles<D> candidates_; ///< for the list
   View<int*> class_;            ///< of each of these
+  View<int*> numTouched_;       ///< nodes that each of these touches
+  View<int**> touched_;         ///< these nodes
   View<int*> particle_;         ///< those listed
+  View<int*> listed_;           ///< the same, by their numbers among the candidates
   View<int*> reach_;            ///< of each of them: class of its deepest node
   View<int*> nodeClass_;        ///< of every node; 0 for outer ones, -1 for those without a slot
   View<int*> slotOf_;           ///< of every node, -1 where it has none
