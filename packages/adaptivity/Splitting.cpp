@@ -11,11 +11,13 @@ namespace Rhegma::adaptivity
 namespace
 {
 
-/// Marks the particles that are too large: row i of the list is the i-th of them.
+/// The particles that are too large, in their order. \param some, first the particles that may be:
+/// those of a list in their order
+/// and all from row `first` on
 template <int D>
-View<int*> tooLarge(const State<D>& state)
+View<int*> tooLarge(const State<D>& state, const View<int*>& some, int first)
 {
-  const int n = state.particles.size();
+  const int given = static_cast<int>(some.extent(0)), n = given + state.particles.size() - first;
   const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
   const auto level = state.particles.integer(fields::level);
@@ -27,7 +29,8 @@ View<int*> tooLarge(const State<D>& state)
   const View<char*> mark("rhegma::tooLarge", n);
   const int deepestOfAll = state.mesh.tree.deepest;
   Kokkos::parallel_for(
-      "rhegma::adaptivity::markLarge", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int p) {
+      "rhegma::adaptivity::markLarge", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int i) {
+        const int p = i < given ? some(i) : first + i - given;
         if (level(p) >= deepestOfAll)
           return;
         int cell[D];
@@ -47,16 +50,16 @@ View<int*> tooLarge(const State<D>& state)
         int deepest = 0;
         sight.forEachLeaf(low, high,
                           [&](const auto& leaf) { deepest = leaf.level > deepest ? leaf.level : deepest; });
-        mark(p) = deepest > level(p) ? 1 : 0;
+        mark(i) = deepest > level(p) ? 1 : 0;
       });
   int count = 0;
   Kokkos::parallel_scan(
       "rhegma::adaptivity::listLarge", Kokkos::RangePolicy<ExecSpace>(0, n),
-      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
-        if (mark(p) == 0)
+      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
+        if (mark(i) == 0)
           return;
         if (final)
-          all(at) = p;
+          all(at) = i < given ? some(i) : first + i - given;
         ++at;
       },
       count);
@@ -168,12 +171,14 @@ int splitParticles(State<D>& state)
   if (!state.mesh.tree.refined())
     return 0;
   const int before = state.particles.size();
+  View<int*> list;
+  int first = 0;
   for (;;)
   {
-    const View<int*> list = tooLarge(state);
+    list = tooLarge(state, list, first); // after the first time, of the parts just made
     if (list.extent(0) == 0)
       break;
-    const int first = state.particles.size();
+    first = state.particles.size();
     copyParticles(state, list);
     makeParts(state, list, first);
     for (const auto& hook : state.particles.afterSplit)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace Rhegma::adaptivity
 {
@@ -91,29 +92,41 @@ private:
   LevelSums<D> sums_;
 };
 
-/// The cells of the lattice that hold particles. \param sums of all, by their lowest node
+/// Position of a leaf, or of a cell of the lattice, by its number as in TreeSight, in cells of its level.
 template <int D>
-LevelSums<D> occupiedCells(const Grid<D>& grid, const std::vector<GradientSum<D>>& sums)
+class LeafCells
 {
-  LevelSums<D> occupied;
-  int all = 1;
-  for (int d = 0; d < D; ++d)
-    all *= grid.cells[d];
-  int at[D] = {};
-  for (int i = 0; i < all; ++i)
+public:
+  explicit LeafCells(const State<D>& state)
+      : grid_(state.mesh.grid),
+        level_(onHost(state.mesh.tree.leafLevel)),
+        corner_(onHost(state.mesh.tree.leafCorner))
   {
-    const GradientSum<D>& sum = sums[grid.nodeIndex(at)];
-    if (sum.volume > 0.0)
-    {
-      std::array<int, D> cell;
-      std::copy(at, at + D, cell.begin());
-      occupied.push_back({cell, sum});
-    }
-    for (int d = D - 1; d >= 0 && ++at[d] == grid.cells[d]; --d) // in the order of LevelSums
-      at[d] = 0;
   }
-  return occupied;
-}
+
+  int levelOf(int leaf) const { return leaf < 0 ? 0 : level_(leaf); }
+
+  std::array<int, D> cellOf(int leaf) const
+  {
+    std::array<int, D> cell;
+    int at[D];
+    if (leaf < 0)
+      grid_.nodeCoordinates(-1 - leaf, at);
+    for (int d = 0; d < D; ++d)
+      cell[d] =
+          leaf < 0
+              ? at[d]
+              : static_cast<int>(std::lround(std::ldexp(grid_.inCells(corner_(leaf, d), d), level_(leaf))));
+    return cell;
+  }
+
+  int numLeaves() const { return static_cast<int>(level_.extent(0)); }
+
+private:
+  Grid<D> grid_;
+  decltype(onHost(std::declval<View<int*>>())) level_;
+  decltype(onHost(std::declval<View<double* [D]>>())) corner_;
+};
 
 /// Sums of all leaves that hold particles, by level. Added on the host in the order of the particles, so that
 /// what is refined does not depend on the number of threads.
@@ -124,30 +137,30 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string
   const auto leafOf = host(leavesOf(state));
   const auto volume = host(state.particles.scalar(fields::volume));
   const auto rate = host(state.particles.table(gradient));
-  const int components = static_cast<int>(rate.extent(1));
-  std::vector<GradientSum<D>> lattice(state.mesh.grid.numNodes), leaves(state.mesh.tree.leafLevel.extent(0));
+  const int components = static_cast<int>(rate.extent(1)), lattice = state.mesh.grid.numNodes;
+  const LeafCells<D> cells(state);
+  std::vector<int> number(lattice + cells.numLeaves(), -1), leaves; // leaves in the order of their particles
+  std::vector<GradientSum<D>> sumOf;
   for (int p = 0; p < state.particles.size(); ++p)
   {
-    GradientSum<D>& sum = leafOf(p) < 0 ? lattice[-1 - leafOf(p)] : leaves[leafOf(p)];
+    int& known = number[lattice + leafOf(p)]; // -1 - lowest node, or the number of the leaf
+    if (known < 0)
+    {
+      known = static_cast<int>(leaves.size());
+      leaves.push_back(leafOf(p));
+      sumOf.emplace_back();
+    }
+    GradientSum<D>& sum = sumOf[known];
     sum.volume += volume(p);
     for (int k = 0; k < components; ++k)
       sum.gradient[k] += volume(p) * rate(p, k);
   }
   std::vector<LevelSums<D>> sums(state.mesh.tree.deepest + 1);
-  sums[0] = occupiedCells(state.mesh.grid, lattice);
-  const auto level = host(state.mesh.tree.leafLevel);
-  const auto corner = host(state.mesh.tree.leafCorner);
   for (std::size_t l = 0; l < leaves.size(); ++l)
-    if (leaves[l].volume > 0.0)
-    {
-      std::array<int, D> cell;
-      for (int d = 0; d < D; ++d)
-        cell[d] =
-            static_cast<int>(std::lround(std::ldexp(state.mesh.grid.inCells(corner(l, d), d), level(l))));
-      sums[level(l)].push_back({cell, leaves[l]});
-    }
-  for (int below = 1; below <= state.mesh.tree.deepest; ++below)
-    sortByCell<D>(sums[below]);
+    if (sumOf[l].volume > 0.0)
+      sums[cells.levelOf(leaves[l])].push_back({cells.cellOf(leaves[l]), sumOf[l]});
+  for (LevelSums<D>& level : sums)
+    sortByCell<D>(level);
   return sums;
 }
 
@@ -208,7 +221,8 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
         std::array<int, D> parent;
         for (int d = 0; d < D; ++d)
           parent[d] = cell.first[d] >> 1;
-        parents.add(parent, cell.second);
+        if (level > 0)
+          parents.add(parent, cell.second);
       }
     };
     selectAbove(leaves[level], threshold);

@@ -36,6 +36,14 @@ void copyRows(const T* from, T* to, const View<int*>& order, int known, int colu
     copyRows<2>(from, to, order, known, columns);
   else if (columns == 3)
     copyRows<3>(from, to, order, known, columns);
+  else if (columns == 4)
+    copyRows<4>(from, to, order, known, columns);
+  else if (columns == 5)
+    copyRows<5>(from, to, order, known, columns);
+  else if (columns == 6)
+    copyRows<6>(from, to, order, known, columns);
+  else if (columns == 9)
+    copyRows<9>(from, to, order, known, columns);
   else
     copyRows<0>(from, to, order, known, columns);
 }
