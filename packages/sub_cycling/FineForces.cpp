@@ -1,6 +1,6 @@
 #include "sub_cycling/FineParticles.hpp"
 
-#include "state/Subdomain.hpp"
+#include "sub_cycling/SlotRow.hpp"
 #include "sub_cycling/TrialStress.hpp"
 #include "transfer/Connectivity.hpp"
 
@@ -24,9 +24,6 @@ int partsOf(int particles)
             small = (particles + fewParticlesPerPart - 1) / fewParticlesPerPart;
   return std::min(std::max(large, std::min(small, fewParts)), mostParts);
 }
-
-/// Number of steps over which the mean of a force is taken.
-constexpr double meanOver = 500.0;
 
 using Range = Kokkos::RangePolicy<ExecSpace>;
 
@@ -82,115 +79,57 @@ void FineParticles<D>::sumInParts(const char* label, int begin, int end, const A
 }
 
 template <int D>
-void FineParticles<D>::sumSlots(const State<D>& state, const Values& values) const
-{
-  sumOverRanks(state, values.data(), D, 0, D, slotOf_);
-}
-
-template <int D>
-void FineParticles<D>::load(const State<D>& state, const Values& force) const
-{
-  const auto sums = state.mesh.nodes.sums;
-  const View<int*> nodeOf = nodeOf_;
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::load", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        for (int d = 0; d < D; ++d)
-          force(i, d) = sums(nodeOf(i), Nodes<D>::forceAt + d);
-      });
-  sumSlots(state, force);
-}
-
-template <int D>
-void FineParticles<D>::store(const State<D>& state, const Values& force, double factor) const
-{
-  const Nodes<D> nodes = state.mesh.nodes;
-  const auto sums = state.mesh.nodes.sums;
-  const View<int*> nodeOf = nodeOf_;
-  // The stored forces are summed over the ranks later.
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::store", 0, numInner_, KOKKOS_LAMBDA(const int i) {
-        const bool counts = isOwnedByThisRank(nodes, nodeOf(i));
-        for (int d = 0; d < D; ++d)
-          sums(nodeOf(i), Nodes<D>::forceAt + d) = counts ? factor * force(i, d) : 0.0;
-      });
-}
-
-template <int D>
-void FineParticles<D>::startVelocity(const State<D>& state, const Values& velocity)
-{
-  fit(before_, "rhegma::subcycling::before", numSlots_);
-  fit(momentum_, "rhegma::subcycling::momentum", numSlots_);
-  const auto sums = state.mesh.nodes.sums;
-  const View<int*> nodeOf = nodeOf_;
-  const View<double*> mass = mass_;
-  const View<int* [D]> held = held_;
-  const View<double* [D]> heldVelocity = heldVelocity_;
-  const Values before = before_, momentum = momentum_;
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::startVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
-        for (int d = 0; d < D; ++d)
-        {
-          momentum(i, d) = sums(nodeOf(i), Nodes<D>::momentumAt + d);
-          before(i, d) = inverse * momentum(i, d);
-        }
-      });
-  if (state.motion.coupledSlots.begin)
-  {
-    state.motion.coupledSlots.begin(state, slots(), held_);
-    state.motion.coupledSlots.solve(momentum, before, false);
-  }
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::heldVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        for (int d = 0; d < D; ++d)
-          velocity(i, d) = held(i, d) != 0 ? heldVelocity(i, d) : before(i, d);
-      });
-}
-
-template <int D>
 template <ShearStrain H, class Trial>
 void FineParticles<D>::sumForces(const State<D>& state, int level, const Values& displacement,
                                  const Trial& trial)
 {
   const View<int*> count = count_, particle = particle_;
-  const View<int**> slot = slot_;
+  const View<int * [stencilCapacity<D>]> slot = slot_;
   const View<double***> slope = slope_;
   const auto volume = state.particles.scalar(fields::volume);
+  const double* const displaced = displacement.data();
+  constexpr bool eachComponent = H == ShearStrain::AtCellCentres;
+  constexpr int slopes = ComponentSlopes<D, H>::size;
   sumInParts(
       "rhegma::subcycling::force", particlesFrom_[level + 1], particlesFrom_[level],
       KOKKOS_LAMBDA(const int i, double* sums) {
         const int p = particle(i), entries = count(i);
         const int* const at = &slot(i, 0);
         const double* const of = &slope(i, 0, 0);
-        double gradient[D][D] = {};
+        SlotRow<D> steep[D]; // column b: slopes along axis b
+        for (int b = 0; b < D; ++b)
+          steep[b] = SlotRow<D>::zero();
         for (int k = 0; k < entries; ++k)
         {
-          const ComponentSlopes<D, H> slopes{of + k * ComponentSlopes<D, H>::size};
-          for (int a = 0; a < D; ++a)
-            for (int b = 0; b < D; ++b)
-              gradient[a][b] += slopes(a, b) * displacement(at[k], a);
+          const SlotRow<D> moved = SlotRow<D>::load(displaced + D * at[k]);
+          forEachSlope<D, eachComponent>(of + k * slopes,
+                                         [&](int b, const auto& along) { steep[b].add(along, moved); });
         }
-        double tau[symmetricSize<D>], back[D][D];
+        double gradient[D][D], tau[symmetricSize<D>], back[D][D];
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b)
+            gradient[a][b] = steep[b][a];
         trial(p, gradient, tau);
         inverseOfMotion<D>(gradient, back);
-        double flux[D][D];
-        for (int a = 0; a < D; ++a)
-          for (int c = 0; c < D; ++c)
-          {
-            flux[a][c] = 0.0;
-            for (int b = 0; b < D; ++b)
-              flux[a][c] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
-          }
-        for (int k = 0; k < entries; ++k)
+        SlotRow<D> flux[D];
+        for (int c = 0; c < D; ++c)
         {
-          const ComponentSlopes<D, H> slopes{of + k * ComponentSlopes<D, H>::size};
+          double column[D];
           for (int a = 0; a < D; ++a)
           {
-            double sum = sums[at[k] * D + a];
-            for (int c = 0; c < D; ++c)
-              sum += flux[a][c] * slopes(a, c);
-            sums[at[k] * D + a] = sum;
+            column[a] = 0.0;
+            for (int b = 0; b < D; ++b)
+              column[a] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
           }
+          flux[c] = SlotRow<D>::load(column);
+        }
+        for (int k = 0; k < entries; ++k)
+        {
+          double* const to = sums + D * at[k];
+          SlotRow<D> sum = SlotRow<D>::load(to);
+          forEachSlope<D, eachComponent>(of + k * slopes,
+                                         [&](int c, const auto& along) { sum.add(along, flux[c]); });
+          sum.store(to);
         }
       });
 }
@@ -225,35 +164,15 @@ void FineParticles<D>::force(const State<D>& state, int level, const Values& dis
 }
 
 template <int D>
-void FineParticles<D>::smooth(const State<D>& state, int level, const Values& force, const Values& mean)
-{
-  const auto kept = state.mesh.nodalFields.template real<D + 1>(meanForceField(level + 1 - first_));
-  const NodalFieldRow<D> rowOf = state.mesh.nodalFields.rowsOf(state.mesh.nodes);
-  const View<int*> nodeOf = nodeOf_;
-  const auto now = static_cast<double>(state.clock.step);
-  const int inner = numInner_;
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::smooth", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        const int row = rowOf(nodeOf(i));
-        for (int d = 0; d < D; ++d)
-        {
-          const double before = kept(row, D) == now - 1.0 ? kept(row, d) : 0.0;
-          kept(row, d) = before + (force(i, d) - before) / meanOver;
-          mean(i, d) = i < inner ? kept(row, d) : 0.0;
-        }
-        kept(row, D) = now;
-      });
-}
-
-template <int D>
 void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
                                   const Values& velocity, bool supports)
 {
   fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
   const Values acceleration = acceleration_, before = before_, momentum = momentum_;
   const View<int*> count = count_, reach = reach_, particle = particle_;
-  const View<int**> slot = slot_;
-  const View<double**> weight = weight_;
+  const View<int * [stencilCapacity<D>]> slot = slot_;
+  const View<double * [stencilCapacity<D>]> weight = weight_;
+  const double* const accelerated = acceleration.data();
   const View<int* [D]> held = held_;
   const View<double*> nodal = mass_;
   const View<double* [D]> heldVelocity = heldVelocity_;
@@ -277,14 +196,16 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
         const int entries = count(i);
         const int* const at = &slot(i, 0);
         const double* const w = &weight(i, 0);
-        double own[D] = {};
+        SlotRow<D> own = SlotRow<D>::zero();
         for (int k = 0; k < entries; ++k)
-          for (int d = 0; d < D; ++d)
-            own[d] += w[k] * acceleration(at[k], d);
+          own.add(w[k], SlotRow<D>::load(accelerated + D * at[k]));
         const double m = mass(particle(i));
         for (int k = 0; k < entries; ++k)
-          for (int d = 0; d < D; ++d)
-            to[at[k] * D + d] += m * w[k] * own[d];
+        {
+          SlotRow<D> sum = SlotRow<D>::load(to + D * at[k]);
+          sum.add(m * w[k], own);
+          sum.store(to + D * at[k]);
+        }
       });
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
@@ -314,84 +235,9 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
       });
 }
 
-template <int D>
-void FineParticles<D>::correctMotion(const State<D>& state, const Values& displacement, double duration,
-                                     const Values& velocity) const
-{
-  const auto motion = state.mesh.nodes.motion;
-  const View<int*> nodeOf = nodeOf_;
-  const View<int* [D]> held = held_;
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::correctMotion", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        for (int d = 0; d < D; ++d)
-          if (held(i, d) == 0)
-            motion(nodeOf(i), d) += displacement(i, d) / duration - velocity(i, d);
-      });
-}
-
-template <int D>
-void FineParticles<D>::correctProjection(const State<D>& state, const Values& displacement, double duration,
-                                         const Values& velocity) const
-{
-  const auto projection = state.mesh.nodes.projection;
-  const View<int*> nodeOf = nodeOf_;
-  const View<int* [D]> held = held_;
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::correctProjection", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        for (int d = 0; d < D; ++d)
-          if (held(i, d) == 0)
-            projection(nodeOf(i), d) += displacement(i, d) / duration - velocity(i, d);
-      });
-}
-
-template <int D>
-typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& state,
-                                                                const Values& impulse) const
-{
-  const Nodes<D> nodes = state.mesh.nodes;
-  const View<int*> nodeOf = nodeOf_;
-  const Values velocity = before_;
-  const View<int*> coupledRow = state.motion.coupledRow;
-  const View<int* [D]> held = held_;
-  const View<double* [D]> heldVelocity = heldVelocity_;
-  ImpulseWork work;
-  Kokkos::parallel_reduce(
-      "rhegma::subcycling::workOfImpulses", Range(0, numInner_),
-      KOKKOS_LAMBDA(const int i, double& free, double& atSupports) {
-        for (int d = 0; d < D && isOwnedByThisRank(nodes, nodeOf(i)); ++d)
-        {
-          const double before = velocity(i, d);
-          if (held(i, d) == 0)
-            free += before * impulse(i, d);
-          else if (coupledRow.extent(0) > 0 && coupledRow(nodeOf(i)) >= 0)
-            atSupports += 0.5 * (heldVelocity(i, d) - before) * impulse(i, d);
-        }
-      },
-      work.free, work.held);
-  return work;
-}
-
-template void FineParticles<2>::sumSlots(const State<2>&, const Values&) const;
-template void FineParticles<2>::load(const State<2>&, const Values&) const;
-template void FineParticles<2>::store(const State<2>&, const Values&, double) const;
-template void FineParticles<2>::startVelocity(const State<2>&, const Values&);
 template void FineParticles<2>::force(const State<2>&, int, const Values&, double, const Values&);
-template void FineParticles<2>::smooth(const State<2>&, int, const Values&, const Values&);
 template void FineParticles<2>::accelerate(const State<2>&, int, double, const Values&, const Values&, bool);
-template void FineParticles<2>::correctMotion(const State<2>&, const Values&, double, const Values&) const;
-template void FineParticles<2>::correctProjection(const State<2>&, const Values&, double,
-                                                  const Values&) const;
-template FineParticles<2>::ImpulseWork FineParticles<2>::workOf(const State<2>&, const Values&) const;
-template void FineParticles<3>::sumSlots(const State<3>&, const Values&) const;
-template void FineParticles<3>::load(const State<3>&, const Values&) const;
-template void FineParticles<3>::store(const State<3>&, const Values&, double) const;
-template void FineParticles<3>::startVelocity(const State<3>&, const Values&);
 template void FineParticles<3>::force(const State<3>&, int, const Values&, double, const Values&);
-template void FineParticles<3>::smooth(const State<3>&, int, const Values&, const Values&);
 template void FineParticles<3>::accelerate(const State<3>&, int, double, const Values&, const Values&, bool);
-template void FineParticles<3>::correctMotion(const State<3>&, const Values&, double, const Values&) const;
-template void FineParticles<3>::correctProjection(const State<3>&, const Values&, double,
-                                                  const Values&) const;
-template FineParticles<3>::ImpulseWork FineParticles<3>::workOf(const State<3>&, const Values&) const;
 
 } // namespace Rhegma::sub_cycling

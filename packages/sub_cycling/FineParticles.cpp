@@ -45,14 +45,15 @@ KOKKOS_INLINE_FUNCTION void visitTouched(const Connect& connect, int p, const Vi
 // no kernel in a generic lambda.
 
 /// Lists the nodes that each candidate touches.
-template <class Connect>
+template <int D, class Connect>
 void listTouched(const Connect& connect, int count, const View<int*>& candidate, const View<int*>& numTouched,
-                 const View<int**>& touched)
+                 const View<int * [stencilCapacity<D>]>& touched)
 {
   Kokkos::parallel_for(
       "rhegma::subcycling::listTouched", Range(0, count), KOKKOS_LAMBDA(const int i) {
+        int* const to = &touched(i, 0);
         int k = 0;
-        visitTouched(connect, candidate(i), [&](int node, double, const auto&) { touched(i, k++) = node; });
+        visitTouched(connect, candidate(i), [&](int node, double, const auto&) { to[k++] = node; });
         numTouched(i) = k;
       });
 }
@@ -62,8 +63,8 @@ template <int D>
 struct Packed
 {
   View<int*> count, reach;
-  View<int**> slot;
-  View<double**> weight;
+  View<int * [stencilCapacity<D>]> slot;
+  View<double * [stencilCapacity<D>]> weight;
   View<double***> slope;
 };
 
@@ -74,14 +75,17 @@ void pack(const Connect& connect, int number, const View<int*>& particle, const 
   Kokkos::parallel_for(
       "rhegma::subcycling::packStencils", Range(0, number), KOKKOS_LAMBDA(const int i) {
         int k = 0, deepest = 0;
+        int* const slot = &to.slot(i, 0);
+        double* const weight = &to.weight(i, 0);
+        double* const slope = &to.slope(i, 0, 0);
         visitTouched(connect, particle(i),
                      [&](int node, double w, const typename Connect::Slopes& slopes)
                      {
-                       to.slot(i, k) = slotOf(node);
+                       slot[k] = slotOf(node);
                        deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest;
-                       to.weight(i, k) = w;
+                       weight[k] = w;
                        for (int c = 0; c < slopes.size; ++c)
-                         to.slope(i, k, c) = slopes.of[c];
+                         slope[k * slopes.size + c] = slopes.of[c];
                        ++k;
                      });
         to.count(i) = k;
@@ -123,10 +127,9 @@ void FineParticles<D>::findTouched(const State<D>& state)
 {
   const int count = candidates_.count();
   fit(numTouched_, "rhegma::subcycling::numTouched", count);
-  if (static_cast<int>(touched_.extent(0)) < count)
-    touched_ = View<int**>("rhegma::subcycling::touched", count + count / 4, stencilCapacity<D>);
+  fit(touched_, "rhegma::subcycling::touched", count);
   withConnectivity(state, [&](const auto& connect)
-                   { listTouched(connect, count, candidates_.particles(), numTouched_, touched_); });
+                   { listTouched<D>(connect, count, candidates_.particles(), numTouched_, touched_); });
 }
 
 template <int D>
@@ -139,7 +142,7 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
   fit(class_, "rhegma::subcycling::class", candidates_.count());
   const View<int*> nodeClass = nodeClass_, slotOf = slotOf_, nodeLevel = state.mesh.tree.nodeLevel,
                    classOf = class_, numTouched = numTouched_;
-  const View<int**> touched = touched_;
+  const View<int * [stencilCapacity<D>]> touched = touched_;
   Kokkos::parallel_for(
       "rhegma::subcycling::clearNodes", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
         nodeClass(activeNode(nodes, i)) = -1;
@@ -226,7 +229,7 @@ void FineParticles<D>::listParticles(const State<D>& state)
   fit(particle_, "rhegma::subcycling::particle", candidates_.count());
   fit(listed_, "rhegma::subcycling::listed", candidates_.count());
   const View<int*> classOf = class_, numTouched = numTouched_, nodeClass = nodeClass_;
-  const View<int**> touched = touched_;
+  const View<int * [stencilCapacity<D>]> touched = touched_;
   Kokkos::parallel_for(
       "rhegma::subcycling::classifyParticles", Range(0, candidates_.count()), KOKKOS_LAMBDA(const int i) {
         int deepest = 0;
@@ -247,7 +250,7 @@ template <int D>
 void FineParticles<D>::markNodes(int begin, int end, int own, bool onlyNew)
 {
   const View<int*> listed = listed_, numTouched = numTouched_, nodeClass = nodeClass_;
-  const View<int**> touched = touched_;
+  const View<int * [stencilCapacity<D>]> touched = touched_;
   Kokkos::parallel_for(
       "rhegma::subcycling::markNodes", Range(begin, end), KOKKOS_LAMBDA(const int i) {
         const int from = listed(i);
@@ -286,7 +289,7 @@ template <int D>
 void FineParticles<D>::listNeighbours()
 {
   const View<int*> classOf = class_, numTouched = numTouched_, slotOf = slotOf_;
-  const View<int**> touched = touched_;
+  const View<int * [stencilCapacity<D>]> touched = touched_;
   const int first = first_;
   // Of candidates of classes before the first: class 0 for those that touch a node with a slot, else -1.
   Kokkos::parallel_for(
@@ -309,8 +312,8 @@ void FineParticles<D>::packStencils(const State<D>& state)
     const int rows = numListed_ + numListed_ / 4;
     count_ = View<int*>("rhegma::subcycling::count", rows);
     reach_ = View<int*>("rhegma::subcycling::reach", rows);
-    slot_ = View<int**>("rhegma::subcycling::slots", rows, stencilCapacity<D>);
-    weight_ = View<double**>("rhegma::subcycling::weights", rows, stencilCapacity<D>);
+    slot_ = View<int * [stencilCapacity<D>]>("rhegma::subcycling::slots", rows);
+    weight_ = View<double * [stencilCapacity<D>]>("rhegma::subcycling::weights", rows);
     const int slopes = state.method.shear == ShearStrain::AtCellCentres ? D * D : D;
     slope_ = View<double***>("rhegma::subcycling::slopes", rows, stencilCapacity<D>, slopes);
   }

@@ -135,20 +135,20 @@ private:
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
   double onAllRanks_[deepestLevel + 2] = {};
-  View<double*> reported_;      ///< by ranks of the class of every shared node
-  NearParticles<D> candidates_; ///< for the list
-  View<int*> class_;            ///< of each of these
-  View<int*> numTouched_;       ///< nodes that each of these touches
-  View<int**> touched_;         ///< these nodes
-  View<int*> particle_;         ///< those listed
-  View<int*> listed_;           ///< the same, by their numbers among the candidates
-  View<int*> reach_;            ///< of each of them: class of its deepest node
-  View<int*> nodeClass_;        ///< of every node; 0 for outer ones, -1 for those without a slot
-  View<int*> slotOf_;           ///< of every node, -1 where it has none
-  View<int*> nodeOf_;           ///< of every slot
-  View<int*> count_;            ///< nodes of each of the particles
-  View<int**> slot_;            ///< of the nodes of each particle
-  View<double**> weight_;
+  View<double*> reported_;                   ///< by ranks of the class of every shared node
+  NearParticles<D> candidates_;              ///< for the list
+  View<int*> class_;                         ///< of each of these
+  View<int*> numTouched_;                    ///< nodes that each of these touches
+  View<int * [stencilCapacity<D>]> touched_; ///< these nodes
+  View<int*> particle_;                      ///< those listed
+  View<int*> listed_;                        ///< the same, by their numbers among the candidates
+  View<int*> reach_;                         ///< of each of them: class of its deepest node
+  View<int*> nodeClass_;                     ///< of every node; 0 for outer ones, -1 for those without a slot
+  View<int*> slotOf_;                        ///< of every node, -1 where it has none
+  View<int*> nodeOf_;                        ///< of every slot
+  View<int*> count_;                         ///< nodes of each of the particles
+  View<int * [stencilCapacity<D>]> slot_;    ///< of the nodes of each particle
+  View<double * [stencilCapacity<D>]> weight_;
   View<double***> slope_; ///< of each node of each particle, as ComponentSlopes has them
   View<double*> mass_;    ///< of every slot [kg]
   View<int* [D]> held_;
