@@ -1,5 +1,6 @@
 #include "sub_cycling/FineParticles.hpp"
 
+#include "state/Subdomain.hpp"
 #include "sub_cycling/SlotRow.hpp"
 #include "sub_cycling/TrialStress.hpp"
 #include "transfer/Connectivity.hpp"
@@ -25,32 +26,10 @@ int partsOf(int particles)
   return std::min(std::max(large, std::min(small, fewParts)), mostParts);
 }
 
-using Range = Kokkos::RangePolicy<ExecSpace>;
+/// Number of steps over which the mean of a force is taken.
+constexpr double meanOver = 500.0;
 
-/// (1 + G)^-1.
-template <int D>
-KOKKOS_FORCEINLINE_FUNCTION void inverseOfMotion(const double (&G)[D][D], double (&result)[D][D])
-{
-  if constexpr (D == 2)
-  {
-    const double scale = 1.0 / ((1.0 + G[0][0]) * (1.0 + G[1][1]) - G[0][1] * G[1][0]);
-    result[0][0] = scale * (1.0 + G[1][1]);
-    result[0][1] = -scale * G[0][1];
-    result[1][0] = -scale * G[1][0];
-    result[1][1] = scale * (1.0 + G[0][0]);
-  }
-  else
-  {
-    double F[9], inverted[9];
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b)
-        F[a * 3 + b] = G[a][b] + (a == b ? 1.0 : 0.0);
-    inverse<3>(F, determinant<3>(F), inverted);
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b)
-        result[a][b] = inverted[a * 3 + b];
-  }
-}
+using Range = Kokkos::RangePolicy<ExecSpace>;
 
 } // namespace
 
@@ -149,46 +128,34 @@ void FineParticles<D>::force(const State<D>& state, int level, const Values& dis
     sumWith(LawStress<D>(state, duration));
   else
     sumWith(HeatedStress<D>(state, duration));
+  addParts(force);
+}
+
+template <int D>
+void FineParticles<D>::addParts(const Values& sum) const
+{
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::sumForces", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::addParts", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
         {
-          double sum = 0.0;
+          double all = 0.0;
           for (int part = 0; part < number; ++part)
-            sum += parts(part, i, d);
-          force(i, d) = sum;
+            all += parts(part, i, d);
+          sum(i, d) = all;
         }
       });
 }
 
 template <int D>
-void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
-                                  const Values& velocity, bool supports)
+void FineParticles<D>::roundTrip(const State<D>& state, int lowest)
 {
-  fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
-  const Values acceleration = acceleration_, before = before_, momentum = momentum_;
   const View<int*> count = count_, reach = reach_, particle = particle_;
   const View<int * [stencilCapacity<D>]> slot = slot_;
   const View<double * [stencilCapacity<D>]> weight = weight_;
-  const double* const accelerated = acceleration.data();
-  const View<int* [D]> held = held_;
-  const View<double*> nodal = mass_;
-  const View<double* [D]> heldVelocity = heldVelocity_;
+  const double* const accelerated = acceleration_.data();
   const auto mass = state.particles.scalar(fields::mass);
-  const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
-  const int lowest = coupled ? 0 : level; // a coupled mass moves nodes without a force too
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
-        for (int d = 0; d < D; ++d)
-          acceleration(i, d) = held(i, d) == 0 ? inverse * force(i, d)
-                               : supports      ? (heldVelocity(i, d) - before(i, d)) / duration
-                                               : 0.0;
-      });
-  if (coupled)
-    state.motion.coupledSlots.solve(force, acceleration, true);
   sumInParts(
       "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
         if (reach(i) < lowest)
@@ -207,18 +174,31 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
           sum.store(to + D * at[k]);
         }
       });
-  const View<double** [D]> parts = parts_;
-  const int number = numParts_;
+}
+
+template <int D>
+void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
+                                  const Values& velocity, bool supports)
+{
+  fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
+  const Values acceleration = acceleration_, before = before_, momentum = momentum_;
+  const View<int* [D]> held = held_;
+  const View<double*> nodal = mass_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
+  const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
+  const int lowest = coupled ? 0 : level; // a coupled mass moves nodes without a force too
   parallelForSmall<smallSlots>(
-      "rhegma::subcycling::sumMomentum", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+      "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
-        {
-          double sum = 0.0;
-          for (int part = 0; part < number; ++part)
-            sum += parts(part, i, d);
-          momentum(i, d) = sum;
-        }
+          acceleration(i, d) = held(i, d) == 0 ? inverse * force(i, d)
+                               : supports      ? (heldVelocity(i, d) - before(i, d)) / duration
+                                               : 0.0;
       });
+  if (coupled)
+    state.motion.coupledSlots.solve(force, acceleration, true);
+  roundTrip(state, lowest);
+  addParts(momentum);
   sumSlots(state, momentum);
   parallelForSmall<smallSlots>(
       "rhegma::subcycling::arrive", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
@@ -235,9 +215,171 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
       });
 }
 
+template <int D>
+void FineParticles<D>::sumSlots(const State<D>& state, const Values& values) const
+{
+  sumOverRanks(state, values.data(), D, 0, D, slotOf_);
+}
+
+template <int D>
+void FineParticles<D>::load(const State<D>& state, const Values& force) const
+{
+  const auto sums = state.mesh.nodes.sums;
+  const View<int*> nodeOf = nodeOf_;
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::load", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          force(i, d) = sums(nodeOf(i), Nodes<D>::forceAt + d);
+      });
+  sumSlots(state, force);
+}
+
+template <int D>
+void FineParticles<D>::store(const State<D>& state, const Values& force, double factor) const
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const auto sums = state.mesh.nodes.sums;
+  const View<int*> nodeOf = nodeOf_;
+  // The stored forces are summed over the ranks later.
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::store", 0, numInner_, KOKKOS_LAMBDA(const int i) {
+        const bool counts = isOwnedByThisRank(nodes, nodeOf(i));
+        for (int d = 0; d < D; ++d)
+          sums(nodeOf(i), Nodes<D>::forceAt + d) = counts ? factor * force(i, d) : 0.0;
+      });
+}
+
+template <int D>
+void FineParticles<D>::startVelocity(const State<D>& state, const Values& velocity)
+{
+  fit(before_, "rhegma::subcycling::before", numSlots_);
+  fit(momentum_, "rhegma::subcycling::momentum", numSlots_);
+  const auto sums = state.mesh.nodes.sums;
+  const View<int*> nodeOf = nodeOf_;
+  const View<double*> mass = mass_;
+  const View<int* [D]> held = held_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
+  const Values before = before_, momentum = momentum_;
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::startVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+        {
+          momentum(i, d) = sums(nodeOf(i), Nodes<D>::momentumAt + d);
+          before(i, d) = inverse * momentum(i, d);
+        }
+      });
+  if (state.motion.coupledSlots.begin)
+  {
+    state.motion.coupledSlots.begin(state, slots(), held_);
+    state.motion.coupledSlots.solve(momentum, before, false);
+  }
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::heldVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          velocity(i, d) = held(i, d) != 0 ? heldVelocity(i, d) : before(i, d);
+      });
+}
+
+template <int D>
+void FineParticles<D>::smooth(const State<D>& state, int level, const Values& force, const Values& mean)
+{
+  const auto kept = state.mesh.nodalFields.template real<D + 1>(meanForceField(level + 1 - first_));
+  const NodalFieldRow<D> rowOf = state.mesh.nodalFields.rowsOf(state.mesh.nodes);
+  const View<int*> nodeOf = nodeOf_;
+  const auto now = static_cast<double>(state.clock.step);
+  const int inner = numInner_;
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::smooth", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        const int row = rowOf(nodeOf(i));
+        for (int d = 0; d < D; ++d)
+        {
+          const double before = kept(row, D) == now - 1.0 ? kept(row, d) : 0.0;
+          kept(row, d) = before + (force(i, d) - before) / meanOver;
+          mean(i, d) = i < inner ? kept(row, d) : 0.0;
+        }
+        kept(row, D) = now;
+      });
+}
+
+template <int D>
+void FineParticles<D>::correctMotion(const State<D>& state, const Values& displacement, double duration,
+                                     const Values& velocity) const
+{
+  const auto motion = state.mesh.nodes.motion;
+  const View<int*> nodeOf = nodeOf_;
+  const View<int* [D]> held = held_;
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::correctMotion", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          if (held(i, d) == 0)
+            motion(nodeOf(i), d) += displacement(i, d) / duration - velocity(i, d);
+      });
+}
+
+template <int D>
+void FineParticles<D>::correctProjection(const State<D>& state, const Values& displacement, double duration,
+                                         const Values& velocity) const
+{
+  const auto projection = state.mesh.nodes.projection;
+  const View<int*> nodeOf = nodeOf_;
+  const View<int* [D]> held = held_;
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::correctProjection", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          if (held(i, d) == 0)
+            projection(nodeOf(i), d) += displacement(i, d) / duration - velocity(i, d);
+      });
+}
+
+template <int D>
+typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& state,
+                                                                const Values& impulse) const
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<int*> nodeOf = nodeOf_;
+  const Values velocity = before_;
+  const View<int*> coupledRow = state.motion.coupledRow;
+  const View<int* [D]> held = held_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
+  ImpulseWork work;
+  Kokkos::parallel_reduce(
+      "rhegma::subcycling::workOfImpulses", Kokkos::RangePolicy<ExecSpace>(0, numInner_),
+      KOKKOS_LAMBDA(const int i, double& free, double& atSupports) {
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, nodeOf(i)); ++d)
+        {
+          const double before = velocity(i, d);
+          if (held(i, d) == 0)
+            free += before * impulse(i, d);
+          else if (coupledRow.extent(0) > 0 && coupledRow(nodeOf(i)) >= 0)
+            atSupports += 0.5 * (heldVelocity(i, d) - before) * impulse(i, d);
+        }
+      },
+      work.free, work.held);
+  return work;
+}
+
 template void FineParticles<2>::force(const State<2>&, int, const Values&, double, const Values&);
 template void FineParticles<2>::accelerate(const State<2>&, int, double, const Values&, const Values&, bool);
 template void FineParticles<3>::force(const State<3>&, int, const Values&, double, const Values&);
 template void FineParticles<3>::accelerate(const State<3>&, int, double, const Values&, const Values&, bool);
+template void FineParticles<2>::sumSlots(const State<2>&, const Values&) const;
+template void FineParticles<2>::load(const State<2>&, const Values&) const;
+template void FineParticles<2>::store(const State<2>&, const Values&, double) const;
+template void FineParticles<2>::startVelocity(const State<2>&, const Values&);
+template void FineParticles<2>::smooth(const State<2>&, int, const Values&, const Values&);
+template void FineParticles<2>::correctMotion(const State<2>&, const Values&, double, const Values&) const;
+template void FineParticles<2>::correctProjection(const State<2>&, const Values&, double,
+                                                  const Values&) const;
+template FineParticles<2>::ImpulseWork FineParticles<2>::workOf(const State<2>&, const Values&) const;
+template void FineParticles<3>::sumSlots(const State<3>&, const Values&) const;
+template void FineParticles<3>::load(const State<3>&, const Values&) const;
+template void FineParticles<3>::store(const State<3>&, const Values&, double) const;
+template void FineParticles<3>::startVelocity(const State<3>&, const Values&);
+template void FineParticles<3>::smooth(const State<3>&, int, const Values&, const Values&);
+template void FineParticles<3>::correctMotion(const State<3>&, const Values&, double, const Values&) const;
+template void FineParticles<3>::correctProjection(const State<3>&, const Values&, double,
+                                                  const Values&) const;
+template FineParticles<3>::ImpulseWork FineParticles<3>::workOf(const State<3>&, const Values&) const;
 
 } // namespace Rhegma::sub_cycling

@@ -125,6 +125,11 @@ public:
   /// particle after a displacement gradient
   template <ShearStrain H, class Trial>
   void sumForces(const State<D>& state, int level, const Values& displacement, const Trial& trial);
+  /// Sums the parts of each slot, in their order.
+  void addParts(const Values& sum) const;
+  /// The acceleration of the nodes to the particles that touch a node of class `lowest` or deeper, and that
+  /// of the particles, times their mass, to the nodes, in parts.
+  void roundTrip(const State<D>& state, int lowest);
   /// Zeroes the parts and runs add(particle, sums of its part) for particles begin .. end - 1.
   template <class Add>
   void sumInParts(const char* label, int begin, int end, const Add& add);

@@ -2,6 +2,8 @@
 
 #include "base/RowOrder.hpp"
 
+#include <algorithm>
+
 namespace Rhegma
 {
 
@@ -66,10 +68,20 @@ const FieldTable::Column& FieldTable::find(const std::string& name, int componen
 void FieldTable::resize(int size)
 {
   for (Column& column : columns_)
+  {
+    const int components = column.field.components;
+    // Spare rows have no values; without them all new rows are zero.
     if (column.field.integer)
-      Kokkos::resize(column.whole, size, column.field.components);
+    {
+      Kokkos::resize(column.whole, std::min(size, size_), components);
+      Kokkos::resize(column.whole, size, components);
+    }
     else
-      Kokkos::resize(column.real, size, column.field.components);
+    {
+      Kokkos::resize(column.real, std::min(size, size_), components);
+      Kokkos::resize(column.real, size, components);
+    }
+  }
   size_ = size;
 }
 

@@ -104,6 +104,21 @@ View<T*> toDevice(const std::string& label, const std::vector<T>& list)
   return view;
 }
 
+/// The cell of each particle, by its lowest node, and how many particles are in each cell.
+template <int D, class Positions>
+void findCells(const Grid<D>& grid, const Positions& position, std::vector<int>& cell,
+               std::vector<int>& number)
+{
+  for (std::size_t p = 0; p < cell.size(); ++p)
+  {
+    int at[D];
+    for (int d = 0; d < D; ++d)
+      at[d] = std::clamp(static_cast<int>(grid.inCells(position(p, d), d)), 0, grid.cells[d] - 1);
+    cell[p] = grid.nodeIndex(at);
+    ++number[cell[p]];
+  }
+}
+
 /// Extends the marks by `below` and `above` nodes along every axis.
 template <int D>
 std::vector<char> dilate(const Grid<D>& grid, std::vector<char> marked, int below, int above)
@@ -170,15 +185,9 @@ void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks
 
   std::vector<int> cell(n), order(n), number(grid.numNodes, 0);
   std::vector<char> occupied(grid.numNodes, 0);
-  for (int p = 0; p < n; ++p)
-  {
-    int at[D];
-    for (int d = 0; d < D; ++d)
-      at[d] = std::clamp(static_cast<int>(grid.inCells(position(p, d), d)), 0, grid.cells[d] - 1);
-    cell[p] = grid.nodeIndex(at);
-    occupied[cell[p]] = 1;
-    ++number[cell[p]];
-  }
+  findCells(grid, position, cell, number);
+  for (int node = 0; node < grid.numNodes; ++node)
+    occupied[node] = number[node] > 0 ? 1 : 0;
   std::vector<int> cells;
   std::vector<BlockRun> runs = occupiedBlocks(layout, number, cells);
   sortLargestFirst(layout, runs);
