@@ -80,6 +80,20 @@ private:
   int end_ = 0, part_ = 1;
 };
 
+/// The smallest ids that no particle has, where one rank has all particles.
+std::vector<int> freeIds(const std::vector<int>& named, std::size_t wanted)
+{
+  const int end = named.empty() ? 0 : *std::max_element(named.begin(), named.end()) + 1;
+  std::vector<char> used(end, 0);
+  for (const int id : named)
+    used[id] = 1;
+  std::vector<int> free;
+  for (int id = 0; free.size() < wanted; ++id)
+    if (id >= end || used[id] == 0)
+      free.push_back(id);
+  return free;
+}
+
 } // namespace
 
 template <int D>
@@ -94,10 +108,16 @@ void nameParticles(State<D>& state)
       named.push_back(host(p));
     else
       unnamed.push_back(p);
-  std::vector<double> wanted(ranks.size(), 0.0);
-  wanted[ranks.rank()] = static_cast<double>(unnamed.size());
-  ranks.sum(wanted.data(), ranks.size());
-  const std::vector<int> found = FreeIds(ranks, named).claim(wanted);
+  std::vector<int> found;
+  if (!ranks.many())
+    found = freeIds(named, unnamed.size());
+  else
+  {
+    std::vector<double> wanted(ranks.size(), 0.0);
+    wanted[ranks.rank()] = static_cast<double>(unnamed.size());
+    ranks.sum(wanted.data(), ranks.size());
+    found = FreeIds(ranks, named).claim(wanted);
+  }
   for (std::size_t k = 0; k < unnamed.size(); ++k)
     host(unnamed[k]) = found[k];
   Kokkos::deep_copy(id, host);

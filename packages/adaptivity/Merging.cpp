@@ -339,8 +339,13 @@ Merged mergeParticles(State<D>& state, double tolerance)
   const Ranks ranks = ranksOf(state);
   for (;;)
   {
-    bringTogether(state, tooSmall(state));
-    const std::vector<Family<D>> families = wholeFamilies<D>(state, tooSmall(state));
+    View<int*> small = tooSmall(state);
+    if (state.mesh.subdomain)
+    {
+      bringTogether(state, small);
+      small = tooSmall(state);
+    }
+    const std::vector<Family<D>> families = wholeFamilies<D>(state, small);
     if (ranks.sum(static_cast<double>(families.size())) == 0.0)
       break;
     const Merged some = mergeOnce(state, families, tolerance, meanEnergy(state));

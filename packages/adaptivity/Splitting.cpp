@@ -11,11 +11,13 @@ namespace Rhegma::adaptivity
 namespace
 {
 
-/// Marks the particles that are too large: row i of the list is the i-th of them.
+/// The particles that are too large, in their order. \param some, first the particles that may be:
+/// those of a list in their order
+/// and all from row `first` on
 template <int D>
-View<int*> tooLarge(const State<D>& state)
+View<int*> tooLarge(const State<D>& state, const View<int*>& some, int first)
 {
-  const int n = state.particles.size();
+  const int given = static_cast<int>(some.extent(0)), n = given + state.particles.size() - first;
   const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
   const auto level = state.particles.integer(fields::level);
@@ -23,9 +25,14 @@ View<int*> tooLarge(const State<D>& state)
   const bool boxes = state.method.shape == ShapeKind::Gimp;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
-  const View<int*> mark("rhegma::tooLarge", n);
+  const View<int*> all(Kokkos::view_alloc("rhegma::large", Kokkos::WithoutInitializing), n);
+  const View<char*> mark("rhegma::tooLarge", n);
+  const int deepestOfAll = state.mesh.tree.deepest;
   Kokkos::parallel_for(
-      "rhegma::adaptivity::markLarge", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int p) {
+      "rhegma::adaptivity::markLarge", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int i) {
+        const int p = i < given ? some(i) : first + i - given;
+        if (level(p) >= deepestOfAll)
+          return;
         int cell[D];
         for (int d = 0; d < D; ++d)
           cell[d] = static_cast<int>(sight.grid.inCells(position(p, d), d));
@@ -43,17 +50,16 @@ View<int*> tooLarge(const State<D>& state)
         int deepest = 0;
         sight.forEachLeaf(low, high,
                           [&](const auto& leaf) { deepest = leaf.level > deepest ? leaf.level : deepest; });
-        mark(p) = deepest > level(p) ? 1 : 0;
+        mark(i) = deepest > level(p) ? 1 : 0;
       });
   int count = 0;
-  const View<int*> all("rhegma::large", n);
   Kokkos::parallel_scan(
       "rhegma::adaptivity::listLarge", Kokkos::RangePolicy<ExecSpace>(0, n),
-      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
-        if (mark(p) == 0)
+      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
+        if (mark(i) == 0)
           return;
         if (final)
-          all(at) = p;
+          all(at) = i < given ? some(i) : first + i - given;
         ++at;
       },
       count);
@@ -67,12 +73,12 @@ template <int D>
 void copyParticles(State<D>& state, const View<int*>& list)
 {
   constexpr int more = (1 << D) - 1;
-  const int n = state.particles.size(), count = static_cast<int>(list.extent(0));
-  const View<int*> order("rhegma::splitOrder", n + more * count);
+  const int count = static_cast<int>(list.extent(0));
+  const View<int*> rows(Kokkos::view_alloc("rhegma::splitRows", Kokkos::WithoutInitializing), more * count);
   Kokkos::parallel_for(
-      "rhegma::adaptivity::orderSplit", Kokkos::RangePolicy<ExecSpace>(0, n + more * count),
-      KOKKOS_LAMBDA(const int i) { order(i) = i < n ? i : list((i - n) / more); });
-  state.particles.reorder(order);
+      "rhegma::adaptivity::listCopies", Kokkos::RangePolicy<ExecSpace>(0, more * count),
+      KOKKOS_LAMBDA(const int i) { rows(i) = list(i / more); });
+  state.particles.append(rows);
 }
 
 /// Makes the copies parts of the whole.
@@ -165,12 +171,14 @@ int splitParticles(State<D>& state)
   if (!state.mesh.tree.refined())
     return 0;
   const int before = state.particles.size();
+  View<int*> list;
+  int first = 0;
   for (;;)
   {
-    const View<int*> list = tooLarge(state);
+    list = tooLarge(state, list, first); // after the first time, of the parts just made
     if (list.extent(0) == 0)
       break;
-    const int first = state.particles.size();
+    first = state.particles.size();
     copyParticles(state, list);
     makeParts(state, list, first);
     for (const auto& hook : state.particles.afterSplit)

@@ -1,10 +1,12 @@
 #include "adaptivity/VelocityCriterion.hpp"
 
+#include "grid/Branches.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
+#include <vector>
 
 namespace Rhegma::adaptivity
 {
@@ -52,8 +54,79 @@ View<int*> leavesOf(const State<D>& state)
   return leaf;
 }
 
+/// Cells of one level with their sums, ordered by their position.
 template <int D>
-using LevelSums = std::map<std::array<int, D>, GradientSum<D>>;
+using LevelSums = std::vector<std::pair<std::array<int, D>, GradientSum<D>>>;
+
+template <int D>
+void sortByCell(LevelSums<D>& sums)
+{
+  std::sort(sums.begin(), sums.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+/// Sums of cells that come in any order and several times.
+template <int D>
+class SumsByCell
+{
+public:
+  void add(const std::array<int, D>& cell, const GradientSum<D>& sum)
+  {
+    std::uint64_t key = 0;
+    for (int d = 0; d < D; ++d)
+      key = key << Branches<D>::bitsPerAxis | static_cast<std::uint64_t>(cell[d]);
+    const auto number = static_cast<std::size_t>(cells_.add(key));
+    if (number == sums_.size())
+      sums_.push_back({cell, {}});
+    sums_[number].second.add(sum);
+  }
+
+  LevelSums<D> sorted() const
+  {
+    LevelSums<D> sums = sums_;
+    sortByCell<D>(sums);
+    return sums;
+  }
+
+private:
+  KeyNumbers cells_;
+  LevelSums<D> sums_;
+};
+
+/// Position of a leaf, or of a cell of the lattice, by its number as in TreeSight, in cells of its level.
+template <int D>
+class LeafCells
+{
+public:
+  explicit LeafCells(const State<D>& state)
+      : grid_(state.mesh.grid),
+        level_(onHost(state.mesh.tree.leafLevel)),
+        corner_(onHost(state.mesh.tree.leafCorner))
+  {
+  }
+
+  int levelOf(int leaf) const { return leaf < 0 ? 0 : level_(leaf); }
+
+  std::array<int, D> cellOf(int leaf) const
+  {
+    std::array<int, D> cell;
+    int at[D];
+    if (leaf < 0)
+      grid_.nodeCoordinates(-1 - leaf, at);
+    for (int d = 0; d < D; ++d)
+      cell[d] =
+          leaf < 0
+              ? at[d]
+              : static_cast<int>(std::lround(std::ldexp(grid_.inCells(corner_(leaf, d), d), level_(leaf))));
+    return cell;
+  }
+
+  int numLeaves() const { return static_cast<int>(level_.extent(0)); }
+
+private:
+  Grid<D> grid_;
+  decltype(onHost(std::declval<View<int*>>())) level_;
+  decltype(onHost(std::declval<View<double* [D]>>())) corner_;
+};
 
 /// Sums of all leaves that hold particles, by level. Added on the host in the order of the particles, so that
 /// what is refined does not depend on the number of threads.
@@ -64,36 +137,30 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string
   const auto leafOf = host(leavesOf(state));
   const auto volume = host(state.particles.scalar(fields::volume));
   const auto rate = host(state.particles.table(gradient));
-  const int components = static_cast<int>(rate.extent(1));
-  std::vector<GradientSum<D>> lattice(state.mesh.grid.numNodes), leaves(state.mesh.tree.leafLevel.extent(0));
+  const int components = static_cast<int>(rate.extent(1)), lattice = state.mesh.grid.numNodes;
+  const LeafCells<D> cells(state);
+  std::vector<int> number(lattice + cells.numLeaves(), -1), leaves; // leaves in the order of their particles
+  std::vector<GradientSum<D>> sumOf;
   for (int p = 0; p < state.particles.size(); ++p)
   {
-    GradientSum<D>& sum = leafOf(p) < 0 ? lattice[-1 - leafOf(p)] : leaves[leafOf(p)];
+    int& known = number[lattice + leafOf(p)]; // -1 - lowest node, or the number of the leaf
+    if (known < 0)
+    {
+      known = static_cast<int>(leaves.size());
+      leaves.push_back(leafOf(p));
+      sumOf.emplace_back();
+    }
+    GradientSum<D>& sum = sumOf[known];
     sum.volume += volume(p);
     for (int k = 0; k < components; ++k)
       sum.gradient[k] += volume(p) * rate(p, k);
   }
   std::vector<LevelSums<D>> sums(state.mesh.tree.deepest + 1);
-  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
-    if (lattice[n].volume > 0.0)
-    {
-      int at[D];
-      state.mesh.grid.nodeCoordinates(n, at);
-      std::array<int, D> cell;
-      std::copy(at, at + D, cell.begin());
-      sums[0][cell] = lattice[n];
-    }
-  const auto level = host(state.mesh.tree.leafLevel);
-  const auto corner = host(state.mesh.tree.leafCorner);
   for (std::size_t l = 0; l < leaves.size(); ++l)
-    if (leaves[l].volume > 0.0)
-    {
-      std::array<int, D> cell;
-      for (int d = 0; d < D; ++d)
-        cell[d] =
-            static_cast<int>(std::lround(std::ldexp(state.mesh.grid.inCells(corner(l, d), d), level(l))));
-      sums[level(l)][cell] = leaves[l];
-    }
+    if (sumOf[l].volume > 0.0)
+      sums[cells.levelOf(leaves[l])].push_back({cells.cellOf(leaves[l]), sumOf[l]});
+  for (LevelSums<D>& level : sums)
+    sortByCell<D>(level);
   return sums;
 }
 
@@ -115,7 +182,7 @@ std::vector<LevelSums<D>> ofAllRanks(const State<D>& state, const std::vector<Le
       rows.insert(rows.end(), sum.gradient, sum.gradient + D * D);
     }
   rows = state.ranks.gatherOnAll(rows);
-  std::vector<LevelSums<D>> all(own.size());
+  std::vector<SumsByCell<D>> all(own.size());
   for (auto row = rows.begin(); row != rows.end(); row += width)
   {
     std::array<int, D> cell;
@@ -124,9 +191,12 @@ std::vector<LevelSums<D>> ofAllRanks(const State<D>& state, const std::vector<Le
     GradientSum<D> sum;
     sum.volume = row[1 + D];
     std::copy(row + 2 + D, row + width, sum.gradient);
-    all[static_cast<int>(row[0])][cell].add(sum);
+    all[static_cast<int>(row[0])].add(cell, sum);
   }
-  return all;
+  std::vector<LevelSums<D>> sums;
+  for (const SumsByCell<D>& level : all)
+    sums.push_back(level.sorted());
+  return sums;
 }
 
 } // namespace
@@ -141,7 +211,7 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
   for (int level = state.mesh.tree.deepest; level >= 0; --level)
   {
     const double edge = std::ldexp(state.mesh.grid.spacing, -level);
-    LevelSums<D> parents;
+    SumsByCell<D> parents;
     const auto selectAbove = [&](const LevelSums<D>& cells, double bound)
     {
       for (const auto& cell : cells)
@@ -151,12 +221,13 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
         std::array<int, D> parent;
         for (int d = 0; d < D; ++d)
           parent[d] = cell.first[d] >> 1;
-        parents[parent].add(cell.second);
+        if (level > 0)
+          parents.add(parent, cell.second);
       }
     };
     selectAbove(leaves[level], threshold);
     selectAbove(refined, keeping);
-    refined = std::move(parents);
+    refined = parents.sorted();
   }
   return wanted;
 }

@@ -1,8 +1,11 @@
 #include "sub_cycling/FineParticles.hpp"
 
 #include "state/Subdomain.hpp"
+#include "sub_cycling/SlotRow.hpp"
 #include "sub_cycling/TrialStress.hpp"
 #include "transfer/Connectivity.hpp"
+
+#include <algorithm>
 
 namespace Rhegma::sub_cycling
 {
@@ -10,38 +13,23 @@ namespace Rhegma::sub_cycling
 namespace
 {
 
-/// Particles of a part of a sum; parts are no more than these many.
-constexpr int particlesPerPart = 512, mostParts = 32;
+/// Particles of a part of a sum. Each part has a sum for every slot, so small parts cost more than they share
+/// among threads: small ones only where a few threads would have nothing to do.
+constexpr int particlesPerPart = 2048, fewParticlesPerPart = 512;
+constexpr int fewParts = 4, mostParts = 32;
+
+/// Parts of the sum over a number of particles; the same for any number of threads.
+int partsOf(int particles)
+{
+  const int large = (particles + particlesPerPart - 1) / particlesPerPart,
+            small = (particles + fewParticlesPerPart - 1) / fewParticlesPerPart;
+  return std::min(std::max(large, std::min(small, fewParts)), mostParts);
+}
 
 /// Number of steps over which the mean of a force is taken.
 constexpr double meanOver = 500.0;
 
 using Range = Kokkos::RangePolicy<ExecSpace>;
-
-/// (1 + G)^-1.
-template <int D>
-KOKKOS_FORCEINLINE_FUNCTION void inverseOfMotion(const double (&G)[D][D], double (&result)[D][D])
-{
-  if constexpr (D == 2)
-  {
-    const double scale = 1.0 / ((1.0 + G[0][0]) * (1.0 + G[1][1]) - G[0][1] * G[1][0]);
-    result[0][0] = scale * (1.0 + G[1][1]);
-    result[0][1] = -scale * G[0][1];
-    result[1][0] = -scale * G[1][0];
-    result[1][1] = scale * (1.0 + G[0][0]);
-  }
-  else
-  {
-    double F[9], inverted[9];
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b)
-        F[a * 3 + b] = G[a][b] + (a == b ? 1.0 : 0.0);
-    inverse<3>(F, determinant<3>(F), inverted);
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b)
-        result[a][b] = inverted[a * 3 + b];
-  }
-}
 
 } // namespace
 
@@ -49,8 +37,7 @@ template <int D>
 template <class Add>
 void FineParticles<D>::sumInParts(const char* label, int begin, int end, const Add& add)
 {
-  const int wanted = (end - begin + particlesPerPart - 1) / particlesPerPart;
-  const int number = wanted < mostParts ? wanted : mostParts;
+  const int number = partsOf(end - begin);
   if (static_cast<int>(parts_.extent(0)) < number || static_cast<int>(parts_.extent(1)) < numSlots_)
     parts_ = View<double** [D]>("rhegma::subcycling::parts", mostParts, numSlots_ + numSlots_ / 4);
   numParts_ = number;
@@ -67,6 +54,164 @@ void FineParticles<D>::sumInParts(const char* label, int begin, int end, const A
         const int until = begin + static_cast<int>(static_cast<long>(end - begin) * (part + 1) / number);
         for (int i = from; i < until; ++i)
           add(i, to);
+      });
+}
+
+template <int D>
+template <ShearStrain H, class Trial>
+void FineParticles<D>::sumForces(const State<D>& state, int level, const Values& displacement,
+                                 const Trial& trial)
+{
+  const View<int*> count = count_, particle = particle_;
+  const View<int * [stencilCapacity<D>]> slot = slot_;
+  const View<double***> slope = slope_;
+  const auto volume = state.particles.scalar(fields::volume);
+  const double* const displaced = displacement.data();
+  constexpr bool eachComponent = H == ShearStrain::AtCellCentres;
+  constexpr int slopes = ComponentSlopes<D, H>::size;
+  sumInParts(
+      "rhegma::subcycling::force", particlesFrom_[level + 1], particlesFrom_[level],
+      KOKKOS_LAMBDA(const int i, double* sums) {
+        const int p = particle(i), entries = count(i);
+        const int* const at = &slot(i, 0);
+        const double* const of = &slope(i, 0, 0);
+        SlotRow<D> steep[D]; // column b: slopes along axis b
+        for (int b = 0; b < D; ++b)
+          steep[b] = SlotRow<D>::zero();
+        for (int k = 0; k < entries; ++k)
+        {
+          const SlotRow<D> moved = SlotRow<D>::load(displaced + D * at[k]);
+          forEachSlope<D, eachComponent>(of + k * slopes,
+                                         [&](int b, const auto& along) { steep[b].add(along, moved); });
+        }
+        double gradient[D][D], tau[symmetricSize<D>], back[D][D];
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b)
+            gradient[a][b] = steep[b][a];
+        trial(p, gradient, tau);
+        inverseOfMotion<D>(gradient, back);
+        SlotRow<D> flux[D];
+        for (int c = 0; c < D; ++c)
+        {
+          double column[D];
+          for (int a = 0; a < D; ++a)
+          {
+            column[a] = 0.0;
+            for (int b = 0; b < D; ++b)
+              column[a] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
+          }
+          flux[c] = SlotRow<D>::load(column);
+        }
+        for (int k = 0; k < entries; ++k)
+        {
+          double* const to = sums + D * at[k];
+          SlotRow<D> sum = SlotRow<D>::load(to);
+          forEachSlope<D, eachComponent>(of + k * slopes,
+                                         [&](int c, const auto& along) { sum.add(along, flux[c]); });
+          sum.store(to);
+        }
+      });
+}
+
+template <int D>
+void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement, double duration,
+                             const Values& force)
+{
+  const auto sumWith = [&](const auto& trial)
+  {
+    if (state.method.shear == ShearStrain::AtCellCentres)
+      sumForces<ShearStrain::AtCellCentres>(state, level, displacement, trial);
+    else
+      sumForces<ShearStrain::AtParticles>(state, level, displacement, trial);
+  };
+  if (state.materials.thermo.empty())
+    sumWith(LawStress<D>(state, duration));
+  else
+    sumWith(HeatedStress<D>(state, duration));
+  addParts(force);
+}
+
+template <int D>
+void FineParticles<D>::addParts(const Values& sum) const
+{
+  const View<double** [D]> parts = parts_;
+  const int number = numParts_;
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::addParts", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+        {
+          double all = 0.0;
+          for (int part = 0; part < number; ++part)
+            all += parts(part, i, d);
+          sum(i, d) = all;
+        }
+      });
+}
+
+template <int D>
+void FineParticles<D>::roundTrip(const State<D>& state, int lowest)
+{
+  const View<int*> count = count_, reach = reach_, particle = particle_;
+  const View<int * [stencilCapacity<D>]> slot = slot_;
+  const View<double * [stencilCapacity<D>]> weight = weight_;
+  const double* const accelerated = acceleration_.data();
+  const auto mass = state.particles.scalar(fields::mass);
+  sumInParts(
+      "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
+        if (reach(i) < lowest)
+          return;
+        const int entries = count(i);
+        const int* const at = &slot(i, 0);
+        const double* const w = &weight(i, 0);
+        SlotRow<D> own = SlotRow<D>::zero();
+        for (int k = 0; k < entries; ++k)
+          own.add(w[k], SlotRow<D>::load(accelerated + D * at[k]));
+        const double m = mass(particle(i));
+        for (int k = 0; k < entries; ++k)
+        {
+          SlotRow<D> sum = SlotRow<D>::load(to + D * at[k]);
+          sum.add(m * w[k], own);
+          sum.store(to + D * at[k]);
+        }
+      });
+}
+
+template <int D>
+void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
+                                  const Values& velocity, bool supports)
+{
+  fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
+  const Values acceleration = acceleration_, before = before_, momentum = momentum_;
+  const View<int* [D]> held = held_;
+  const View<double*> nodal = mass_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
+  const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
+  const int lowest = coupled ? 0 : level; // a coupled mass moves nodes without a force too
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+          acceleration(i, d) = held(i, d) == 0 ? inverse * force(i, d)
+                               : supports      ? (heldVelocity(i, d) - before(i, d)) / duration
+                                               : 0.0;
+      });
+  if (coupled)
+    state.motion.coupledSlots.solve(force, acceleration, true);
+  roundTrip(state, lowest);
+  addParts(momentum);
+  sumSlots(state, momentum);
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::arrive", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * momentum(i, d);
+      });
+  if (coupled)
+    state.motion.coupledSlots.solve(momentum, acceleration, true);
+  parallelForSmall<smallSlots>(
+      "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          velocity(i, d) += duration * acceleration(i, d);
       });
 }
 
@@ -137,77 +282,6 @@ void FineParticles<D>::startVelocity(const State<D>& state, const Values& veloci
 }
 
 template <int D>
-template <ShearStrain H, class Trial>
-void FineParticles<D>::sumForces(const State<D>& state, int level, const Values& displacement,
-                                 const Trial& trial)
-{
-  const View<int*> count = count_, particle = particle_;
-  const View<int**> slot = slot_;
-  const View<double***> slope = slope_;
-  const auto volume = state.particles.scalar(fields::volume);
-  sumInParts(
-      "rhegma::subcycling::force", particlesFrom_[level + 1], particlesFrom_[level],
-      KOKKOS_LAMBDA(const int i, double* sums) {
-        const int p = particle(i);
-        double gradient[D][D] = {};
-        for (int k = 0; k < count(i); ++k)
-        {
-          const ComponentSlopes<D, H> slopes{&slope(i, k, 0)};
-          for (int a = 0; a < D; ++a)
-            for (int b = 0; b < D; ++b)
-              gradient[a][b] += slopes(a, b) * displacement(slot(i, k), a);
-        }
-        double tau[symmetricSize<D>], back[D][D];
-        trial(p, gradient, tau);
-        inverseOfMotion<D>(gradient, back);
-        double flux[D][D];
-        for (int a = 0; a < D; ++a)
-          for (int c = 0; c < D; ++c)
-          {
-            flux[a][c] = 0.0;
-            for (int b = 0; b < D; ++b)
-              flux[a][c] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
-          }
-        for (int k = 0; k < count(i); ++k)
-        {
-          const ComponentSlopes<D, H> slopes{&slope(i, k, 0)};
-          for (int a = 0; a < D; ++a)
-            for (int c = 0; c < D; ++c)
-              sums[slot(i, k) * D + a] += flux[a][c] * slopes(a, c);
-        }
-      });
-}
-
-template <int D>
-void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement, double duration,
-                             const Values& force)
-{
-  const auto sumWith = [&](const auto& trial)
-  {
-    if (state.method.shear == ShearStrain::AtCellCentres)
-      sumForces<ShearStrain::AtCellCentres>(state, level, displacement, trial);
-    else
-      sumForces<ShearStrain::AtParticles>(state, level, displacement, trial);
-  };
-  if (state.materials.thermo.empty())
-    sumWith(LawStress<D>(state, duration));
-  else
-    sumWith(HeatedStress<D>(state, duration));
-  const View<double** [D]> parts = parts_;
-  const int number = numParts_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::sumForces", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
-        for (int d = 0; d < D; ++d)
-        {
-          double sum = 0.0;
-          for (int part = 0; part < number; ++part)
-            sum += parts(part, i, d);
-          force(i, d) = sum;
-        }
-      });
-}
-
-template <int D>
 void FineParticles<D>::smooth(const State<D>& state, int level, const Values& force, const Values& mean)
 {
   const auto kept = state.mesh.nodalFields.template real<D + 1>(meanForceField(level + 1 - first_));
@@ -225,72 +299,6 @@ void FineParticles<D>::smooth(const State<D>& state, int level, const Values& fo
           mean(i, d) = i < inner ? kept(row, d) : 0.0;
         }
         kept(row, D) = now;
-      });
-}
-
-template <int D>
-void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
-                                  const Values& velocity, bool supports)
-{
-  fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
-  const Values acceleration = acceleration_, before = before_, momentum = momentum_;
-  const View<int*> count = count_, reach = reach_, particle = particle_;
-  const View<int**> slot = slot_;
-  const View<double**> weight = weight_;
-  const View<int* [D]> held = held_;
-  const View<double*> nodal = mass_;
-  const View<double* [D]> heldVelocity = heldVelocity_;
-  const auto mass = state.particles.scalar(fields::mass);
-  const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
-  const int lowest = coupled ? 0 : level; // a coupled mass moves nodes without a force too
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
-        for (int d = 0; d < D; ++d)
-          acceleration(i, d) = held(i, d) == 0 ? inverse * force(i, d)
-                               : supports      ? (heldVelocity(i, d) - before(i, d)) / duration
-                                               : 0.0;
-      });
-  if (coupled)
-    state.motion.coupledSlots.solve(force, acceleration, true);
-  sumInParts(
-      "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
-        if (reach(i) < lowest)
-          return;
-        double own[D] = {};
-        for (int k = 0; k < count(i); ++k)
-          for (int d = 0; d < D; ++d)
-            own[d] += weight(i, k) * acceleration(slot(i, k), d);
-        const double m = mass(particle(i));
-        for (int k = 0; k < count(i); ++k)
-          for (int d = 0; d < D; ++d)
-            to[slot(i, k) * D + d] += m * weight(i, k) * own[d];
-      });
-  const View<double** [D]> parts = parts_;
-  const int number = numParts_;
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::sumMomentum", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        for (int d = 0; d < D; ++d)
-        {
-          double sum = 0.0;
-          for (int part = 0; part < number; ++part)
-            sum += parts(part, i, d);
-          momentum(i, d) = sum;
-        }
-      });
-  sumSlots(state, momentum);
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::arrive", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
-        for (int d = 0; d < D; ++d)
-          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * momentum(i, d);
-      });
-  if (coupled)
-    state.motion.coupledSlots.solve(momentum, acceleration, true);
-  parallelForSmall<smallSlots>(
-      "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        for (int d = 0; d < D; ++d)
-          velocity(i, d) += duration * acceleration(i, d);
       });
 }
 
@@ -336,7 +344,7 @@ typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& 
   const View<double* [D]> heldVelocity = heldVelocity_;
   ImpulseWork work;
   Kokkos::parallel_reduce(
-      "rhegma::subcycling::workOfImpulses", Range(0, numInner_),
+      "rhegma::subcycling::workOfImpulses", Kokkos::RangePolicy<ExecSpace>(0, numInner_),
       KOKKOS_LAMBDA(const int i, double& free, double& atSupports) {
         for (int d = 0; d < D && isOwnedByThisRank(nodes, nodeOf(i)); ++d)
         {
@@ -351,13 +359,15 @@ typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& 
   return work;
 }
 
+template void FineParticles<2>::force(const State<2>&, int, const Values&, double, const Values&);
+template void FineParticles<2>::accelerate(const State<2>&, int, double, const Values&, const Values&, bool);
+template void FineParticles<3>::force(const State<3>&, int, const Values&, double, const Values&);
+template void FineParticles<3>::accelerate(const State<3>&, int, double, const Values&, const Values&, bool);
 template void FineParticles<2>::sumSlots(const State<2>&, const Values&) const;
 template void FineParticles<2>::load(const State<2>&, const Values&) const;
 template void FineParticles<2>::store(const State<2>&, const Values&, double) const;
 template void FineParticles<2>::startVelocity(const State<2>&, const Values&);
-template void FineParticles<2>::force(const State<2>&, int, const Values&, double, const Values&);
 template void FineParticles<2>::smooth(const State<2>&, int, const Values&, const Values&);
-template void FineParticles<2>::accelerate(const State<2>&, int, double, const Values&, const Values&, bool);
 template void FineParticles<2>::correctMotion(const State<2>&, const Values&, double, const Values&) const;
 template void FineParticles<2>::correctProjection(const State<2>&, const Values&, double,
                                                   const Values&) const;
@@ -366,9 +376,7 @@ template void FineParticles<3>::sumSlots(const State<3>&, const Values&) const;
 template void FineParticles<3>::load(const State<3>&, const Values&) const;
 template void FineParticles<3>::store(const State<3>&, const Values&, double) const;
 template void FineParticles<3>::startVelocity(const State<3>&, const Values&);
-template void FineParticles<3>::force(const State<3>&, int, const Values&, double, const Values&);
 template void FineParticles<3>::smooth(const State<3>&, int, const Values&, const Values&);
-template void FineParticles<3>::accelerate(const State<3>&, int, double, const Values&, const Values&, bool);
 template void FineParticles<3>::correctMotion(const State<3>&, const Values&, double, const Values&) const;
 template void FineParticles<3>::correctProjection(const State<3>&, const Values&, double,
                                                   const Values&) const;

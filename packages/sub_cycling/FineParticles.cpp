@@ -44,50 +44,17 @@ KOKKOS_INLINE_FUNCTION void visitTouched(const Connect& connect, int p, const Vi
 // Kernels over particles and the nodes that they touch; functions of their own, as compilers for devices want
 // no kernel in a generic lambda.
 
-/// classOf(i) = the class of the deepest node that a candidate touches.
-template <class Connect>
-void classifyParticles(const Connect& connect, int count, const View<int*>& candidate,
-                       const View<int*>& nodeClass, const View<int*>& classOf)
+/// Lists the nodes that each candidate touches.
+template <int D, class Connect>
+void listTouched(const Connect& connect, int count, const View<int*>& candidate, const View<int*>& numTouched,
+                 const View<int * [stencilCapacity<D>]>& touched)
 {
   Kokkos::parallel_for(
-      "rhegma::subcycling::classifyParticles", Range(0, count), KOKKOS_LAMBDA(const int i) {
-        int deepest = 0;
-        visitTouched(connect, candidate(i),
-                     [&](int node, double, const auto&)
-                     { deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest; });
-        classOf(i) = deepest;
-      });
-}
-
-/// Gives the nodes of particles a class: `own`, or where `onlyNew` only those without one.
-template <class Connect>
-void classifyNodesOf(const Connect& connect, int begin, int end, const View<int*>& particle, int own,
-                     bool onlyNew, const View<int*>& nodeClass)
-{
-  Kokkos::parallel_for(
-      "rhegma::subcycling::markNodes", Range(begin, end), KOKKOS_LAMBDA(const int i) {
-        visitTouched(connect, particle(i),
-                     [&](int node, double, const auto&)
-                     {
-                       if (!onlyNew || nodeClass(node) < 0)
-                         nodeClass(node) = own;
-                     });
-      });
-}
-
-/// Of candidates of classes before `first`: class 0 for those that touch a node with a slot, else -1.
-template <class Connect>
-void findNeighbours(const Connect& connect, int count, int first, const View<int*>& candidate,
-                    const View<int*>& slotOf, const View<int*>& classOf)
-{
-  Kokkos::parallel_for(
-      "rhegma::subcycling::findNeighbours", Range(0, count), KOKKOS_LAMBDA(const int i) {
-        if (classOf(i) >= first)
-          return;
-        bool touches = false;
-        visitTouched(connect, candidate(i),
-                     [&](int node, double, const auto&) { touches = touches || slotOf(node) >= 0; });
-        classOf(i) = touches ? 0 : -1;
+      "rhegma::subcycling::listTouched", Range(0, count), KOKKOS_LAMBDA(const int i) {
+        int* const to = &touched(i, 0);
+        int k = 0;
+        visitTouched(connect, candidate(i), [&](int node, double, const auto&) { to[k++] = node; });
+        numTouched(i) = k;
       });
 }
 
@@ -96,8 +63,8 @@ template <int D>
 struct Packed
 {
   View<int*> count, reach;
-  View<int**> slot;
-  View<double**> weight;
+  View<int * [stencilCapacity<D>]> slot;
+  View<double * [stencilCapacity<D>]> weight;
   View<double***> slope;
 };
 
@@ -108,14 +75,17 @@ void pack(const Connect& connect, int number, const View<int*>& particle, const 
   Kokkos::parallel_for(
       "rhegma::subcycling::packStencils", Range(0, number), KOKKOS_LAMBDA(const int i) {
         int k = 0, deepest = 0;
+        int* const slot = &to.slot(i, 0);
+        double* const weight = &to.weight(i, 0);
+        double* const slope = &to.slope(i, 0, 0);
         visitTouched(connect, particle(i),
                      [&](int node, double w, const typename Connect::Slopes& slopes)
                      {
-                       to.slot(i, k) = slotOf(node);
+                       slot[k] = slotOf(node);
                        deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest;
-                       to.weight(i, k) = w;
+                       weight[k] = w;
                        for (int c = 0; c < slopes.size; ++c)
-                         to.slope(i, k, c) = slopes.of[c];
+                         slope[k * slopes.size + c] = slopes.of[c];
                        ++k;
                      });
         to.count(i) = k;
@@ -130,6 +100,7 @@ void FineParticles<D>::select(const State<D>& state, int first)
 {
   first_ = first;
   candidates_.find(state);
+  findTouched(state);
   classifyNodes(state);
   listParticles(state);
   numInner_ = numSlots_ = numListed_ = 0;
@@ -139,16 +110,26 @@ void FineParticles<D>::select(const State<D>& state, int first)
     return;
   // Coarse classes first, so that the deepest class of a node remains.
   for (int l = first; l <= state.mesh.tree.deepest; ++l)
-    markNodes(state, particlesFrom_[l + 1], particlesFrom_[l], l, false);
+    markNodes(particlesFrom_[l + 1], particlesFrom_[l], l, false);
   fractionClasses(state);
   numberSlots(state, 0);
-  listNeighbours(state);
-  markNodes(state, particlesFrom_[first_], numListed_, 0, true);
+  listNeighbours();
+  markNodes(particlesFrom_[first_], numListed_, 0, true);
   fractionClasses(state);
   numberSlots(state, numInner_);
   packStencils(state);
   holdNodes(state);
   weighNodes(state);
+}
+
+template <int D>
+void FineParticles<D>::findTouched(const State<D>& state)
+{
+  const int count = candidates_.count();
+  fit(numTouched_, "rhegma::subcycling::numTouched", count);
+  fit(touched_, "rhegma::subcycling::touched", count);
+  withConnectivity(state, [&](const auto& connect)
+                   { listTouched<D>(connect, count, candidates_.particles(), numTouched_, touched_); });
 }
 
 template <int D>
@@ -160,22 +141,20 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
   fit(nodeOf_, "rhegma::subcycling::nodeOf", nodes.numActive());
   fit(class_, "rhegma::subcycling::class", candidates_.count());
   const View<int*> nodeClass = nodeClass_, slotOf = slotOf_, nodeLevel = state.mesh.tree.nodeLevel,
-                   classOf = class_, candidate = candidates_.particles(), row = state.stored.row;
-  const StencilTable<D> table = state.stored.table;
+                   classOf = class_, numTouched = numTouched_;
+  const View<int * [stencilCapacity<D>]> touched = touched_;
   Kokkos::parallel_for(
       "rhegma::subcycling::clearNodes", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
         nodeClass(activeNode(nodes, i)) = -1;
         slotOf(activeNode(nodes, i)) = -1;
       });
-  // Particles without stored stencils touch no node of fine cells.
   Kokkos::parallel_for(
       "rhegma::subcycling::levelOfParticles", Range(0, candidates_.count()), KOKKOS_LAMBDA(const int i) {
-        const int r = row(candidate(i));
         int deepest = 0;
-        for (int k = 0; r >= 0 && k < table.count(r); ++k)
+        for (int k = 0; k < numTouched(i); ++k)
         {
-          const int of = nodeLevel(latticeNode(nodes, table.node(r, k)));
-          deepest = of > deepest && isTouched(table.weight(r, k)) ? of : deepest;
+          const int of = nodeLevel(latticeNode(nodes, touched(i, k)));
+          deepest = of > deepest ? of : deepest;
         }
         classOf(i) = deepest;
       });
@@ -183,12 +162,8 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
   for (int l = first_; l <= state.mesh.tree.deepest; ++l)
     Kokkos::parallel_for(
         "rhegma::subcycling::classifyNodes", Range(0, candidates_.count()), KOKKOS_LAMBDA(const int i) {
-          if (classOf(i) != l)
-            return;
-          const int r = row(candidate(i));
-          for (int k = 0; k < table.count(r); ++k)
-            if (isTouched(table.weight(r, k)))
-              nodeClass(table.node(r, k)) = l;
+          for (int k = 0; classOf(i) == l && k < numTouched(i); ++k)
+            nodeClass(touched(i, k)) = l;
         });
   fractionClasses(state);
 }
@@ -227,38 +202,62 @@ void FineParticles<D>::fractionClasses(const State<D>& state)
 }
 
 template <int D>
-void FineParticles<D>::listParticles(const State<D>& state)
+int FineParticles<D>::listClass(int own, int before)
 {
-  fit(particle_, "rhegma::subcycling::particle", candidates_.count());
-  const View<int*> classOf = class_, candidate = candidates_.particles(), particle = particle_;
-  withConnectivity(
-      state, [&](const auto& connect)
-      { classifyParticles(connect, candidates_.count(), candidates_.particles(), nodeClass_, class_); });
-  for (int& number : particlesFrom_)
-    number = 0;
-  for (int l = state.mesh.tree.deepest; l >= first_; --l)
-  {
-    const int before = particlesFrom_[l + 1];
-    int more = 0;
-    Kokkos::parallel_scan(
-        "rhegma::subcycling::listParticles", Range(0, candidates_.count()),
-        KOKKOS_LAMBDA(const int i, int& at, const bool final) {
-          if (classOf(i) != l)
-            return;
-          if (final)
-            particle(before + at) = candidate(i);
-          ++at;
-        },
-        more);
-    particlesFrom_[l] = before + more;
-  }
+  const View<int*> classOf = class_, candidate = candidates_.particles(), particle = particle_,
+                   listed = listed_;
+  int more = 0;
+  Kokkos::parallel_scan(
+      "rhegma::subcycling::listParticles", Range(0, candidates_.count()),
+      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
+        if (classOf(i) != own)
+          return;
+        if (final)
+        {
+          particle(before + at) = candidate(i);
+          listed(before + at) = i;
+        }
+        ++at;
+      },
+      more);
+  return before + more;
 }
 
 template <int D>
-void FineParticles<D>::markNodes(const State<D>& state, int begin, int end, int own, bool onlyNew)
+void FineParticles<D>::listParticles(const State<D>& state)
 {
-  withConnectivity(state, [&](const auto& connect)
-                   { classifyNodesOf(connect, begin, end, particle_, own, onlyNew, nodeClass_); });
+  fit(particle_, "rhegma::subcycling::particle", candidates_.count());
+  fit(listed_, "rhegma::subcycling::listed", candidates_.count());
+  const View<int*> classOf = class_, numTouched = numTouched_, nodeClass = nodeClass_;
+  const View<int * [stencilCapacity<D>]> touched = touched_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::classifyParticles", Range(0, candidates_.count()), KOKKOS_LAMBDA(const int i) {
+        int deepest = 0;
+        for (int k = 0; k < numTouched(i); ++k)
+        {
+          const int of = nodeClass(touched(i, k));
+          deepest = of > deepest ? of : deepest;
+        }
+        classOf(i) = deepest;
+      });
+  for (int& number : particlesFrom_)
+    number = 0;
+  for (int l = state.mesh.tree.deepest; l >= first_; --l)
+    particlesFrom_[l] = listClass(l, particlesFrom_[l + 1]);
+}
+
+template <int D>
+void FineParticles<D>::markNodes(int begin, int end, int own, bool onlyNew)
+{
+  const View<int*> listed = listed_, numTouched = numTouched_, nodeClass = nodeClass_;
+  const View<int * [stencilCapacity<D>]> touched = touched_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::markNodes", Range(begin, end), KOKKOS_LAMBDA(const int i) {
+        const int from = listed(i);
+        for (int k = 0; k < numTouched(from); ++k)
+          if (!onlyNew || nodeClass(touched(from, k)) < 0)
+            nodeClass(touched(from, k)) = own;
+      });
 }
 
 template <int D>
@@ -287,25 +286,22 @@ void FineParticles<D>::numberSlots(const State<D>& state, int from)
 }
 
 template <int D>
-void FineParticles<D>::listNeighbours(const State<D>& state)
+void FineParticles<D>::listNeighbours()
 {
-  withConnectivity(
-      state, [&](const auto& connect)
-      { findNeighbours(connect, candidates_.count(), first_, candidates_.particles(), slotOf_, class_); });
-  const int before = particlesFrom_[first_];
-  const View<int*> particle = particle_, classOf = class_, candidate = candidates_.particles();
-  int more = 0;
-  Kokkos::parallel_scan(
-      "rhegma::subcycling::listNeighbours", Range(0, candidates_.count()),
-      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
-        if (classOf(i) != 0)
+  const View<int*> classOf = class_, numTouched = numTouched_, slotOf = slotOf_;
+  const View<int * [stencilCapacity<D>]> touched = touched_;
+  const int first = first_;
+  // Of candidates of classes before the first: class 0 for those that touch a node with a slot, else -1.
+  Kokkos::parallel_for(
+      "rhegma::subcycling::findNeighbours", Range(0, candidates_.count()), KOKKOS_LAMBDA(const int i) {
+        if (classOf(i) >= first)
           return;
-        if (final)
-          particle(before + at) = candidate(i);
-        ++at;
-      },
-      more);
-  numListed_ = before + more;
+        bool touches = false;
+        for (int k = 0; !touches && k < numTouched(i); ++k)
+          touches = slotOf(touched(i, k)) >= 0;
+        classOf(i) = touches ? 0 : -1;
+      });
+  numListed_ = listClass(0, particlesFrom_[first_]);
 }
 
 template <int D>
@@ -316,8 +312,8 @@ void FineParticles<D>::packStencils(const State<D>& state)
     const int rows = numListed_ + numListed_ / 4;
     count_ = View<int*>("rhegma::subcycling::count", rows);
     reach_ = View<int*>("rhegma::subcycling::reach", rows);
-    slot_ = View<int**>("rhegma::subcycling::slots", rows, stencilCapacity<D>);
-    weight_ = View<double**>("rhegma::subcycling::weights", rows, stencilCapacity<D>);
+    slot_ = View<int * [stencilCapacity<D>]>("rhegma::subcycling::slots", rows);
+    weight_ = View<double * [stencilCapacity<D>]>("rhegma::subcycling::weights", rows);
     const int slopes = state.method.shear == ShearStrain::AtCellCentres ? D * D : D;
     slope_ = View<double***>("rhegma::subcycling::slopes", rows, stencilCapacity<D>, slopes);
   }

@@ -105,13 +105,19 @@ public:
 
   // What follows is public because compilers for devices want kernels in public functions.
 
+  /// Lists the nodes that each candidate touches: they decide on all lists below.
+  void findTouched(const State<D>& state);
   void classifyNodes(const State<D>& state);
   /// Gives shared nodes the deepest class that any rank has given them. Collective.
   void fractionClasses(const State<D>& state);
   void listParticles(const State<D>& state);
-  void markNodes(const State<D>& state, int begin, int end, int own, bool onlyNew);
+  /// Lists the candidates of a class after the first `before` listed ones. \return the number of listed ones
+  int listClass(int own, int before);
+  /// Gives the nodes of listed particles begin .. end - 1 the class `own`, or where `onlyNew` only those
+  /// without one.
+  void markNodes(int begin, int end, int own, bool onlyNew);
   void numberSlots(const State<D>& state, int from);
-  void listNeighbours(const State<D>& state);
+  void listNeighbours();
   void packStencils(const State<D>& state);
   void holdNodes(const State<D>& state);
   void weighNodes(const State<D>& state);
@@ -119,6 +125,11 @@ public:
   /// particle after a displacement gradient
   template <ShearStrain H, class Trial>
   void sumForces(const State<D>& state, int level, const Values& displacement, const Trial& trial);
+  /// Sums the parts of each slot, in their order.
+  void addParts(const Values& sum) const;
+  /// The acceleration of the nodes to the particles that touch a node of class `lowest` or deeper, and that
+  /// of the particles, times their mass, to the nodes, in parts.
+  void roundTrip(const State<D>& state, int lowest);
   /// Zeroes the parts and runs add(particle, sums of its part) for particles begin .. end - 1.
   template <class Add>
   void sumInParts(const char* label, int begin, int end, const Add& add);
@@ -129,17 +140,20 @@ private:
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
   double onAllRanks_[deepestLevel + 2] = {};
-  View<double*> reported_;      ///< by ranks of the class of every shared node
-  NearParticles<D> candidates_; ///< for the list
-  View<int*> class_;            ///< of each of these
-  View<int*> particle_;         ///< those listed
-  View<int*> reach_;            ///< of each of them: class of its deepest node
-  View<int*> nodeClass_;        ///< of every node; 0 for outer ones, -1 for those without a slot
-  View<int*> slotOf_;           ///< of every node, -1 where it has none
-  View<int*> nodeOf_;           ///< of every slot
-  View<int*> count_;            ///< nodes of each of the particles
-  View<int**> slot_;            ///< of the nodes of each particle
-  View<double**> weight_;
+  View<double*> reported_;                   ///< by ranks of the class of every shared node
+  NearParticles<D> candidates_;              ///< for the list
+  View<int*> class_;                         ///< of each of these
+  View<int*> numTouched_;                    ///< nodes that each of these touches
+  View<int * [stencilCapacity<D>]> touched_; ///< these nodes
+  View<int*> particle_;                      ///< those listed
+  View<int*> listed_;                        ///< the same, by their numbers among the candidates
+  View<int*> reach_;                         ///< of each of them: class of its deepest node
+  View<int*> nodeClass_;                     ///< of every node; 0 for outer ones, -1 for those without a slot
+  View<int*> slotOf_;                        ///< of every node, -1 where it has none
+  View<int*> nodeOf_;                        ///< of every slot
+  View<int*> count_;                         ///< nodes of each of the particles
+  View<int * [stencilCapacity<D>]> slot_;    ///< of the nodes of each particle
+  View<double * [stencilCapacity<D>]> weight_;
   View<double***> slope_; ///< of each node of each particle, as ComponentSlopes has them
   View<double*> mass_;    ///< of every slot [kg]
   View<int* [D]> held_;

@@ -9,6 +9,31 @@
 namespace Rhegma::sub_cycling
 {
 
+/// (1 + G)^-1.
+template <int D>
+KOKKOS_FORCEINLINE_FUNCTION void inverseOfMotion(const double (&G)[D][D], double (&result)[D][D])
+{
+  if constexpr (D == 2)
+  {
+    const double scale = 1.0 / ((1.0 + G[0][0]) * (1.0 + G[1][1]) - G[0][1] * G[1][0]);
+    result[0][0] = scale * (1.0 + G[1][1]);
+    result[0][1] = -scale * G[0][1];
+    result[1][0] = -scale * G[1][0];
+    result[1][1] = scale * (1.0 + G[0][0]);
+  }
+  else
+  {
+    double F[9], inverted[9];
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b)
+        F[a * 3 + b] = G[a][b] + (a == b ? 1.0 : 0.0);
+    inverse<3>(F, determinant<3>(F), inverted);
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b)
+        result[a][b] = inverted[a * 3 + b];
+  }
+}
+
 /// Stress by the law alone.
 template <int D>
 class LawStress

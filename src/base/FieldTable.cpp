@@ -2,8 +2,28 @@
 
 #include "base/RowOrder.hpp"
 
+#include <algorithm>
+
 namespace Rhegma
 {
+
+namespace
+{
+
+/// Copies rows of a view behind its first `size` rows. \param spare rows to add where it has no place for
+/// them
+template <class Data>
+void appendRows(View<Data>& view, int size, const View<int*>& rows, int spare)
+{
+  const int more = static_cast<int>(rows.extent(0));
+  if (static_cast<int>(view.extent(0)) < size + more)
+    Kokkos::resize(view, size + more + spare, view.extent(1));
+  const auto* const from = view.data();
+  const int columns = static_cast<int>(view.extent(1));
+  copyRows(from, view.data() + static_cast<std::size_t>(size) * columns, rows, size, columns);
+}
+
+} // namespace
 
 void FieldTable::add(const Field& field)
 {
@@ -48,21 +68,44 @@ const FieldTable::Column& FieldTable::find(const std::string& name, int componen
 void FieldTable::resize(int size)
 {
   for (Column& column : columns_)
+  {
+    const int components = column.field.components;
+    // Spare rows have no values; without them all new rows are zero.
     if (column.field.integer)
-      Kokkos::resize(column.whole, size, column.field.components);
+    {
+      Kokkos::resize(column.whole, std::min(size, size_), components);
+      Kokkos::resize(column.whole, size, components);
+    }
     else
-      Kokkos::resize(column.real, size, column.field.components);
+    {
+      Kokkos::resize(column.real, std::min(size, size_), components);
+      Kokkos::resize(column.real, size, components);
+    }
+  }
   size_ = size;
 }
 
 void FieldTable::reorder(const View<int*>& order)
 {
+  const int size = static_cast<int>(order.extent(0));
   for (Column& column : columns_)
     if (column.field.integer)
-      column.whole = inOrder(column.whole, order);
+      column.whole = inOrder(column.whole, order, spareRows(size));
     else
-      column.real = inOrder(column.real, order);
-  size_ = static_cast<int>(order.extent(0));
+      column.real = inOrder(column.real, order, spareRows(size));
+  size_ = size;
+}
+
+void FieldTable::append(const View<int*>& rows)
+{
+  grows_ = true;
+  const int size = size_ + static_cast<int>(rows.extent(0));
+  for (Column& column : columns_)
+    if (column.field.integer)
+      appendRows(column.whole, size_, rows, spareRows(size));
+    else
+      appendRows(column.real, size_, rows, spareRows(size));
+  size_ = size;
 }
 
 double FieldTable::bytes() const

@@ -54,6 +54,10 @@ public:
   /// Row i gets the values of row order(i).
   void reorder(const View<int*>& order);
 
+  /// Adds a copy of each row of a list after the last row, in the order of the list. From then on the fields
+  /// have some spare rows, so that rows that stay are not moved each time.
+  void append(const View<int*>& rows);
+
   /// Bytes held by the fields.
   double bytes() const;
 
@@ -66,8 +70,12 @@ private:
   };
   const Column& find(const std::string& name, int components, bool integer) const;
 
+  /// Rows after the last one in a table of this many.
+  int spareRows(int size) const { return grows_ ? size / 8 : 0; }
+
   std::vector<Column> columns_;
   int size_ = 0;
+  bool grows_ = false; ///< whether rows were appended
 };
 
 } // namespace Rhegma

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <string>
 
@@ -30,35 +31,67 @@ struct BlockLayout
     return (std::int64_t(colour) * across[0] + at[0]) * across[1] + at[1];
   }
 
+  /// Block of the cell with this lowest node.
+  std::int64_t blockOf(int node) const
+  {
+    int at[D];
+    grid.nodeCoordinates(node, at);
+    const int cut[2] = {at[grid.axisOrder[0]] / Blocks<D>::edge, at[grid.axisOrder[1]] / Blocks<D>::edge};
+    return block(cut);
+  }
+
+  /// Blocks are less than this.
+  std::int64_t count() const { return std::int64_t(Blocks<D>::colours) * across[0] * across[1]; }
+
   int colourOf(std::int64_t key) const { return static_cast<int>(key / across[1] / across[0]); }
 };
 
-/// The particles of a block in the order by block and cell.
+/// Cells of a block that hold particles, in their order, and how many particles these are.
 struct BlockRun
 {
   std::int64_t key;
-  int begin, end;
+  int begin, end, particles;
 };
+
+/// The cells that hold particles, by block and then by their number. \param number of particles in each cell
+/// \param cells out: these cells \return the blocks
+template <int D>
+std::vector<BlockRun> occupiedBlocks(const BlockLayout<D>& layout, const std::vector<int>& number,
+                                     std::vector<int>& cells)
+{
+  std::vector<std::int64_t> keys;
+  std::vector<int> occupied, first(layout.count() + 1, 0);
+  for (int n = 0; n < static_cast<int>(number.size()); ++n)
+    if (number[n] > 0)
+    {
+      occupied.push_back(n);
+      keys.push_back(layout.blockOf(n));
+      ++first[keys.back() + 1];
+    }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<BlockRun> runs;
+  for (std::int64_t key = 0; key < layout.count(); ++key)
+    if (first[key + 1] > first[key])
+      runs.push_back({key, first[key], first[key + 1], 0});
+  cells.resize(occupied.size());
+  for (std::size_t i = 0; i < occupied.size(); ++i)
+    cells[first[keys[i]]++] = occupied[i];
+  for (BlockRun& run : runs)
+    for (int i = run.begin; i < run.end; ++i)
+      run.particles += number[cells[i]];
+  return runs;
+}
 
 /// The blocks of each colour with the most particles first, so that the threads finish at the same time.
 template <int D>
-std::vector<BlockRun> largestFirst(const BlockLayout<D>& layout, const std::vector<std::int64_t>& block,
-                                   const std::vector<int>& order)
+void sortLargestFirst(const BlockLayout<D>& layout, std::vector<BlockRun>& runs)
 {
-  std::vector<BlockRun> runs;
-  for (int i = 0; i < static_cast<int>(order.size()); ++i)
-  {
-    if (runs.empty() || block[order[i]] != runs.back().key)
-      runs.push_back({block[order[i]], i, i});
-    ++runs.back().end;
-  }
   std::stable_sort(runs.begin(), runs.end(),
                    [&](const BlockRun& a, const BlockRun& b)
                    {
                      const int of[2] = {layout.colourOf(a.key), layout.colourOf(b.key)};
-                     return of[0] != of[1] ? of[0] < of[1] : a.end - a.begin > b.end - b.begin;
+                     return of[0] != of[1] ? of[0] < of[1] : a.particles > b.particles;
                    });
-  return runs;
 }
 
 template <class T>
@@ -71,22 +104,41 @@ View<T*> toDevice(const std::string& label, const std::vector<T>& list)
   return view;
 }
 
+/// The cell of each particle, by its lowest node, and how many particles are in each cell.
+template <int D, class Positions>
+void findCells(const Grid<D>& grid, const Positions& position, std::vector<int>& cell,
+               std::vector<int>& number)
+{
+  for (std::size_t p = 0; p < cell.size(); ++p)
+  {
+    int at[D];
+    for (int d = 0; d < D; ++d)
+      at[d] = std::clamp(static_cast<int>(grid.inCells(position(p, d), d)), 0, grid.cells[d] - 1);
+    cell[p] = grid.nodeIndex(at);
+    ++number[cell[p]];
+  }
+}
+
 /// Extends the marks by `below` and `above` nodes along every axis.
 template <int D>
 std::vector<char> dilate(const Grid<D>& grid, std::vector<char> marked, int below, int above)
 {
   for (int axis = 0; axis < D; ++axis)
   {
+    // Nodes next to each other along the axis are `stride` apart; all with the same slower coordinates are
+    // one piece of memory.
     std::vector<char> wider(marked.size(), 0);
-    for (int n = 0; n < grid.numNodes; ++n)
-      if (marked[n])
-      {
-        int at[D];
-        grid.nodeCoordinates(n, at);
-        const int low = std::max(0, at[axis] - below), high = std::min(grid.cells[axis], at[axis] + above);
-        for (int k = low; k <= high; ++k)
-          wider[n + (k - at[axis]) * grid.stride[axis]] = 1;
-      }
+    const int stride = grid.stride[axis], length = grid.cells[axis] + 1, piece = stride * length;
+    for (int start = 0; start < grid.numNodes; start += piece)
+      for (int by = -below; by <= above; ++by)
+        if (std::abs(by) < length)
+        {
+          const int count = piece - std::abs(by) * stride;
+          const char* const from = marked.data() + start + std::max(0, -by) * stride;
+          char* const to = wider.data() + start + std::max(0, by) * stride;
+          for (int i = 0; i < count; ++i)
+            to[i] |= from[i];
+        }
     marked.swap(wider);
   }
   return marked;
@@ -131,37 +183,34 @@ void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks
   const BlockLayout<D> layout(grid);
   const auto position = onHost(particles.real<D>(fields::position));
 
-  std::vector<std::int64_t> block(n);
-  std::vector<int> cell(n), order(n);
+  std::vector<int> cell(n), order(n), number(grid.numNodes, 0);
   std::vector<char> occupied(grid.numNodes, 0);
-  for (int p = 0; p < n; ++p)
-  {
-    int at[D];
-    for (int d = 0; d < D; ++d)
-      at[d] = std::clamp(static_cast<int>(grid.inCells(position(p, d), d)), 0, grid.cells[d] - 1);
-    const int cut[2] = {at[grid.axisOrder[0]] / Blocks<D>::edge, at[grid.axisOrder[1]] / Blocks<D>::edge};
-    block[p] = layout.block(cut);
-    cell[p] = grid.nodeIndex(at);
-    occupied[cell[p]] = 1;
-  }
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b)
-                   { return block[a] != block[b] ? block[a] < block[b] : cell[a] < cell[b]; });
-
-  const std::vector<BlockRun> runs = largestFirst(layout, block, order);
-  const std::vector<int> byCell = order;
-  std::vector<int> first;
+  findCells(grid, position, cell, number);
+  for (int node = 0; node < grid.numNodes; ++node)
+    occupied[node] = number[node] > 0 ? 1 : 0;
+  std::vector<int> cells;
+  std::vector<BlockRun> runs = occupiedBlocks(layout, number, cells);
+  sortLargestFirst(layout, runs);
+  std::vector<int> first{0}, next(grid.numNodes);
   std::vector<std::int64_t> keys;
-  auto to = order.begin();
+  int to = 0;
   for (const BlockRun& run : runs)
   {
-    first.push_back(static_cast<int>(to - order.begin()));
     keys.push_back(run.key);
-    to = std::copy(byCell.begin() + run.begin, byCell.begin() + run.end, to);
+    for (int i = run.begin; i < run.end; ++i)
+    {
+      next[cells[i]] = to;
+      to += number[cells[i]];
+    }
+    first.push_back(to);
+  }
+  bool inOrder = true;
+  for (int p = 0; p < n; ++p)
+  {
+    inOrder = inOrder && next[cell[p]] == p;
+    order[next[cell[p]]++] = p;
   }
   blocks.numBlocks = static_cast<int>(keys.size());
-  first.push_back(n);
 
   blocks.first = toDevice("rhegma::blockFirst", first);
   blocks.corner = View<int * [Blocks<D>::axes]>("rhegma::blockCorner", keys.size());
@@ -181,7 +230,8 @@ void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks
   makeBundles(first, blocks);
   blocks.strays = View<int[2]>("rhegma::strays");
 
-  particles.reorder(toDevice("rhegma::particleOrder", order));
+  if (!inOrder)
+    particles.reorder(toDevice("rhegma::particleOrder", order));
 
   const std::vector<char> nearby = dilate(grid, occupied, 1, 1);
   blocks.nearby = toDevice("rhegma::nearbyCells", nearby);

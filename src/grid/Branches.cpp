@@ -53,7 +53,7 @@ bool Branches<D>::isInside(int level, const Cell& cell) const
 template <int D>
 bool Branches<D>::isRefined(int level, const Cell& cell) const
 {
-  return level < depth() && levels_[level].count(key(cell)) > 0;
+  return level < depth() && levels_[level].find(key(cell)) >= 0;
 }
 
 template <int D>
@@ -64,7 +64,8 @@ void Branches<D>::refine(int level, const Cell& cell)
   Cell at = cell;
   for (int l = level; l >= 0; --l)
   {
-    if (!levels_[l].insert(key(at)).second)
+    const int before = levels_[l].size();
+    if (levels_[l].add(key(at)) < before)
       return;
     at = halved<D>(at);
   }
@@ -94,7 +95,7 @@ void Branches<D>::balance()
 template <int D>
 std::vector<typename Branches<D>::Cell> Branches<D>::cells(int level) const
 {
-  std::vector<std::uint64_t> keys(levels_[level].begin(), levels_[level].end());
+  std::vector<std::uint64_t> keys = levels_[level].keys();
   std::sort(keys.begin(), keys.end());
   std::vector<Cell> all;
   all.reserve(keys.size());
@@ -109,15 +110,24 @@ Branches<D> Branches<D>::within(const Grid<D>& window) const
   Branches part(window);
   part.levels_.resize(levels_.size());
   for (int level = 0; level < depth(); ++level)
-    for (const std::uint64_t packed : levels_[level])
+    for (const std::uint64_t packed : levels_[level].keys())
     {
       Cell cell = cellOf(packed);
       for (int d = 0; d < D; ++d)
         cell[d] -= (window.before[d] - grid_.before[d]) << level;
       if (part.isInside(level, cell))
-        part.levels_[level].insert(part.key(cell));
+        part.levels_[level].add(part.key(cell));
     }
   return part;
+}
+
+template <int D>
+bool Branches<D>::operator==(const Branches& other) const
+{
+  bool same = depth() == other.depth();
+  for (int level = 0; same && level < depth(); ++level)
+    same = levels_[level].sameKeys(other.levels_[level]);
+  return same;
 }
 
 template <int D>

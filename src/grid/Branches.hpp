@@ -1,11 +1,11 @@
 #pragma once
 /// The refined cells on the host, and the tree made of them.
 
+#include "grid/KeyNumbers.hpp"
 #include "grid/Tree.hpp"
 
 #include <array>
 #include <cstdint>
-#include <unordered_set>
 #include <vector>
 
 namespace Rhegma
@@ -47,7 +47,7 @@ public:
   /// that the finest cells have the same size.
   Branches within(const Grid<D>& window) const;
 
-  bool operator==(const Branches& other) const { return levels_ == other.levels_; }
+  bool operator==(const Branches& other) const;
 
   /// Bits of the number of a finest-level cell along an axis.
   static constexpr int bitsPerAxis = 21;
@@ -56,7 +56,7 @@ private:
   Cell cellOf(std::uint64_t key) const;
 
   Grid<D> grid_;
-  std::vector<std::unordered_set<std::uint64_t>> levels_;
+  std::vector<KeyNumbers> levels_; ///< refined cells of each level by their keys
 };
 
 /// A leaf of a tree: its level and position, counted in cells of the level from node 0.

@@ -1,22 +1,31 @@
 #include "grid/FineNodes.hpp"
 
+#include <algorithm>
+
 namespace Rhegma
 {
 
 namespace
 {
 
-/// The smallest cell, a leaf or a cell of the lattice, in which a finest cell lies.
+/// A number of a position, in the order of its coordinates, the first one slowest.
 template <int D>
-int levelAround(const Branches<D>& branches, const std::array<int, D>& finest, std::array<int, D>& cell)
+std::uint64_t keyOf(const std::array<int, D>& position)
 {
-  for (int level = 0;; ++level)
-  {
-    for (int d = 0; d < D; ++d)
-      cell[d] = finest[d] >> (branches.depth() - level);
-    if (!branches.isRefined(level, cell))
-      return level;
-  }
+  std::uint64_t packed = 0;
+  for (int d = 0; d < D; ++d)
+    packed = packed << Branches<D>::bitsPerAxis | static_cast<std::uint64_t>(position[d]);
+  return packed;
+}
+
+template <int D>
+std::array<int, D> positionOf(std::uint64_t packed)
+{
+  constexpr std::uint64_t mask = (std::uint64_t(1) << Branches<D>::bitsPerAxis) - 1;
+  std::array<int, D> position;
+  for (int d = D - 1; d >= 0; --d, packed >>= Branches<D>::bitsPerAxis)
+    position[d] = static_cast<int>(packed & mask);
+  return position;
 }
 
 } // namespace
@@ -24,76 +33,106 @@ int levelAround(const Branches<D>& branches, const std::array<int, D>& finest, s
 template <int D>
 FineNodes<D>::FineNodes(const LeafList<D>& leaves)
 {
-  std::map<Cell, std::vector<Cell>> mastersAt;
+  KeyNumbers seen;
+  std::vector<Corner> found; // of each key that was seen
+  std::vector<std::array<int, corners>> number(leaves.size());
   for (int l = 0; l < leaves.size(); ++l)
     for (int k = 0; k < corners; ++k)
     {
-      const Cell position = leaves.corner(l, k);
-      if (mastersAt.count(position) == 0)
-        mastersAt[position] = mastersOf(leaves, position);
+      number[l][k] = seen.add(keyOf<D>(leaves.corner(l, k)));
+      if (number[l][k] == static_cast<int>(found.size()))
+        found.push_back(cornerOf(leaves, l, k));
     }
-  for (const auto& entry : mastersAt)
-    for (const Cell& position : entry.second)
-      if (!leaves.onLattice(position))
-        row_[position] = 0;
-  int next = leaves.grid().numNodes;
-  for (auto& entry : row_)
-    entry.second = next++;
+  numberRows(leaves, found);
+  std::vector<Masters> rows(found.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    rows[i].fill(0);
+    for (int m = 0; m < found[i].count; ++m)
+      rows[i][m] = rowAt(leaves, found[i].master[m]);
+  }
   masterCount.resize(leaves.size());
   master.resize(leaves.size());
   for (int l = 0; l < leaves.size(); ++l)
     for (int k = 0; k < corners; ++k)
     {
-      const std::vector<Cell>& masters = mastersAt[leaves.corner(l, k)];
-      masterCount[l][k] = static_cast<int>(masters.size());
-      master[l][k].fill(0);
-      for (std::size_t m = 0; m < masters.size(); ++m)
-        master[l][k][m] =
-            leaves.onLattice(masters[m]) ? leaves.latticeNodeAt(masters[m]) : row_.at(masters[m]);
+      masterCount[l][k] = found[number[l][k]].count;
+      master[l][k] = rows[number[l][k]];
     }
 }
 
-/// The corners, in finest cells, between which a position of the finest lattice hangs; itself alone where it
-/// hangs nowhere.
+/// Numbers the nodes that are not nodes of the lattice by their position.
 template <int D>
-std::vector<typename FineNodes<D>::Cell> FineNodes<D>::mastersOf(const LeafList<D>& leaves,
-                                                                 const Cell& position) const
+void FineNodes<D>::numberRows(const LeafList<D>& leaves, const std::vector<Corner>& found)
 {
-  const Grid<D>& grid = leaves.grid();
-  for (int k = 0; k < corners; ++k)
+  for (const Corner& corner : found)
+    for (int m = 0; m < corner.count; ++m)
+      if (!leaves.onLattice(corner.master[m]))
+        known_.add(keyOf<D>(corner.master[m]));
+  row_ = known_.keys();
+  std::sort(row_.begin(), row_.end());
+  rowOf_.resize(row_.size());
+  for (std::size_t i = 0; i < row_.size(); ++i)
+    rowOf_[known_.find(row_[i])] = leaves.grid().numNodes + static_cast<int>(i);
+}
+
+template <int D>
+int FineNodes<D>::rowAt(const LeafList<D>& leaves, const Cell& position) const
+{
+  return leaves.onLattice(position) ? leaves.latticeNodeAt(position)
+                                    : rowOf_[known_.find(keyOf<D>(position))];
+}
+
+template <int D>
+typename FineNodes<D>::Corner FineNodes<D>::cornerOf(const LeafList<D>& leaves, int leaf, int k) const
+{
+  Corner corner;
+  corner.count = 1;
+  corner.master[0] = leaves.corner(leaf, k);
+  Cell at; // in edges of the leaf
+  bool between = false;
+  for (int d = 0; d < D; ++d)
   {
-    // The cell on one of the sides of the position.
-    Cell inside;
-    bool exists = true;
+    at[d] = leaves.cell[leaf][d] + ((k >> d) & 1);
+    between = between || at[d] % 2 != 0;
+  }
+  if (!between || !hangs(leaves, leaves.level[leaf], at))
+    return corner;
+  const int edge = leaves.edge(leaves.level[leaf]);
+  for (int d = 0; d < D; ++d)
+    if (at[d] % 2 != 0)
+    {
+      for (int m = 0; m < corner.count; ++m)
+      {
+        corner.master[corner.count + m] = corner.master[m];
+        corner.master[m][d] -= edge;
+        corner.master[corner.count + m][d] += edge;
+      }
+      corner.count *= 2;
+    }
+  return corner;
+}
+
+/// Whether a corner of a leaf, in edges of cells of its level, lies between corners of a leaf of the level
+/// above. Neighbours differ by one level at most, so no other leaf has it on its face.
+template <int D>
+bool FineNodes<D>::hangs(const LeafList<D>& leaves, int level, const Cell& position) const
+{
+  for (int side = 0; side < corners; ++side)
+  {
+    Cell cell;
+    bool differs = true; // from those before: along an odd coordinate both sides are in one cell
     for (int d = 0; d < D; ++d)
     {
-      inside[d] = position[d] - 1 + ((k >> d) & 1);
-      exists = exists && inside[d] >= 0 && inside[d] < grid.cells[d] << leaves.depth();
+      const int upper = (side >> d) & 1;
+      differs = differs && (position[d] % 2 == 0 || upper == 0);
+      cell[d] = (position[d] - 1 + upper) >> 1;
     }
-    if (!exists)
-      continue;
-    Cell cell;
-    const int size = leaves.edge(levelAround<D>(leaves.branches(), inside, cell));
-    bool hangs = false;
-    for (int d = 0; d < D; ++d)
-      hangs = hangs || position[d] % size != 0;
-    if (!hangs)
-      continue;
-    std::vector<Cell> masters{position};
-    for (int d = 0; d < D; ++d)
-      if (position[d] % size != 0)
-      {
-        const std::size_t count = masters.size();
-        for (std::size_t m = 0; m < count; ++m)
-        {
-          masters.push_back(masters[m]);
-          masters[m][d] = cell[d] * size;
-          masters.back()[d] = (cell[d] + 1) * size;
-        }
-      }
-    return masters;
+    if (differs && leaves.branches().isInside(level - 1, cell) &&
+        !leaves.branches().isRefined(level - 1, cell))
+      return true;
   }
-  return {position};
+  return false;
 }
 
 template <int D>
@@ -101,8 +140,8 @@ std::vector<typename FineNodes<D>::Cell> FineNodes<D>::positions() const
 {
   std::vector<Cell> all;
   all.reserve(row_.size());
-  for (const auto& entry : row_)
-    all.push_back(entry.first);
+  for (const std::uint64_t packed : row_)
+    all.push_back(positionOf<D>(packed));
   return all;
 }
 

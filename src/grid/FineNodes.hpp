@@ -3,7 +3,7 @@
 
 #include "grid/LeafList.hpp"
 
-#include <map>
+#include <cstdint>
 
 namespace Rhegma
 {
@@ -28,9 +28,22 @@ public:
   std::vector<Cell> positions() const;
 
 private:
-  std::vector<Cell> mastersOf(const LeafList<D>& leaves, const Cell& position) const;
+  /// A position that is the corner of a leaf: the corners between which it hangs, itself alone where it hangs
+  /// nowhere.
+  struct Corner
+  {
+    int count = 0;
+    std::array<Cell, Tree<D>::mastersPerCorner> master;
+  };
 
-  std::map<Cell, int> row_; ///< of the nodes that are not nodes of the lattice, by their position
+  Corner cornerOf(const LeafList<D>& leaves, int leaf, int k) const;
+  bool hangs(const LeafList<D>& leaves, int level, const Cell& position) const;
+  void numberRows(const LeafList<D>& leaves, const std::vector<Corner>& found);
+  int rowAt(const LeafList<D>& leaves, const Cell& position) const;
+
+  KeyNumbers known_;               ///< nodes that are not nodes of the lattice, by their position
+  std::vector<std::uint64_t> row_; ///< the same, sorted
+  std::vector<int> rowOf_;         ///< row of nodal arrays of each number of `known_`
 };
 
 } // namespace Rhegma

@@ -19,15 +19,18 @@ void LeafList<D>::numberBranches()
   root.assign(grid().numNodes, -1);
   branchAt_.resize(depth() + 1);
   for (int l = 0; l < depth(); ++l)
+  {
+    firstBranch_.push_back(static_cast<int>(branchCell_.size()));
     for (const Cell& at : branches_.cells(l))
     {
-      const int number = static_cast<int>(branchCell_.size());
-      branchAt_[l][branches_.key(at)] = number;
+      const int number = firstBranch_[l] + branchAt_[l].add(branches_.key(at));
       branchCell_.push_back(at);
       branchLevel_.push_back(l);
       if (l == 0)
         root[lowestNode(at)] = number;
     }
+  }
+  firstBranch_.push_back(static_cast<int>(branchCell_.size()));
 }
 
 template <int D>
@@ -35,21 +38,24 @@ void LeafList<D>::listLeaves()
 {
   child.resize(branchCell_.size());
   leafAt_.resize(depth() + 1);
+  firstLeaf_.assign(depth() + 1, 0); // children of one level of branches are leaves of one level
   for (std::size_t b = 0; b < child.size(); ++b)
     for (int k = 0; k < corners; ++k)
     {
       const int below = branchLevel_[b] + 1;
+      if (leafAt_[below].size() == 0)
+        firstLeaf_[below] = size();
       Cell part;
       for (int d = 0; d < D; ++d)
         part[d] = 2 * branchCell_[b][d] + ((k >> d) & 1);
-      const auto found = branchAt_[below].find(branches_.key(part));
-      if (found != branchAt_[below].end())
+      const std::uint64_t key = branches_.key(part);
+      if (const int found = branchAt_[below].find(key); found >= 0)
       {
-        child[b][k] = found->second;
+        child[b][k] = firstBranch_[below] + found;
         continue;
       }
       child[b][k] = -1 - size();
-      leafAt_[below][branches_.key(part)] = size();
+      leafAt_[below].add(key);
       cell.push_back(part);
       level.push_back(below);
     }
@@ -60,8 +66,8 @@ int LeafList<D>::leafAt(int ofLevel, const Cell& at) const
 {
   if (ofLevel > depth() || !branches_.isInside(ofLevel, at))
     return -1;
-  const auto found = leafAt_[ofLevel].find(branches_.key(at));
-  return found == leafAt_[ofLevel].end() ? -1 : found->second;
+  const int found = leafAt_[ofLevel].find(branches_.key(at));
+  return found < 0 ? -1 : firstLeaf_[ofLevel] + found;
 }
 
 template <int D>

@@ -3,8 +3,6 @@
 
 #include "grid/Branches.hpp"
 
-#include <unordered_map>
-
 namespace Rhegma
 {
 
@@ -54,7 +52,9 @@ private:
   const Branches<D>& branches_;
   std::vector<Cell> branchCell_;
   std::vector<int> branchLevel_;
-  std::vector<std::unordered_map<std::uint64_t, int>> branchAt_, leafAt_; ///< of each level
+  /// Branches and leaves of each level: numbers within the level, and that of its first one.
+  std::vector<KeyNumbers> branchAt_, leafAt_;
+  std::vector<int> firstBranch_, firstLeaf_;
 };
 
 } // namespace Rhegma

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 using namespace Rhegma;
 
@@ -39,6 +40,56 @@ TEST(FieldTable, KeepsRowsThatStay)
   table.resize(1);
   EXPECT_EQ(table.real<2>("position").extent(0), 1u);
   EXPECT_EQ(table.integer("number")(0), 10);
+}
+
+/// Rows are appended with and without spare rows behind the last one, and rows made after that are zero.
+TEST(FieldTable, AppendsCopiesOfRows)
+{
+  FieldTable table = threeParticles();
+  const View<int*> rows("rhegma::rows", 3);
+  const std::array<int, 3> from{2, 0, 2};
+  for (int i = 0; i < 3; ++i)
+    rows(i) = from[i];
+  std::vector<int> expected{0, 1, 2};
+  for (int round = 0; round < 6; ++round)
+  {
+    table.append(rows);
+    for (const int row : from)
+      expected.push_back(expected[row]);
+    ASSERT_EQ(table.size(), static_cast<int>(expected.size()));
+    for (int p = 0; p < table.size(); ++p)
+    {
+      EXPECT_EQ(table.integer("number")(p), 10 + expected[p]);
+      EXPECT_EQ(table.real<2>("position")(p, 1), expected[p] + 0.5);
+    }
+  }
+  const int before = table.size();
+  table.append(rows);
+  table.resize(before); // what was appended last lies behind the last row now
+  table.resize(before + 3);
+  for (int p = before; p < before + 3; ++p)
+  {
+    EXPECT_EQ(table.integer("number")(p), 0);
+    EXPECT_EQ(table.real<2>("position")(p, 0), 0.0);
+  }
+}
+
+/// Whatever the spare rows hold.
+TEST(FieldTable, NewRowsAreZeroAfterRowsWereAppended)
+{
+  FieldTable table = threeParticles();
+  const View<int*> many("rhegma::rows", 40), few("rhegma::order", 20);
+  for (int i = 0; i < 40; ++i)
+    many(i) = 1;
+  table.append(many);
+  table.reorder(few); // 20 copies of row 0, and spare rows
+  table.append(few);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(table.integer("number")(20 + i), 10);
+  const int before = table.size();
+  table.resize(before + 10);
+  for (int p = before; p < before + 10; ++p)
+    EXPECT_EQ(table.integer("number")(p), 0);
 }
 
 /// Rows may be left out and used twice.
