@@ -258,7 +258,7 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
         {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
          { account->contact.addFrozenForces(s, slots, force); },
          [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
-                   const View<double* [D]>& force)
+                   const View<double* [D]>&, const View<double* [D]>& force)
          { account->contact.addChange(s, slots, displacement, force); }});
   state.cracks.contactEnergy = [account](int crack, double middle, double reach)
   { return energyIn(account->contact, crack, middle, reach); };

@@ -220,6 +220,7 @@ std::vector<double> toughnessOf(const Parts<D>& parts, const CrackSet<D>& set, i
 template <int D>
 void callSprings(const Shared<D>& parts, Effect<D>& effect)
 {
+  effect.balance.push_back("stabilised"); // what their damping takes
   // With USF, springs are stretched before forces are summed.
   effect.call(Stage::Scatter, "stiffness of springs behind crack fronts",
               {quantity::nodalMass, quantity::enrichedFields}, {quantity::springStiffness}, {},

@@ -29,8 +29,12 @@ using ToughnessAlong = std::function<std::vector<double>(const CrackSet<D>&, int
 /// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
 /// change, a spring stays at its position if there is still a node. Its elastic energy counts as strain
 /// energy. A stretched spring becomes softer as its front moves on, but never stiffer, as this would add
-/// energy. Cracks whose fronts are advected through the cells by a moving body lose their springs
-/// (AdvectedFronts.hpp).
+/// energy.
+///
+/// In motion a spring is damped (springs::damping): the masses of its node on the spring would oscillate next
+/// to the front for the whole run, as grids radiate waves of a few cells poorly. Measured: study
+/// sudden_cracks.py. What the damping takes is EnergyBalance::stabilised. Cracks whose fronts are advected
+/// through the cells by a moving body lose their springs (AdvectedFronts.hpp).
 ///
 /// Where fronts grow, a node that a front passes gets a cohesive traction instead (CohesiveLaw.hpp), and
 /// springs of a front that is initiated soften to such tractions.
@@ -60,7 +64,7 @@ public:
   /// tractions by their law. These springs must outlive what is returned.
   DisplacementDependentForce<D> displacementDependentForce() const;
 
-  /// Stretches the springs over the step.
+  /// Stretches the springs over the step, and records what their damping takes.
   void advance(State<D>& state);
 
 private:
@@ -73,6 +77,7 @@ private:
 
   bool grows_;
   View<int*> front_;        ///< see NodalSprings
+  View<double*> damping_;   ///< of the spring of each node in this step [N s/m]
   int passed_ = 0;          ///< nodes of this rank that wait for `release`
   NearestFront<D> frontOf_; ///< of this step
   double modulus_ = 0.0;    ///< the smallest E' of the scene [Pa]

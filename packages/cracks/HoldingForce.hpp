@@ -92,4 +92,19 @@ struct HoldingForce
   }
 };
 
+/// Damping of a spring of two masses [N s/m], springs::damping of the critical one. A force by the velocity
+/// at the start of a step is stable, as it is at most that which would end the relative motion of the masses
+/// in the step: c / (1 + c dt / m), with the reduced mass m, is what a force by the velocity at the end of
+/// the step has.
+/// \param stiffness of the spring \param most largest stable one, StableStiffness: m / dt^2 [N/m]
+/// \param reducedMass m [kg]
+KOKKOS_INLINE_FUNCTION double stableDamping(double stiffness, double most, double reducedMass)
+{
+  if (!(stiffness > 0.0) || !(most > 0.0) || most == std::numeric_limits<double>::max()) // at rest: none
+    return 0.0;
+  const double perStep = std::sqrt(most * reducedMass / springs::stableStiffness);
+  const double damping = 2.0 * springs::damping * std::sqrt(stiffness * reducedMass);
+  return damping / (1.0 + damping / perStep);
+}
+
 } // namespace Rhegma::cracks

@@ -33,6 +33,10 @@ constexpr double unstretched = 1e-6;
 /// stable up to 4, of which the material needs its part.
 constexpr double stableStiffness = 1.0;
 
+/// Damping of a front spring as a fraction of the critical damping of its two masses [-]: the least with
+/// which an oscillator answers to no frequency by more than to a load at rest, 1 / sqrt(2).
+constexpr double damping = 0.70710678;
+
 /// Distance over which a moving body may advect a front before its springs are disabled [cells]: half a cell,
 /// as the springs then belong to other nodes.
 constexpr double advectionLimit = 0.5;

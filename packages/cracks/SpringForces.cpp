@@ -24,6 +24,14 @@ KOKKOS_INLINE_FUNCTION Vector<D> pullOf(double stiffness, const Vector<D>& openi
   return (-sign * stiffness) * opening;
 }
 
+/// The same with damping. \param rate velocity of the primary field relative to the other [m/s]
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> dampedPullOf(double stiffness, const Vector<D>& opening, double sign,
+                                              double damping, const Vector<D>& rate)
+{
+  return pullOf(stiffness, opening, sign) - damping * rate;
+}
+
 template <int D>
 KOKKOS_INLINE_FUNCTION Vector<D> forceOf(const View<double * [D + 1]>& spring, int primary)
 {
@@ -50,14 +58,17 @@ struct StretchSpring
   View<int*> side;
   NodalSprings<D> springs;
   View<double * [D + 1]> spring; ///< CrackSet::spring
+  View<double*> damping;         ///< [N s/m]
   NearestFront<D> frontOf;
   View<double*> excess; ///< energy that nodes over-dissipated [J]
   double dt;
   bool byMotion; ///< the nodal motion strains the particles, not the projection
   bool early;    ///< before the forces of this step
 
-  /// \param elastic energy of springs \param work dissipated by tractions \param beyond sum of excess [J]
-  KOKKOS_INLINE_FUNCTION void operator()(int i, double& elastic, double& work, double& beyond) const
+  /// \param elastic energy of springs \param damped by them \param work dissipated by tractions
+  /// \param beyond sum of excess [J]
+  KOKKOS_INLINE_FUNCTION void operator()(int i, double& elastic, double& damped, double& work,
+                                         double& beyond) const
   {
     const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
     const double sign = signOf(side(primary));
@@ -70,20 +81,23 @@ struct StretchSpring
     // Where strain comes first, forces of this step are not known yet, and those of the last are not in
     // checkpoints.
     const Vector<D> before = early ? pullOf(spring(primary, D), from, sign) : forceOf<D>(spring, primary);
-    Vector<D> more;
+    Vector<D> more, rate;
     for (int d = 0; d < D; ++d)
     {
-      const double moved = byMotion ? nodes.motion(primary, d) - nodes.motion(enriched, d)
-                                    : nodes.projection(primary, d) - nodes.projection(enriched, d);
-      more[d] = both ? sign * dt * moved : -node.jump(d);
+      rate[d] = byMotion ? nodes.motion(primary, d) - nodes.motion(enriched, d)
+                         : nodes.projection(primary, d) - nodes.projection(enriched, d);
+      more[d] = both ? sign * dt * rate[d] : -node.jump(d);
       node.jump(d) += more[d];
     }
     if (!node.isReleased())
     {
       const Vector<D> stretch = node.opening();
-      setForce(spring, primary, pullOf(spring(primary, D), stretch, sign));
-      for (int d = 0; d < D && counts; ++d)
-        elastic += 0.5 * spring(primary, D) * stretch[d] * stretch[d];
+      setForce(spring, primary,
+               dampedPullOf(spring(primary, D), stretch, sign, both ? damping(primary) : 0.0, rate));
+      if (counts)
+        elastic += 0.5 * spring(primary, D) * dot(stretch, stretch);
+      if (counts && both)
+        damped += damping(primary) * dt * dot(rate, rate);
       return;
     }
     const double pending = node.pendingEnergy(from);
@@ -131,10 +145,18 @@ void FrontSprings<D>::addForces(State<D>& state) const
   const View<int*> side = state.cracks.nodeSide;
   const NodalSprings<D> all = springs(state);
   const View<double * [D + 1]> spring = state.cracks.spring;
+  const View<double*> damping = damping_;
   parallelForSmall(
       "rhegma::cracks::addSprings", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
         const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
-        setForce(spring, primary, pullOf(spring(primary, D), all(primary).opening(), signOf(side(primary))));
+        Vector<D> rate{};
+        if (damping(primary) > 0.0)
+          for (int d = 0; d < D; ++d)
+            rate[d] = nodes.sums(primary, Nodes<D>::momentumAt + d) / nodes.sums(primary, Nodes<D>::massAt) -
+                      nodes.sums(enriched, Nodes<D>::momentumAt + d) / nodes.sums(enriched, Nodes<D>::massAt);
+        setForce(spring, primary,
+                 dampedPullOf(spring(primary, D), all(primary).opening(), signOf(side(primary)),
+                              damping(primary), rate));
         for (int d = 0; d < D && isOwnedByThisRank(nodes, primary); ++d)
         {
           nodes.sums(primary, Nodes<D>::forceAt + d) += spring(primary, d);
@@ -173,12 +195,13 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
             force(at, d) += slots.moves(primary) ? spring(primary, d) : -spring(primary, d);
         });
   };
-  const auto change =
-      [this](const State<D>& state, const NodeSlots& slots, const Values& displacement, const Values& force)
+  const auto change = [this](const State<D>& state, const NodeSlots& slots, const Values& displacement,
+                             const Values& velocity, const Values& force)
   {
     const Nodes<D> nodes = state.mesh.nodes;
     const View<double * [D + 1]> spring = state.cracks.spring;
     const View<int*> side = state.cracks.nodeSide;
+    const View<double*> damping = damping_;
     const NodalSprings<D> all = springs(state);
     Kokkos::parallel_for(
         "rhegma::cracks::changeOfSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
@@ -190,13 +213,17 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
           const int a = slots.of(primary), b = slots.of(enriched);
           const double sign = signOf(side(primary));
           const NodalSpring<D> node = all(primary);
-          Vector<D> u;
+          Vector<D> u, rate;
           for (int d = 0; d < D; ++d)
+          {
             u[d] = node.jump(d) + sign * (displacement(a, d) - displacement(b, d)) + node.offset(d);
+            rate[d] = velocity(a, d) - velocity(b, d);
+          }
           double stiffness = spring(primary, D);
           if (node.isReleased() && dot(u, u) > node.largest() * node.largest())
             stiffness = std::fmin(stiffness, node.law().secant(norm(u)));
-          const Vector<D> more = pullOf(stiffness, u, sign) - forceOf<D>(spring, primary);
+          const Vector<D> more =
+              dampedPullOf(stiffness, u, sign, damping(primary), rate) - forceOf<D>(spring, primary);
           for (int d = 0; d < D; ++d)
           {
             force(a, d) += more[d];
@@ -216,15 +243,17 @@ void FrontSprings<D>::advance(State<D>& state)
                                  state.cracks.nodeSide,
                                  springs(state),
                                  state.cracks.spring,
+                                 damping_,
                                  frontOf_,
                                  excess,
                                  state.clock.strainPass.fraction * state.clock.dt,
                                  state.method.scheme == UpdateScheme::Usl,
                                  state.clock.strainPass.before};
-  double elastic = 0.0, dissipated = 0.0, beyond = 0.0;
+  double elastic = 0.0, damped = 0.0, dissipated = 0.0, beyond = 0.0;
   parallelSumSmall("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numEnriched, stretch, elastic,
-                   dissipated, beyond);
+                   damped, dissipated, beyond);
   state.energy.springs = elastic;
+  state.energy.stabilised += damped;
   state.energy.fracture += dissipated;
   std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
   const bool any = std::any_of(fronts.begin(), fronts.end(), [](const CrackFront<D>& f) { return f.grown; });

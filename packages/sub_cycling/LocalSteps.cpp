@@ -199,7 +199,7 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
     fine_.force(state, level, displacement_, elapsed_, force);
     if (level == last_)
       for (const DisplacementDependentForce<D>& dependent : state.motion.displacementDependentForces)
-        dependent.change(state, fine_.slots(), displacement_, force);
+        dependent.change(state, fine_.slots(), displacement_, velocity_, force);
     fine_.sumSlots(state, force);
     if (level < last_)
       add<D>(force, -1.0, mean_[level], fine_.numSlots());
