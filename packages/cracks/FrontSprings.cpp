@@ -190,6 +190,8 @@ void FrontSprings<D>::fitToNodes(State<D>& state)
     return;
   front_ = View<int*>("rhegma::springFronts", count);
   damping_ = View<double*>("rhegma::springDamping", count);
+  dampingForce_ = View<double* [D]>("rhegma::springDampingForce", count);
+  dampedInSubsteps_ = View<double*>("rhegma::dampedInSubsteps", count);
   state.cracks.spring = View<double * [D + 1]>("rhegma::springs", count);
 }
 

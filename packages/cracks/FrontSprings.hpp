@@ -64,24 +64,32 @@ public:
   /// tractions by their law. These springs must outlive what is returned.
   DisplacementDependentForce<D> displacementDependentForce() const;
 
-  /// Stretches the springs over the step, and records what their damping takes.
+  /// Stretches the springs over the step.
   void advance(State<D>& state);
+
+  /// Records the work that the damping of springs takes in a step as EnergyBalance::stabilised, on each rank
+  /// that of its nodes. Call in stageOfFaceVelocity (plan/LastStage.hpp).
+  void recordDamping(State<D>& state) const;
 
 private:
   void readMaterials(const State<D>& state);
   void fitToNodes(State<D>& state);
+  /// Adds the work of damping in a substep to dampedInSubsteps_ (DisplacementDependentForce::work).
+  typename DisplacementDependentForce<D>::Work dampingInSubsteps() const;
   NodalSprings<D> springs(const State<D>& state) const
   {
     return {state.mesh.nodalFields.template real<NodalSpring<D>::size>(springField<D>().field.name), front_};
   }
 
   bool grows_;
-  View<int*> front_;        ///< see NodalSprings
-  View<double*> damping_;   ///< of the spring of each node in this step [N s/m]
-  int passed_ = 0;          ///< nodes of this rank that wait for `release`
-  NearestFront<D> frontOf_; ///< of this step
-  double modulus_ = 0.0;    ///< the smallest E' of the scene [Pa]
-  double density_ = 0.0;    ///< the largest of the scene [kg/m3]
+  View<int*> front_;               ///< see NodalSprings
+  View<double*> damping_;          ///< of the spring of each node in this step [N s/m]
+  View<double* [D]> dampingForce_; ///< of damping on the primary field of each node, in this substep [N]
+  View<double*> dampedInSubsteps_; ///< energy taken in the substeps of this step so far, of each node [J]
+  int passed_ = 0;                 ///< nodes of this rank that wait for `release`
+  NearestFront<D> frontOf_;        ///< of this step
+  double modulus_ = 0.0;           ///< the smallest E' of the scene [Pa]
+  double density_ = 0.0;           ///< the largest of the scene [kg/m3]
 };
 
 /// Sums an energy of nodes with two fields by the front that NodalSprings::front says, over all ranks [J].

@@ -24,14 +24,6 @@ KOKKOS_INLINE_FUNCTION Vector<D> pullOf(double stiffness, const Vector<D>& openi
   return (-sign * stiffness) * opening;
 }
 
-/// The same with damping. \param rate velocity of the primary field relative to the other [m/s]
-template <int D>
-KOKKOS_INLINE_FUNCTION Vector<D> dampedPullOf(double stiffness, const Vector<D>& opening, double sign,
-                                              double damping, const Vector<D>& rate)
-{
-  return pullOf(stiffness, opening, sign) - damping * rate;
-}
-
 template <int D>
 KOKKOS_INLINE_FUNCTION Vector<D> forceOf(const View<double * [D + 1]>& spring, int primary)
 {
@@ -41,12 +33,12 @@ KOKKOS_INLINE_FUNCTION Vector<D> forceOf(const View<double * [D + 1]>& spring, i
   return force;
 }
 
-template <int D>
-KOKKOS_INLINE_FUNCTION void setForce(const View<double * [D + 1]>& spring, int primary,
-                                     const Vector<D>& force)
+/// \param rows of nodes, with D numbers or more
+template <class Rows, int D>
+KOKKOS_INLINE_FUNCTION void setForce(const Rows& rows, int primary, const Vector<D>& force)
 {
   for (int d = 0; d < D; ++d)
-    spring(primary, d) = force[d];
+    rows(primary, d) = force[d];
 }
 
 /// Stretches the spring of the i-th node with two fields over a step.
@@ -65,10 +57,8 @@ struct StretchSpring
   bool byMotion; ///< the nodal motion strains the particles, not the projection
   bool early;    ///< before the forces of this step
 
-  /// \param elastic energy of springs \param damped by them \param work dissipated by tractions
-  /// \param beyond sum of excess [J]
-  KOKKOS_INLINE_FUNCTION void operator()(int i, double& elastic, double& damped, double& work,
-                                         double& beyond) const
+  /// \param elastic energy of springs \param work dissipated by tractions \param beyond sum of excess [J]
+  KOKKOS_INLINE_FUNCTION void operator()(int i, double& elastic, double& work, double& beyond) const
   {
     const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
     const double sign = signOf(side(primary));
@@ -93,11 +83,9 @@ struct StretchSpring
     {
       const Vector<D> stretch = node.opening();
       setForce(spring, primary,
-               dampedPullOf(spring(primary, D), stretch, sign, both ? damping(primary) : 0.0, rate));
+               pullOf(spring(primary, D), stretch, sign) - (both ? damping(primary) : 0.0) * rate);
       if (counts)
         elastic += 0.5 * spring(primary, D) * dot(stretch, stretch);
-      if (counts && both)
-        damped += damping(primary) * dt * dot(rate, rate);
       return;
     }
     const double pending = node.pendingEnergy(from);
@@ -145,18 +133,20 @@ void FrontSprings<D>::addForces(State<D>& state) const
   const View<int*> side = state.cracks.nodeSide;
   const NodalSprings<D> all = springs(state);
   const View<double * [D + 1]> spring = state.cracks.spring;
-  const View<double*> damping = damping_;
+  const View<double*> damping = damping_, damped = dampedInSubsteps_;
+  const View<double* [D]> dampingForce = dampingForce_;
   parallelForSmall(
       "rhegma::cracks::addSprings", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
         const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
         Vector<D> rate{};
-        if (damping(primary) > 0.0)
-          for (int d = 0; d < D; ++d)
-            rate[d] = nodes.sums(primary, Nodes<D>::momentumAt + d) / nodes.sums(primary, Nodes<D>::massAt) -
-                      nodes.sums(enriched, Nodes<D>::momentumAt + d) / nodes.sums(enriched, Nodes<D>::massAt);
+        for (int d = 0; d < D && damping(primary) > 0.0; ++d)
+          rate[d] = nodes.sums(primary, Nodes<D>::momentumAt + d) / nodes.sums(primary, Nodes<D>::massAt) -
+                    nodes.sums(enriched, Nodes<D>::momentumAt + d) / nodes.sums(enriched, Nodes<D>::massAt);
+        const Vector<D> ofDamping = -damping(primary) * rate;
+        setForce(dampingForce, primary, ofDamping);
+        damped(primary) = 0.0;
         setForce(spring, primary,
-                 dampedPullOf(spring(primary, D), all(primary).opening(), signOf(side(primary)),
-                              damping(primary), rate));
+                 pullOf(spring(primary, D), all(primary).opening(), signOf(side(primary))) + ofDamping);
         for (int d = 0; d < D && isOwnedByThisRank(nodes, primary); ++d)
         {
           nodes.sums(primary, Nodes<D>::forceAt + d) += spring(primary, d);
@@ -202,6 +192,7 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
     const View<double * [D + 1]> spring = state.cracks.spring;
     const View<int*> side = state.cracks.nodeSide;
     const View<double*> damping = damping_;
+    const View<double* [D]> dampingForce = dampingForce_;
     const NodalSprings<D> all = springs(state);
     Kokkos::parallel_for(
         "rhegma::cracks::changeOfSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
@@ -222,8 +213,9 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
           double stiffness = spring(primary, D);
           if (node.isReleased() && dot(u, u) > node.largest() * node.largest())
             stiffness = std::fmin(stiffness, node.law().secant(norm(u)));
-          const Vector<D> more =
-              dampedPullOf(stiffness, u, sign, damping(primary), rate) - forceOf<D>(spring, primary);
+          const Vector<D> ofDamping = -damping(primary) * rate;
+          setForce(dampingForce, primary, ofDamping);
+          const Vector<D> more = pullOf(stiffness, u, sign) + ofDamping - forceOf<D>(spring, primary);
           for (int d = 0; d < D; ++d)
           {
             force(a, d) += more[d];
@@ -231,7 +223,7 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
           }
         });
   };
-  return {frozen, change};
+  return {frozen, change, dampingInSubsteps()};
 }
 
 template <int D>
@@ -249,11 +241,10 @@ void FrontSprings<D>::advance(State<D>& state)
                                  state.clock.strainPass.fraction * state.clock.dt,
                                  state.method.scheme == UpdateScheme::Usl,
                                  state.clock.strainPass.before};
-  double elastic = 0.0, damped = 0.0, dissipated = 0.0, beyond = 0.0;
+  double elastic = 0.0, dissipated = 0.0, beyond = 0.0;
   parallelSumSmall("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numEnriched, stretch, elastic,
-                   damped, dissipated, beyond);
+                   dissipated, beyond);
   state.energy.springs = elastic;
-  state.energy.stabilised += damped;
   state.energy.fracture += dissipated;
   std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
   const bool any = std::any_of(fronts.begin(), fronts.end(), [](const CrackFront<D>& f) { return f.grown; });
