@@ -50,8 +50,8 @@ TEST(SpringDamping, EndsAnyOscillationOfStableSprings)
     Oscillator one(std::pow(10.0, exponent(random)), std::pow(10.0, scale(random)),
                    std::pow(10.0, scale(random)));
     const double start = one.energy();
-    // Ten periods: exp(-2 zeta 2 pi 10) of the energy would be left, 1e-38, with the full damping; the limit
-    // of stability leaves at least 0.58 of it.
+    // Ten periods: exp(-2 zeta 2 pi 10) = 1e-38 of the energy would be left with the full damping. Of that,
+    // the largest stable spring has 1 / (1 + 2 zeta) = 0.414: 1e-16.
     const int steps = static_cast<int>(10.0 * 6.283 * std::sqrt(one.mass / one.stiffness) / one.dt) + 1;
     double most = start;
     for (int i = 0; i < steps; ++i)
@@ -60,8 +60,34 @@ TEST(SpringDamping, EndsAnyOscillationOfStableSprings)
       most = std::max(most, one.energy());
     }
     EXPECT_LT(one.energy(), 1e-12 * start);
-    EXPECT_LE(most, 1.5 * start)
-        << "of the discrete energy, which a stable step of omega dt = 1 doubles at most";
+    EXPECT_LE(most, 1.5 * start) << "without damping it would vary by a factor of 2 at omega dt = 1";
+  }
+}
+
+/// The condition of stability in the documentation of stableDamping, with a material of any stiffness.
+TEST(SpringDamping, IsStableUpToTheStatedStiffness)
+{
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> exponent(-3.0, 0.0);
+  for (int k = 0; k < 200; ++k)
+  {
+    const double ratio = k == 0 ? 1.0 : std::pow(10.0, exponent(random));
+    for (const double part : {0.99, 1.01})
+    {
+      Oscillator one(ratio, 2.0, 0.5);
+      const double used = 2.0 * one.damping * one.dt / one.mass, unit = one.mass / (one.dt * one.dt);
+      EXPECT_GT(4.0 - used - one.stiffness / unit, 1.82); // 1.828 at ratio 1
+      one.stiffness = part * (4.0 - used) * unit;
+      const double start = one.energy();
+      for (int i = 0; i < 500; ++i)
+        one.step();
+      if (part < 1.0)
+        EXPECT_LT(one.energy(), 0.1 * start);
+      else
+        EXPECT_GT(one.energy(), 10.0 * start);
+    }
   }
 }
 
