@@ -116,7 +116,7 @@ REASONS = {
     bonded_from_afar: "have no node in common",
     conductivity_of_nothing: "less than of any solid",
     burns_at_once: "faster than any solid",
-    impossible_flame: "than any flame",
+    impossible_flame: "than any flame|is below Initial Temperature",
     damping_by_pic: "of the energy of the longest wave",
     nearly_incompressible: "too few cells make bending too stiff",
     loads_in_megapascal: "stresses are in Pa",
