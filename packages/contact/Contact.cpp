@@ -127,7 +127,8 @@ void observe(State<D>& state, Account<D>& account)
   const EnergyBalance& energy = state.energy;
   // New faces dissipate energy; heat from outside does not change this balance.
   account.balance.compare(state, energy.damped + energy.plastic + energy.merged + energy.fracture +
-                                     energy.thermal - energy.heat + account.contact.dissipated());
+                                     energy.stabilised + energy.thermal - energy.heat +
+                                     account.contact.dissipated());
 }
 
 template <int D>
@@ -258,8 +259,9 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
         {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
          { account->contact.addFrozenForces(s, slots, force); },
          [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
-                   const View<double* [D]>& force)
-         { account->contact.addChange(s, slots, displacement, force); }});
+                   const View<double* [D]>&, const View<double* [D]>& force)
+         { account->contact.addChange(s, slots, displacement, force); },
+         {}});
   state.cracks.contactEnergy = [account](int crack, double middle, double reach)
   { return energyIn(account->contact, crack, middle, reach); };
   if (account->visibility)

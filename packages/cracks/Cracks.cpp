@@ -218,8 +218,9 @@ std::vector<double> toughnessOf(const Parts<D>& parts, const CrackSet<D>& set, i
 }
 
 template <int D>
-void callSprings(const Shared<D>& parts, Effect<D>& effect)
+void callSprings(const Shared<D>& parts, const Teuchos::ParameterList& scene, Effect<D>& effect)
 {
+  effect.balance.push_back("stabilised"); // what their damping takes
   // With USF, springs are stretched before forces are summed.
   effect.call(Stage::Scatter, "stiffness of springs behind crack fronts",
               {quantity::nodalMass, quantity::enrichedFields}, {quantity::springStiffness}, {},
@@ -240,6 +241,10 @@ void callSprings(const Shared<D>& parts, Effect<D>& effect)
       Stage::AfterProjection, "stretch of springs behind crack fronts",
       {quantity::nodalMotion, ifWritten(quantity::projection)}, {quantity::springStretch}, {},
       [=](State<D>& s) { parts->springs.advance(s); }, true);
+  if (!isEquilibrium(scene))
+    effect.call(stageOfFaceVelocity(scene), "damping of springs behind crack fronts",
+                {quantity::springForce, projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
+                {}, {}, [=](State<D>& s) { parts->springs.recordDamping(s); });
 }
 
 /// In equilibrium fronts advance where their G is the toughness, so that new faces spend their energy at
@@ -350,7 +355,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   };
   effect.takeOver = [=](State<D>& state, const State<D>& from) { takeOver(*parts, state, from); };
   if (parts->hasSprings)
-    callSprings(parts, effect);
+    callSprings(parts, scene, effect);
   if (parts->grows)
     effect.call(Stage::BetweenSteps, "cracks grow", {quantity::frontAdvances},
                 {quantity::crackGeometry, quantity::fractureEnergy}, {},

@@ -27,6 +27,7 @@ struct FindSpring
   View<std::uint64_t*> nearest;
   NodalSprings<D> springs;
   View<double * [D + 1]> spring; ///< CrackSet::spring
+  View<double*> damping;         ///< [N s/m]
   NearestFront<D> frontOf;
   View<double*> softened; ///< energy that springs dissipate which began to soften now [J]
   StableStiffness<D> stable;
@@ -46,7 +47,7 @@ struct FindSpring
       node.row[k] = 0.0;
     node.step() = step;
     springs.front(primary) = noFront;
-    spring(primary, D) = 0.0;
+    spring(primary, D) = damping(primary) = 0.0;
     const double most = stable(i);
     if (node.isReleased())
     {
@@ -79,6 +80,9 @@ struct FindSpring
     if (stiffness > node.stiffness() && isStretched(node, cellAt(primary))) // stiffening would add energy
       stiffness = node.stiffness();
     spring(primary, D) = node.stiffness() = stiffness;
+    const double a = nodes.sums(primary, Nodes<D>::massAt),
+                 b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
+    damping(primary) = stableDamping(stiffness, most, a * b / (a + b));
   }
 
 private:
@@ -185,6 +189,9 @@ void FrontSprings<D>::fitToNodes(State<D>& state)
   if (static_cast<int>(front_.extent(0)) >= count && state.cracks.spring.extent(0) > 0)
     return;
   front_ = View<int*>("rhegma::springFronts", count);
+  damping_ = View<double*>("rhegma::springDamping", count);
+  dampingForce_ = View<double* [D]>("rhegma::springDampingForce", count);
+  dampedInSubsteps_ = View<double*>("rhegma::dampedInSubsteps", count);
   state.cracks.spring = View<double * [D + 1]>("rhegma::springs", count);
 }
 
@@ -203,6 +210,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
                            surroundings.nearest,
                            springs(state),
                            state.cracks.spring,
+                           damping_,
                            frontOf_,
                            softened,
                            StableStiffness<D>(state),

@@ -29,8 +29,12 @@ using ToughnessAlong = std::function<std::vector<double>(const CrackSet<D>&, int
 /// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
 /// change, a spring stays at its position if there is still a node. Its elastic energy counts as strain
 /// energy. A stretched spring becomes softer as its front moves on, but never stiffer, as this would add
-/// energy. Cracks whose fronts are advected through the cells by a moving body lose their springs
-/// (AdvectedFronts.hpp).
+/// energy.
+///
+/// In motion a spring is damped (springs::damping): the masses of its node on the spring would oscillate next
+/// to the front for the whole run, as grids radiate waves of a few cells poorly. Measured: study
+/// sudden_cracks.py. What the damping takes is EnergyBalance::stabilised. Cracks whose fronts are advected
+/// through the cells by a moving body lose their springs (AdvectedFronts.hpp).
 ///
 /// Where fronts grow, a node that a front passes gets a cohesive traction instead (CohesiveLaw.hpp), and
 /// springs of a front that is initiated soften to such tractions.
@@ -63,20 +67,29 @@ public:
   /// Stretches the springs over the step.
   void advance(State<D>& state);
 
+  /// Records the work that the damping of springs takes in a step as EnergyBalance::stabilised, on each rank
+  /// that of its nodes. Call in stageOfFaceVelocity (plan/LastStage.hpp).
+  void recordDamping(State<D>& state) const;
+
 private:
   void readMaterials(const State<D>& state);
   void fitToNodes(State<D>& state);
+  /// Adds the work of damping in a substep to dampedInSubsteps_ (DisplacementDependentForce::work).
+  typename DisplacementDependentForce<D>::Work dampingInSubsteps() const;
   NodalSprings<D> springs(const State<D>& state) const
   {
     return {state.mesh.nodalFields.template real<NodalSpring<D>::size>(springField<D>().field.name), front_};
   }
 
   bool grows_;
-  View<int*> front_;        ///< see NodalSprings
-  int passed_ = 0;          ///< nodes of this rank that wait for `release`
-  NearestFront<D> frontOf_; ///< of this step
-  double modulus_ = 0.0;    ///< the smallest E' of the scene [Pa]
-  double density_ = 0.0;    ///< the largest of the scene [kg/m3]
+  View<int*> front_;               ///< see NodalSprings
+  View<double*> damping_;          ///< of the spring of each node in this step [N s/m]
+  View<double* [D]> dampingForce_; ///< of damping on the primary field of each node, in this substep [N]
+  View<double*> dampedInSubsteps_; ///< energy taken in the substeps of this step so far, of each node [J]
+  int passed_ = 0;                 ///< nodes of this rank that wait for `release`
+  NearestFront<D> frontOf_;        ///< of this step
+  double modulus_ = 0.0;           ///< the smallest E' of the scene [Pa]
+  double density_ = 0.0;           ///< the largest of the scene [kg/m3]
 };
 
 /// Sums an energy of nodes with two fields by the front that NodalSprings::front says, over all ranks [J].

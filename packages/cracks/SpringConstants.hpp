@@ -33,6 +33,11 @@ constexpr double unstretched = 1e-6;
 /// stable up to 4, of which the material needs its part.
 constexpr double stableStiffness = 1.0;
 
+/// Damping of a front spring as a fraction of the critical damping of its two masses [-]: the smallest
+/// damping ratio at which no frequency is amplified above the static response, 1 / sqrt(2). That is of two
+/// masses on a spring in continuous time (stableDamping: in steps).
+constexpr double damping = 0.70710678;
+
 /// Distance over which a moving body may advect a front before its springs are disabled [cells]: half a cell,
 /// as the springs then belong to other nodes.
 constexpr double advectionLimit = 0.5;

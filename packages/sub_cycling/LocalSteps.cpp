@@ -175,8 +175,10 @@ void LocalSteps<D>::step(const State<D>& state, int level, double length)
   addImpulse(state, level, length);
   if (level == last_)
   {
+    recordWorkOfDependentForces(state, 0.5 * length);
     kick(state);
     drift(length);
+    recordWorkOfDependentForces(state, 0.5 * length);
     return;
   }
   step(state, level + 1, 0.5 * length);
@@ -199,7 +201,7 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
     fine_.force(state, level, displacement_, elapsed_, force);
     if (level == last_)
       for (const DisplacementDependentForce<D>& dependent : state.motion.displacementDependentForces)
-        dependent.change(state, fine_.slots(), displacement_, force);
+        dependent.change(state, fine_.slots(), displacement_, velocity_, force);
     fine_.sumSlots(state, force);
     if (level < last_)
       add<D>(force, -1.0, mean_[level], fine_.numSlots());
@@ -234,6 +236,14 @@ void LocalSteps<D>::drift(double length)
           displacement(i, d) += length * velocity(i, d);
         }
       });
+}
+
+template <int D>
+void LocalSteps<D>::recordWorkOfDependentForces(const State<D>& state, double duration) const
+{
+  for (const DisplacementDependentForce<D>& dependent : state.motion.displacementDependentForces)
+    if (dependent.work)
+      dependent.work(state, fine_.slots(), velocity_, duration);
 }
 
 template <int D>

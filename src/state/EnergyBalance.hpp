@@ -23,8 +23,9 @@ struct EnergyBalance
   double contact = 0.0;      ///< lost by friction and impact of faces
   double fracture = 0.0;     ///< dissipated by new crack faces
   double merged = 0.0;       ///< lost where particles merged
-  double stabilised = 0.0;   ///< spent on the ghost penalty of cut cells in steps of equilibrium
-  double combustion = 0.0;   ///< given to the body by burnt gas
+  double stabilised =
+      0.0; ///< spent by the ghost penalty of cut cells in equilibrium, by the damping of springs
+  double combustion = 0.0; ///< given to the body by burnt gas
 
   double residual() const
   {

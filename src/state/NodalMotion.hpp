@@ -35,8 +35,8 @@ struct Substeps
 };
 
 /// A displacement-dependent nodal force (contact, front springs), for effects that move nodes in substeps.
-/// Their values at the start of the step are part of the nodal force before the solve. `force` and
-/// `displacement` have a row a slot [N, m].
+/// Their values at the start of the step are part of the nodal force before the solve. `force`,
+/// `displacement` and `velocity` have a row a slot [N, m, m/s].
 template <int D>
 struct DisplacementDependentForce
 {
@@ -44,9 +44,16 @@ struct DisplacementDependentForce
   /// Adds the part that is constant over the step, with its value at the start of the step: it acts on nodes
   /// that do not move in substeps.
   std::function<void(const State<D>&, const NodeSlots&, const Values& force)> frozen;
-  /// Adds the change of the part that depends on displacement.
-  std::function<void(const State<D>&, const NodeSlots&, const Values& displacement, const Values& force)>
+  /// Adds the change of the part that depends on displacement and velocity.
+  std::function<void(const State<D>&, const NodeSlots&, const Values& displacement, const Values& velocity,
+                     const Values& force)>
       change;
+  /// Records the work that the present force does at a velocity over a duration [s]; empty where the force
+  /// keeps no record of its work. Called twice a substep, with the velocities before and after it, each time
+  /// for half of its length: the kinetic energy changes by that work.
+  using Work =
+      std::function<void(const State<D>&, const NodeSlots&, const Values& velocity, double duration)>;
+  Work work;
 };
 
 /// The mass of subcycled nodes where a mass matrix couples them. Values have a row a slot [N, m].

@@ -31,6 +31,7 @@ void archiveEnergyBalance(EnergyBalance& energy, Archive& archive)
   archive("fracture", energy.fracture);
   archive("merged", energy.merged);
   archive("combustion", energy.combustion);
+  archive("stabilised", energy.stabilised);
 }
 
 template <int D>
@@ -38,8 +39,6 @@ void archiveEnergies(State<D>& state, Archive& archive)
 {
   EnergyBalance energy = archive.loads() ? EnergyBalance() : energyOfAllRanks(state);
   archiveEnergyBalance(energy, archive);
-  if (state.method.equilibrium())
-    archive("stabilised_energy", energy.stabilised);
   if (archive.loads())
     state.energy = state.sample.energy = energy;
 }

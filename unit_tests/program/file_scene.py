@@ -49,6 +49,10 @@ class FileScene(Scene):
     def boundaries(self, *types):
         return [n for n in self.lists("Boundaries") if self.get(f"Boundaries > {n} > Type") in types]
 
+    def types(self):
+        """Type of each boundary."""
+        return [self.get(f"Boundaries > {n} > Type") for n in self.lists("Boundaries")]
+
     @property
     def dimension(self):
         return int(self.get("Domain > Dimension"))

@@ -78,7 +78,7 @@ REASONS = {
     senseless_number: "implausible|must|more than|less than|no solid|lower than|higher than|would|outside",
     hot_source_away: "so it heats nothing",
     held_temperature_away: "contains no node of any body",
-    toughness_in_megapascal: "is a K_Ic of .*, less than of any stiff solid",
+    toughness_in_megapascal: "is a K_Ic of .*, less than of any stiff solid|a flaw of .* would run .*, and 1 MPa m.0.5 is 1e6",
     thin_hole_in_a_held_body: "the hole is .* thin, .* cells",
     thickness_in_millimetres: "plane stress assumes a body thinner than it is wide",
     yield_in_megapascal: "so that it yields as a whole",

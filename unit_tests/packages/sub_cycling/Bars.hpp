@@ -129,7 +129,8 @@ Outcome vibrate(int levels, bool subCycled, Start kind, double cfl, int periods,
   {
     run.step(periods * period, false);
     measureEnergy(state);
-    const double now = state.energy.kinetic + state.energy.strain + state.energy.thermal;
+    const double now =
+        state.energy.kinetic + state.energy.strain + state.energy.thermal + state.energy.stabilised;
     outcome.most = std::max(outcome.most, now);
     const double time = state.clock.time;
     const int when = time < period ? 0 : (time > (periods - 1) * period ? 1 : -1);
