@@ -222,7 +222,7 @@ class EquilibriumOnRanks(OnRanks):
     def test_iterative_solutions(self):
         """Above the limit of direct solutions: linear systems are solved to 1e-8 of the residual, Newton's method to 1e-9 of
         the forces."""
-        scene = ball().set("Time", {"Analysis": "Static", "Final Time": 1.0}).set("Domain > Cell Size", 0.009)
+        scene = ball().set("Time", {"Analysis": "Static", "Final Time": 1.0}).set("Domain > Cell Size", 0.0075)
         scene.set("Boundaries > Hold", {"Type": "Velocity", "Lower Corner": [-1.0, -1.0, -1.0], "Upper Corner": [1.0, 1.0, -0.045],
                                         "Components": "xyz", "Value": [0.0, 0.0, 0.0]})
         self.agree(self.write(scene), ranks=(3,), within=WITHIN)
