@@ -90,9 +90,9 @@ void FieldTable::reorder(const View<int*>& order)
   const int size = static_cast<int>(order.extent(0));
   for (Column& column : columns_)
     if (column.field.integer)
-      column.whole = inOrder(column.whole, order, spareRows(size));
+      column.whole = inOrder(column.whole, order, size_, spareRows(size));
     else
-      column.real = inOrder(column.real, order, spareRows(size));
+      column.real = inOrder(column.real, order, size_, spareRows(size));
   size_ = size;
 }
 

@@ -48,12 +48,12 @@ void copyRows(const T* from, T* to, const View<int*>& order, int known, int colu
     copyRows<0>(from, to, order, known, columns);
 }
 
-/// A table whose row i is row order(i) of another, and zero where that has no such row (order(i) = -1).
-/// \param spare rows without values after the last
+/// A table whose row i is row order(i) of another, and zero where that has no such row.
+/// \param known rows of the other that have values \param spare rows without values after the last
 template <class Data>
-View<Data> inOrder(const View<Data>& old, const View<int*>& order, int spare = 0)
+View<Data> inOrder(const View<Data>& old, const View<int*>& order, int known, int spare)
 {
-  const int rows = static_cast<int>(order.extent(0)), known = static_cast<int>(old.extent(0));
+  const int rows = static_cast<int>(order.extent(0));
   const auto how = Kokkos::view_alloc(old.label().empty() ? std::string("rhegma::inOrder") : old.label(),
                                       Kokkos::WithoutInitializing);
   View<Data> fresh;
@@ -64,6 +64,13 @@ View<Data> inOrder(const View<Data>& old, const View<int*>& order, int spare = 0
   copyRows(old.data(), fresh.data(), order, known,
            View<Data>::rank == 2 ? static_cast<int>(old.extent(1)) : 1);
   return fresh;
+}
+
+/// The same of a table all of whose rows have values, without spare rows.
+template <class Data>
+View<Data> inOrder(const View<Data>& old, const View<int*>& order)
+{
+  return inOrder(old, order, static_cast<int>(old.extent(0)), 0);
 }
 
 } // namespace Rhegma

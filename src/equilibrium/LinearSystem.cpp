@@ -31,7 +31,7 @@ template <int D>
 constexpr int mostDirectUnknownsOfForces = D == 2 ? 400000 : 50000;
 
 /// Floating-point operations of a factorisation that take as long as conjugate gradients with multigrid: a
-/// second or two.
+/// second or two with OpenBLAS.
 constexpr double mostOperations = 2e10;
 
 /// The same of forces of the step that change the stiffness in each iteration and are up to a thousand times

@@ -48,12 +48,12 @@ struct DisplacementDependentForce
   std::function<void(const State<D>&, const NodeSlots&, const Values& displacement, const Values& velocity,
                      const Values& force)>
       change;
-  /// Records the work that the present force does at a velocity over a duration [s]; empty where the force
-  /// keeps no record of its work. Called twice a substep, with the velocities before and after it, each time
-  /// for half of its length: the kinetic energy changes by that work.
+  /// Records the work that the present force does at a velocity over a duration [s]. Called twice a substep,
+  /// with the velocities before and after it, each time for half of its length: the kinetic energy changes by
+  /// that work.
   using Work =
       std::function<void(const State<D>&, const NodeSlots&, const Values& velocity, double duration)>;
-  Work work;
+  Work work; ///< empty where the force keeps no record of its work
 };
 
 /// The mass of subcycled nodes where a mass matrix couples them. Values have a row a slot [N, m].

@@ -23,6 +23,7 @@ ENERGIES = [
     ("thermal", "thermal", "#882255"),
     ("combustion", "combustion", "#56B4E9"),
     ("merged", "merged", "#999933"),
+    ("stabilised", "stabilised", "#AA7755"),
     ("residual", "residual", "#888888"),
 ]
 SMALLEST_RANGE = 0.02  # of an axis of values, over their size

@@ -6,6 +6,7 @@ from .report_facts import all_fronts, grown_by, largest_release, readable, short
 from .whole_folder import went_to_its_end
 
 NAMED = 4  # fronts named in a line
+UNKNOWN = 0.05  # error of loads that has to be expected where a run has no estimate
 HOOP = 0.995  # load by the largest hoop stress over that by G, below which the program names both
 
 
@@ -31,21 +32,31 @@ def growth_of(grown, count, in_equilibrium):
     return "; ".join(texts) + more + (f" ({len(grown)} of {count} fronts grew)" if count > 1 else "")
 
 
-def factor_error(fronts):
-    """Estimated relative error of a load factor: half of that of G, as the load is proportional to 1 / sqrt(G); 0 where not known."""
-    errors = [front["G_J_error_estimate"] / front["G_J"] for _, _, front in fronts
-              if is_number(front.get("G_J_error_estimate")) and is_number(front.get("G_J")) and front["G_J"] > 0.0]
-    return 0.5 * max(errors, default=0.0)
+def relative_error(front):
+    """Estimated relative error of G of a front; None where not known."""
+    if is_number(front.get("G_J_error_estimate")) and is_number(front.get("G_J")) and front["G_J"] > 0.0:
+        return front["G_J_error_estimate"] / front["G_J"]
+    return None
+
+
+def factor_error(fronts, grown):
+    """Estimated relative error of the factor at which cracks start: half of that of G of the front that starts, as the load is proportional to
+    1 / sqrt(G); None where not known."""
+    first = min(grown, key=lambda entry: entry[2]["initiated"], default=None)
+    first = first or max(fronts, key=lambda entry: entry[2]["G_J"] if is_number(entry[2].get("G_J")) else 0.0, default=None)
+    error = None if first is None else relative_error(first[2])
+    return None if error is None else 0.5 * error
 
 
 def of_load_factor(fronts, start, grown):
     """start: factor on the loads at which G first reaches the toughness"""
     hoop = min((front["hoop_stress_factor"] for _, _, front in fronts if is_number(front.get("hoop_stress_factor"))), default=start)
     factor, how = (hoop, f" by the largest hoop stress ({short(start)} by G of a straight extension)") if hoop < HOOP * start else (start, "")
-    error = factor_error(fronts)
-    near = abs(factor - 1.0) <= error * factor
-    decided = "Not certain, as the factor is 1 within its error" if near else "Yes" if factor < 1.0 else "No"
-    estimate = f" ± {100.0 * error:.2g} %" if error > 0.0 else ""
+    error = factor_error(fronts, grown)
+    near = abs(factor - 1.0) <= (UNKNOWN if error is None else error) * factor
+    why = f"near 1, and its error is not known (less than {100.0 * UNKNOWN:g} % counts as near)" if error is None else "1 within its error"
+    decided = f"Not certain, as the factor is {why}" if near else "Yes" if factor < 1.0 else "No"
+    estimate = "" if error is None else f" ± {100.0 * error:.2g} %"
     followed = f" The run then followed the growth: {growth_of(grown, len(fronts), True)}." if grown else ""
     return f"{decided}, at the given loads: cracks start at {short(factor)}{estimate} times these loads{how}.{followed}"
 
@@ -59,6 +70,10 @@ def of_no_growth(summary, fronts):
         return (f"By the largest hoop stress yes, by G no: K of the largest hoop stress reached {short(max(hoop), 3)} times the toughness, G at most "
                 f"{short(max(release, default=0.0), 3)} of it. With shear the crack starts at the lower of both loads.")
     reached = f"; G reached at most {max(release):.3g} of the initiation toughness" if release else ""
+    for _, _, front in fronts:
+        error, part = relative_error(front), front.get("closest_to_initiation")
+        if error is not None and is_number(part) and part * (1.0 + error) >= 1.0:
+            return f"Not certain{until}: no front grew{reached}, and the estimated error of G is {100.0 * error:.2g} %."
     return f"No{until}: no front grew{reached}."
 
 
@@ -101,6 +116,8 @@ def so_far(history):
         return None
     moved = growth(history)
     time = readable(float(history.time[-1]), "s")
+    if moved and "load_factor" in history.column:  # it starts with the load at which cracks start
+        return f"Up to the last sample: {of_load_factor([], float(history.column['load_factor'][0]), [])}"
     if not moved and all(history.of_front(front, "stopped") is None for front in history.fronts):  # a column of Propagation alone
         return f"Not decided up to t = {time}, the last sample: the scene has no toughness (section Propagation); compare G with it."
     if not moved:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Closed cracks in equilibrium anywhere in the cells, with and without friction: every one finds its equilibrium, which is that of its
-mirror image, and friction dissipates what contact stores.
+"""Closed cracks in equilibrium anywhere in the cells, with and without friction: every one finds its equilibrium in a few iterations, with the
+energies of its mirror image. (What friction does to K is compared with closed forms in the unit tests ClosedCracks.)
 
 RHEGMA_SEED in the environment draws other cracks."""
 
@@ -56,7 +56,10 @@ class ClosedCracks(ProgramTest):
         answer = rhegma(self.write(name + ".xml", scene.text()), "--quiet")
         self.assertEqual(answer.status, 0, f"seed {seed}: {answer}")
         with open(self.path(name + ".out", "summary.json")) as file:
-            return json.load(file)["energy"]
+            summary = json.load(file)
+        # A choice of branches takes an iteration; those that never ended went on to 780 in halved steps.
+        self.assertLessEqual(summary["equilibrium"]["iterations"], 30, f"seed {seed}")
+        return summary["energy"]
 
     def equals_its_mirror_image(self, seed):
         one = self.energies(disk(random.Random(seed), False), f"one{seed}", seed)
@@ -65,9 +68,10 @@ class ClosedCracks(ProgramTest):
         for name in ("strain", "external_work", "contact", "friction"):
             self.assertLess(abs(one.get(name, 0.0) - other.get(name, 0.0)), 1e-7 * one["strain"], f"seed {seed}: {name} {one} {other}")
         self.assertGreaterEqual(one.get("friction", 0.0), -1e-12 * one["strain"])
-        # The work of loads goes into strain and friction: bodies are linear, steps are small, and the rest is that of the ghost penalty.
+        # The work of loads goes into strain, friction and the ghost penalty. Strains are 1e-3, and the energy of a linear law under forces that
+        # rise in proportion to displacements is right to that.
         lost = one["external_work"] - one["strain"] - one.get("friction", 0.0) - one.get("stabilised", 0.0)
-        self.assertLess(abs(lost), 5e-3 * one["external_work"], f"seed {seed}: {one}")
+        self.assertLess(abs(lost), 2e-3 * one["external_work"], f"seed {seed}: {one}")
 
     def test_anywhere(self):
         print(f"RHEGMA_SEED = {SEED}", flush=True)

@@ -5,9 +5,12 @@ import unittest
 
 from tool import ToolTest  # first, as it finds the Python for all others
 
+import numpy as np
+
 from rhegma_tools.front_table import front_table
 from rhegma_tools.report_facts import SHAPE, analysis_of, cells_of, certainty, duration, readable, reference_rows, run_facts, short, sound
-from rhegma_tools.report_verdict import verdict
+from rhegma_tools.history import History
+from rhegma_tools.report_verdict import so_far, verdict
 
 
 def summary_of(*fronts, **more):
@@ -32,6 +35,9 @@ class Verdict(ToolTest):
     def test_no_growth(self):
         front = {"initiated": None, "closest_to_initiation": 0.71}
         self.assertEqual(verdict(summary_of(front, propagation={})), "No: no front grew; G reached at most 0.71 of the initiation toughness.")
+        near = dict(front, closest_to_initiation=0.998, G_J=50.0, G_J_error_estimate=3.0)
+        self.assertEqual(verdict(summary_of(near, propagation={})),
+                         "Not certain: no front grew; G reached at most 0.998 of the initiation toughness, and the estimated error of G is 6 %.")
         self.assertIn("No up to the time", verdict(summary_of(front, propagation={}, end="stopped")))
         self.assertEqual(verdict(summary_of({"initiated": None}, propagation={})), "No: no front grew.")
         # With shear the crack starts though G is below the toughness.
@@ -46,13 +52,29 @@ class Verdict(ToolTest):
         self.assertEqual(of(1.9), "No, at the given loads: cracks start at 1.9 times these loads.")
         self.assertTrue(of(1.9, initiated=0.1, runs=[{"length": 6e-3}]).startswith("No, at the given loads: cracks start at 1.9 times"))
         self.assertTrue(of(0.8).startswith("Yes, at the given loads"))
-        text = of(1.1, hoop_stress_factor=0.96)
-        self.assertTrue(text.startswith("Yes, at the given loads: cracks start at 0.96 times these loads by the largest hoop stress (1.1 by G"), text)
+        text = of(1.1, hoop_stress_factor=0.9)
+        self.assertTrue(text.startswith("Yes, at the given loads: cracks start at 0.9 times these loads by the largest hoop stress (1.1 by G"), text)
+        self.assertTrue(of(1.0004).startswith("Not certain, as the factor is near 1, and its error is not known"))
+        # The error of another front says nothing of the one that starts.
+        other = {"G_J": 1.0, "G_J_error_estimate": 0.9}
+        text = verdict(summary_of({"G_J": 100.0, "G_J_error_estimate": 2.0}, other, propagation={"initiation": {"load_factor": 1.3}}, equilibrium={}))
+        self.assertTrue(text.startswith("No, at the given loads: cracks start at 1.3 ± 1 %"), text)
         self.assertNotIn("hoop", of(1.1, hoop_stress_factor=1.098))
         # 6 % of G are 3 % of the load.
         self.assertTrue(of(1.02, G_J=100.0, G_J_error_estimate=6.0).startswith("Not certain"))
         self.assertIn("1.04 ± 3 % times", of(1.04, G_J=100.0, G_J_error_estimate=6.0))
         self.assertTrue(of(1.04, G_J=100.0, G_J_error_estimate=6.0).startswith("No,"))
+
+
+    def test_load_factor_without_a_summary(self):
+        """Growth of a path says nothing of the given loads: the factor at its start does."""
+        def of(*factors):
+            lengths = [0.01 + 1e-3 * k for k in range(len(factors))]
+            return so_far(History({"time": np.arange(float(len(factors))), "load_factor": np.array(factors), "A.0.length": np.array(lengths),
+                                   "A.0.stopped": np.zeros(len(factors))}))
+
+        self.assertTrue(of(1.9, 0.8, 0.5).startswith("Up to the last sample: No, at the given loads: cracks start at 1.9 times"), of(1.9, 0.8, 0.5))
+        self.assertTrue(of(0.7, 0.5, 0.4).startswith("Up to the last sample: Yes, at the given loads"))
 
 
 class Facts(ToolTest):
