@@ -225,10 +225,11 @@ void callSprings(const Shared<D>& parts, const Teuchos::ParameterList& scene, Ef
   effect.call(Stage::Scatter, "stiffness of springs behind crack fronts",
               {quantity::nodalMass, quantity::enrichedFields}, {quantity::springStiffness}, {},
               [=](State<D>& s) { parts->springs.prepare(s, parts->surroundings); });
-  effect.call(
-      Stage::BeforeSolve, "springs behind crack fronts",
-      {quantity::springStiffness, quantity::springStretch, quantity::nodalMass, quantity::nodalMomentum},
-      {quantity::springForce}, {quantity::internalForce}, [=](State<D>& s) { parts->springs.addForces(s); });
+  effect.call(Stage::BeforeSolve, "springs behind crack fronts",
+              {quantity::springStiffness, quantity::springStretch, quantity::nodalMass,
+               ifWritten(quantity::nodalMomentum)},
+              {quantity::springForce}, {quantity::internalForce},
+              [=](State<D>& s) { parts->springs.addForces(s); });
   if (parts->releases)
     effect.call(Stage::Solve, "cohesion of new crack faces", {quantity::springForce},
                 {quantity::fractureEnergy}, {quantity::nodalForce},
