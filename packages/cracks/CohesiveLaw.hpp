@@ -23,13 +23,13 @@ enum class SpringState : int
 /// Where the law of FrontCell.hpp holds in 2D; elsewhere the plain one does.
 struct FrontLaw
 {
-  bool ofCells = false; ///< for cracks along the cells
-  bool atRest = false;  ///< in runs of equilibrium: for cracks at angles too
+  bool ofCells = false;   ///< for cracks along the cells
+  bool unlimited = false; ///< no step limits the stiffness: for cracks at angles too
 
   /// xi of a node that just opens [cells].
   KOKKOS_INLINE_FUNCTION double least() const
   {
-    return atRest ? springs::leastAtRest : springs::leastInMotion;
+    return unlimited ? springs::leastOfUnlimited : springs::leastOfLimited;
   }
 };
 
@@ -37,13 +37,14 @@ struct FrontLaw
 template <int D>
 KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, FrontLaw law)
 {
-  return D == 2 && law.ofCells && (law.atRest || steepest > springs::onTheCells);
+  return D == 2 && law.ofCells && (law.unlimited || steepest > springs::onTheCells);
 }
 
 /// How far ahead of a front a node may lie that has an enriched field, with front springs [cells].
 ///
-/// In 2D s = (s0 + m min(2 z, 2 - 2 z) + q (1 - c)) / c: the crack of the cells, which ends between the
-/// last node that opens and the next, then ends at the front in the mean (FrontCell.hpp).
+/// In 2D s = (s0 + q (1 - c)) / c: the crack of the cells, which ends between the last node that opens and
+/// the next, then ends at the front in the mean (FrontCell.hpp). With limited springs,
+/// s = s0 + m min(2 z, 2 - 2 z) for cracks along the cells.
 ///
 /// \param steepest c: largest component of the crack's normal \param away z: distance of the node from the
 /// crack along the axis nearest to its normal [cells]
@@ -52,11 +53,10 @@ KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, FrontLaw 
 {
   if (!hasFrontCell<D>(steepest, law))
     return steepest > springs::alongTheCells ? -springs::splitBehindAligned : springs::splitAheadInclined;
+  if (law.unlimited)
+    return (frontCell::unlimited::lag + frontCell::unlimited::lagTurned * (1.0 - steepest)) / steepest;
   const double middle = std::fmax(0.0, 2.0 * std::fmin(away, 1.0 - away));
-  if (!law.atRest)
-    return (frontCell::inMotion::lag + frontCell::inMotion::lagMidCell * middle) / steepest;
-  using namespace frontCell::atRest;
-  return (lag + lagMidCell * middle + lagTurned * (1.0 - steepest)) / steepest;
+  return frontCell::limited::lag + frontCell::limited::lagMidCell * middle;
 }
 
 /// (l - xi) / xi of the law of FrontCell.hpp [-]: how close the two fields of a node near a front are to one.
@@ -64,9 +64,9 @@ KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, FrontLaw 
 template <int D>
 KOKKOS_INLINE_FUNCTION double frontBond(double behind, double away, double steepest, FrontLaw law)
 {
-  if (!(away < 1.0) || !hasFrontCell<D>(steepest, law))
+  if (!hasFrontCell<D>(steepest, law))
     return 0.0;
-  const double range = (law.atRest ? frontCell::atRest::range : frontCell::inMotion::range) / steepest;
+  const double range = (law.unlimited ? frontCell::unlimited::range : frontCell::limited::range) / steepest;
   const double xi = std::fmax(behind + splitAhead<D>(steepest, away, law), law.least());
   return xi < range ? (range - xi) / xi : 0.0;
 }
@@ -77,9 +77,10 @@ KOKKOS_INLINE_FUNCTION double frontBond(double behind, double away, double steep
 ///     k = a E' b (l - xi) / xi,   xi = behind + s,   l = l0 / c,
 ///
 /// zero from xi = l on, s of splitAhead and the other constants from the near field in the cells of a front
-/// (FrontCell.hpp). Elsewhere
+/// (FrontCell.hpp). It holds for all nodes with two fields: b falls to zero where the crack leaves the cells
+/// of a node. Elsewhere
 ///
-///     k = 0.1 E' b (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05.
+///     k = 0.1 E' b (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05,   zero from z = 1 on.
 ///
 /// \param modulus E' of fracture mechanics [Pa] \param width b: thickness times openingFraction (2D), filled
 /// part of a cell (3D) [m] \param behind distance behind the front, negative ahead [cells] \param away,
@@ -88,14 +89,14 @@ template <int D>
 KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width, double behind, double away,
                                                    double steepest, FrontLaw law)
 {
-  if (!(away < 1.0))
-    return 0.0;
   if (!hasFrontCell<D>(steepest, law))
   {
     const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
-    return xi < 1.0 ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away) : 0.0;
+    return xi < 1.0 && away < 1.0
+               ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away)
+               : 0.0;
   }
-  const double factor = law.atRest ? frontCell::atRest::stiffness : frontCell::inMotion::stiffness;
+  const double factor = law.unlimited ? frontCell::unlimited::stiffness : frontCell::limited::stiffness;
   return factor * modulus * width * frontBond<D>(behind, away, steepest, law);
 }
 

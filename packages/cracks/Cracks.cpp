@@ -74,6 +74,7 @@ struct Parts
   bool hasSprings; ///< behind fronts
   bool grows;
   bool releases; ///< new faces open against a traction; in equilibrium they are free at once
+  bool limited;  ///< steps of motion limit the stiffness of springs
   bool joins;    ///< cracks may end on others
   bool touching; ///< contact keeps faces apart
   bool startsInEquilibrium;
@@ -97,13 +98,15 @@ struct Parts
         hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
         grows(options.growth),
         releases(grows && !isEquilibrium(scene)),
+        // Added inertia would have to be part of a mass matrix, and of the first traction of a new face.
+        limited(releases || options.nodalMass.lumpedFraction < 1.0 || options.nodalMass.terms > 0),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
         startsInEquilibrium(scene.sublist("Time").get<std::string>("Initial State") == "Equilibrium"),
         pieces(piecesOfACell(options)),
         levels(options.frontLevels),
         adaptive(options.adaptive),
-        springs(releases),
+        springs(releases, limited),
         growth(mirrors)
   {
     surroundings.law.ofCells =
@@ -146,13 +149,13 @@ std::pair<double, double> sizesOf(const Parts<D>& parts, const State<D>& state)
   return {cell / parts.pieces, std::ldexp(cell, -parts.levels)};
 }
 
-/// Where the cracks divide particles: at rest. In motion they do not, as the springs of cracks at angles were
-/// derived with whole particles. Nowhere if a crack is wrong, which is said where they are read again.
+/// Where the cracks divide particles: where the law of springs was derived so, at rest or with that of
+/// FrontCell.hpp at any angle. Nowhere if a crack is wrong, which is said where they are read again.
 template <int D>
 Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
 {
   Geometry::Cuts<D> cuts;
-  if (parts.bodies == nullptr || !staysAtRest(state))
+  if (parts.bodies == nullptr || !(staysAtRest(state) || (parts.surroundings.law.ofCells && !parts.limited)))
     return cuts;
   std::vector<std::string> warnings;
   const auto [edge, front] = sizesOf(parts, state);
@@ -169,7 +172,7 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
-  parts->surroundings.law.atRest = staysAtRest(state);
+  parts->surroundings.law.unlimited = staysAtRest(state) || !parts->limited;
   if (parts->hasSprings && state.method.equilibrium())
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->formulation == Formulation::BrokenCell && state.method.equilibrium())

@@ -28,10 +28,11 @@ struct FindSpring
   NodalSprings<D> springs;
   View<double * [D + 1]> spring; ///< CrackSet::spring
   View<double*> damping;         ///< [N s/m]
+  View<double*> inertia;         ///< RelativeInertia::mass; empty where springs are limited instead
   NearestFront<D> frontOf;
   View<double*> softened; ///< energy that springs dissipate which began to soften now [J]
   StableStiffness<D> stable;
-  bool refined, grows;
+  bool refined, grows, moves;
   FrontLaw frontLaw;
   View<int*> level;
   double spacing, thickness, modulus, density;
@@ -48,6 +49,8 @@ struct FindSpring
     node.step() = step;
     springs.front(primary) = noFront;
     spring(primary, D) = damping(primary) = 0.0;
+    if (inertia.extent(0) > 0)
+      inertia(primary) = 0.0;
     const double most = stable(i);
     if (node.isReleased())
     {
@@ -76,13 +79,14 @@ struct FindSpring
       node.stiffness() = 0.0;
       return;
     }
-    double stiffness = atMost(wanted(i, s), most);
+    double stiffness = most > 0.0 ? wanted(i, s) : 0.0;
+    if (inertia.extent(0) == 0)
+      stiffness = atMost(stiffness, most);
     if (stiffness > node.stiffness() && isStretched(node, cellAt(primary))) // stiffening would add energy
       stiffness = node.stiffness();
     spring(primary, D) = node.stiffness() = stiffness;
-    const double a = nodes.sums(primary, Nodes<D>::massAt),
-                 b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
-    damping(primary) = stableDamping(stiffness, most, a * b / (a + b));
+    if (moves)
+      stabilise(i, stiffness);
   }
 
 private:
@@ -97,6 +101,18 @@ private:
     for (int d = 0; d < D; ++d)
       sum += node.jump(d) * node.jump(d);
     return sum;
+  }
+
+  /// Finds damping and added inertia of a spring.
+  KOKKOS_INLINE_FUNCTION void stabilise(int i, double stiffness) const
+  {
+    const int primary = nodes.parent(i);
+    const double a = nodes.sums(primary, Nodes<D>::massAt),
+                 b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt), dt = stable.stepOf(primary);
+    double added = 0.0;
+    if (inertia.extent(0) > 0)
+      added = inertia(primary) = springs::addedInertia * stiffness * dt * dt;
+    damping(primary) = stableDamping(stiffness, a * b / (a + b) + added, dt);
   }
 
   KOKKOS_INLINE_FUNCTION double cellAt(int primary) const
@@ -193,6 +209,9 @@ void FrontSprings<D>::fitToNodes(State<D>& state)
   dampingForce_ = View<double* [D]>("rhegma::springDampingForce", count);
   dampedInSubsteps_ = View<double*>("rhegma::dampedInSubsteps", count);
   state.cracks.spring = View<double * [D + 1]>("rhegma::springs", count);
+  if (!limited_)
+    state.motion.relativeInertia = {View<double*>("rhegma::relativeInertia", count),
+                                    View<double* [D]>("rhegma::relativeInertiaForce", count)};
 }
 
 template <int D>
@@ -211,11 +230,13 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
                            springs(state),
                            state.cracks.spring,
                            damping_,
+                           state.motion.relativeInertia.mass,
                            frontOf_,
                            softened,
                            StableStiffness<D>(state),
                            state.mesh.tree.refined(),
                            grows_,
+                           !state.method.equilibrium(),
                            surroundings.law,
                            state.mesh.tree.nodeLevel,
                            state.mesh.grid.spacing,

@@ -21,9 +21,10 @@ using ToughnessAlong = std::function<std::vector<double>(const CrackSet<D>&, int
 ///
 /// Nodes open one by one, so that without springs the crack of the cells ends up to half a cell before or
 /// behind its front. A spring between the two fields of a node that lies less than a cell behind the front
-/// lets it open by as much as it lies behind (frontSpringStiffness). None is stiffer than its two masses
-/// allow in the step that their node takes. Two opposite forces: momentum is exact. Measured: test
-/// InclinedCracks.
+/// lets it open by as much as it lies behind (frontSpringStiffness). In motion, inertia is added to the
+/// relative motion of the fields, with which a spring of any stiffness is stable (RelativeInertia); where
+/// springs are limited, none is stiffer than its two masses allow in the step that their node takes. Two
+/// opposite forces: momentum is exact. Measured: test InclinedCracks.
 ///
 /// A spring follows the jump of the velocity that strains the particles, from the step in which its node gets
 /// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
@@ -42,8 +43,8 @@ template <int D>
 class FrontSprings
 {
 public:
-  /// \param grows whether fronts may grow
-  explicit FrontSprings(bool grows) : grows_(grows) {}
+  /// \param grows whether fronts may grow \param limited whether steps limit the stiffness of springs
+  FrontSprings(bool grows, bool limited) : grows_(grows), limited_(limited) {}
 
   /// Finds the springs of this step, once nodes have masses, and leaves their stiffness in
   /// state.cracks.spring.
@@ -81,7 +82,7 @@ private:
     return {state.mesh.nodalFields.template real<NodalSpring<D>::size>(springField<D>().field.name), front_};
   }
 
-  bool grows_;
+  bool grows_, limited_;
   View<int*> front_;               ///< see NodalSprings
   View<double*> damping_;          ///< of the spring of each node in this step [N s/m]
   View<double* [D]> dampingForce_; ///< of damping on the primary field of each node, in this substep [N]

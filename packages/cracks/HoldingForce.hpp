@@ -26,8 +26,8 @@ KOKKOS_INLINE_FUNCTION bool bothHaveMass(double mass, double other)
 }
 
 /// The largest stiffness of a spring between the fields of the i-th node with two that is stable in the step
-/// that this node takes, a substep where it is subcycled [N/m]. Zero where a field has no mass; without limit
-/// in steps of equilibrium.
+/// that this node takes, a substep where it is subcycled, without added inertia [N/m]. Zero where a field has
+/// no mass; without limit in steps of equilibrium.
 template <int D>
 struct StableStiffness
 {
@@ -36,6 +36,7 @@ struct StableStiffness
   View<int*> level;
   int firstSubcycled; ///< level of the first cells whose nodes take substeps
   double limit;       ///< stiffness per reduced mass [1/s2]
+  double dt;          ///< of nodes that take the whole step [s]
 
   explicit StableStiffness(const State<D>& state)
       : nodes(state.mesh.nodes),
@@ -44,19 +45,26 @@ struct StableStiffness
         firstSubcycled(state.mesh.tree.deepest -
                        std::min(state.mesh.subcycledLevels, state.mesh.tree.deepest) + 1),
         limit(state.method.equilibrium() ? std::numeric_limits<double>::max()
-                                         : springs::stableStiffness / (state.clock.dt * state.clock.dt))
+                                         : springs::stableStiffness / (state.clock.dt * state.clock.dt)),
+        dt(state.clock.dt)
   {
   }
+
+  /// How often the step of a node is halved.
+  KOKKOS_INLINE_FUNCTION int halvings(int node) const
+  {
+    return refined && level(node) >= firstSubcycled ? level(node) - firstSubcycled + 1 : 0;
+  }
+  /// Step of a node [s].
+  KOKKOS_INLINE_FUNCTION double stepOf(int node) const { return std::ldexp(dt, -halvings(node)); }
 
   KOKKOS_INLINE_FUNCTION double operator()(int i) const
   {
     const int primary = nodes.parent(i);
     const double a = nodes.sums(primary, Nodes<D>::massAt),
                  b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
-    const int halvings =
-        refined && level(primary) >= firstSubcycled ? level(primary) - firstSubcycled + 1 : 0;
     const double most = limit < std::numeric_limits<double>::max()
-                            ? (halvings > 0 ? std::ldexp(limit, 2 * halvings) : limit) * a * b / (a + b)
+                            ? std::ldexp(limit, 2 * halvings(primary)) * a * b / (a + b)
                             : limit;
     return bothHaveMass(a, b) ? most : 0.0;
   }
@@ -93,21 +101,21 @@ struct HoldingForce
 };
 
 /// Damping C of a spring of two masses [N s/m] for a force by their velocity at the start of a step, from
-/// c = 2 springs::damping sqrt(k m), with the reduced mass m: C = c / (1 + c dt / m) gives the force that is
-/// c times the velocity which it leaves at the end of the step, and never reverses the relative motion.
+/// c = 2 springs::damping sqrt(k m), with the inertia m of their relative motion: C = c / (1 + c dt / m)
+/// gives the force that is c times the velocity which it leaves at the end of the step, and never reverses
+/// the relative motion.
 ///
 /// A step of velocity first and then displacement is stable if C dt / m < 2 and K dt^2 / m + 2 C dt / m < 4,
-/// K the stiffness of spring and material. At the largest k (k dt^2 / m = 1) C dt / m is 0.586; spring and
-/// damping take 2.17 of the 4, and leave 1.83 to the material.
-/// \param stiffness of the spring \param most largest stable one, StableStiffness: m / dt^2 [N/m]
-/// \param reducedMass m [kg]
-KOKKOS_INLINE_FUNCTION double stableDamping(double stiffness, double most, double reducedMass)
+/// K the stiffness of spring and material. With m = m0 + k dt^2 / 2 (springs::addedInertia), m0 the reduced
+/// mass, a spring of any stiffness leaves at least 3.39 of m0 / dt^2 to the material. With m = m0 and the
+/// largest k of limited springs (k dt^2 / m = 1) C dt / m is 0.586, and 1.83 is left.
+/// \param stiffness k [N/m] \param inertia m [kg] \param dt of the node [s]
+KOKKOS_INLINE_FUNCTION double stableDamping(double stiffness, double inertia, double dt)
 {
-  if (!(stiffness > 0.0) || !(most > 0.0) || most == std::numeric_limits<double>::max()) // at rest: none
+  if (!(stiffness > 0.0) || !(inertia > 0.0))
     return 0.0;
-  const double perStep = std::sqrt(most * reducedMass / springs::stableStiffness);
-  const double damping = 2.0 * springs::damping * std::sqrt(stiffness * reducedMass);
-  return damping / (1.0 + damping / perStep);
+  const double damping = 2.0 * springs::damping * std::sqrt(stiffness * inertia);
+  return damping / (1.0 + damping * dt / inertia);
 }
 
 } // namespace Rhegma::cracks

@@ -11,9 +11,9 @@ constexpr double stiffnessFraction = 0.1;
 /// stiffness finite at the front.
 constexpr double distanceOffset = 0.05;
 
-/// Least xi of a node that opens, in 2D [cells]. In motion a stable spring is far too soft below, and the
-/// node is closed. At rest no spring is too stiff, and with one of this xi a node is as good as closed.
-constexpr double leastInMotion = 0.05, leastAtRest = 0.003;
+/// Least xi of a node that opens, in 2D [cells]. A limited spring is far too soft below, and the node is
+/// closed. Where no spring is limited, a node with one of this xi is as good as closed.
+constexpr double leastOfLimited = 0.05, leastOfUnlimited = 0.003;
 
 /// Where nodes open, except along the cells in 2D [cells]: crack closure wants a node at a front along the
 /// cells (within five degrees) closed; at an angle, nodes open a little before the front passes them, which
@@ -32,6 +32,11 @@ constexpr double unstretched = 1e-6;
 /// Largest stiffness in units of reduced mass / dt^2 [-]: an explicit step of two masses on a spring is
 /// stable up to 4, of which the material needs its part.
 constexpr double stableStiffness = 1.0;
+
+/// Inertia that is added to the relative motion of a node's fields, in units of its spring's stiffness times
+/// dt^2 [-]. A quarter makes any spring stable in a step in which the material is (RelativeInertia); a half
+/// leaves enough to the damping (addedInertia).
+constexpr double addedInertia = 0.5;
 
 /// Damping of a front spring as a fraction of the critical damping of its two masses [-]: the smallest
 /// damping ratio at which no frequency is amplified above the static response, 1 / sqrt(2). That is of two

@@ -267,7 +267,7 @@ void FrontSprings<D>::recordDamping(State<D>& state) const
   const Nodes<D> nodes = state.mesh.nodes;
   const LoadVelocity<D> velocity(state);
   const NodeSlots subcycled = state.motion.substeps.nodes;
-  const View<double* [D]> force = dampingForce_;
+  const View<double*[D]> force = dampingForce_, inertia = state.motion.relativeInertia.force;
   const View<double*> inSubsteps = dampedInSubsteps_;
   const double dt = state.clock.dt;
   double damped = 0.0;
@@ -283,7 +283,8 @@ void FrontSprings<D>::recordDamping(State<D>& state) const
           return;
         }
         for (int d = 0; d < D; ++d)
-          sum -= dt * force(primary, d) * (velocity(primary, d) - velocity(enriched, d));
+          sum -= dt * (force(primary, d) + (inertia.extent(0) > 0 ? inertia(primary, d) : 0.0)) *
+                 (velocity(primary, d) - velocity(enriched, d));
       },
       damped);
   state.energy.stabilised += damped;
@@ -293,19 +294,24 @@ template <int D>
 typename DisplacementDependentForce<D>::Work FrontSprings<D>::dampingInSubsteps() const
 {
   return [this](const State<D>& state, const NodeSlots& slots, const View<double* [D]>& velocity,
-                double duration)
+                double duration, HalfStep half)
   {
     const Nodes<D> nodes = state.mesh.nodes;
     const View<double* [D]> force = dampingForce_;
-    const View<double*> damped = dampedInSubsteps_;
+    const View<double*> damped = dampedInSubsteps_, inertia = state.motion.relativeInertia.mass;
+    const double gains = half == HalfStep::First ? -0.5 : 0.5; // of the kinetic energy of added inertia
     parallelForSmall(
         "rhegma::cracks::dampingInSubsteps", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
           const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
           if (!slots.moves(primary) || !slots.moves(enriched))
             return;
           const int a = slots.of(primary), b = slots.of(enriched);
+          const double added = inertia.extent(0) > 0 ? inertia(primary) : 0.0;
           for (int d = 0; d < D; ++d)
-            damped(primary) -= duration * force(primary, d) * (velocity(a, d) - velocity(b, d));
+          {
+            const double rate = velocity(a, d) - velocity(b, d);
+            damped(primary) += gains * added * rate * rate - duration * force(primary, d) * rate;
+          }
         });
   };
 }

@@ -64,8 +64,11 @@ public:
   /// Applies the pending impulses to the nodes, those of several classes at once.
   void kick(const State<D>& state);
   void drift(double length);
-  /// Lets displacement-dependent forces record their work at the present velocity. \param duration [s]
-  void recordWorkOfDependentForces(const State<D>& state, double duration) const;
+  /// Adds the force of added inertia to the forces or impulses on slots.
+  void resistRelativeMotion(const State<D>& state, const Values& force) const;
+  /// Lets displacement-dependent forces record their work at the present velocity. \param duration of half a
+  /// substep [s]
+  void recordWorkOfDependentForces(const State<D>& state, double duration, HalfStep half) const;
   /// Applies the force of the whole step to nodes without fine particles.
   void finishOuterNodes();
   /// Whether the work of impulses is needed.

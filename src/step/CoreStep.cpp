@@ -134,6 +134,7 @@ Effect<D> makeCore(const State<D>& state, const std::shared_ptr<equilibrium::Las
             [](State<D>& s)
             {
               sumOverRanks(s, SharedSums::Force);
+              resistRelativeMotion(s);
               solveLumped(s);
             });
   Quantities gathered = {quantity::particleVelocity};

@@ -1,7 +1,34 @@
 #include "transfer/Motion.hpp"
 
+#include "base/SmallLoops.hpp"
+
 namespace Rhegma
 {
+
+template <int D>
+void resistRelativeMotion(State<D>& state)
+{
+  const View<double*> added = state.motion.relativeInertia.mass;
+  if (added.extent(0) == 0)
+    return;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const NodeSlots subcycled = state.motion.substeps.nodes;
+  const View<double* [D]> inertia = state.motion.relativeInertia.force;
+  parallelForSmall(
+      "rhegma::resistRelativeMotion", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
+        const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
+        const double a = nodes.sums(primary, Nodes<D>::massAt), b = nodes.sums(enriched, Nodes<D>::massAt);
+        const bool acts = added(primary) > 0.0 && !(subcycled.moves(primary) && subcycled.moves(enriched));
+        for (int d = 0; d < D; ++d)
+        {
+          double& force = nodes.sums(primary, Nodes<D>::forceAt + d);
+          double& other = nodes.sums(enriched, Nodes<D>::forceAt + d);
+          inertia(primary, d) = acts ? relativeInertiaForce(a, b, force, other, added(primary)) : 0.0;
+          force += inertia(primary, d);
+          other -= inertia(primary, d);
+        }
+      });
+}
 
 template <int D>
 void solveLumped(State<D>& state)
@@ -23,6 +50,8 @@ void solveLumped(State<D>& state)
       });
 }
 
+template void resistRelativeMotion(State<2>&);
+template void resistRelativeMotion(State<3>&);
 template void solveLumped(State<2>&);
 template void solveLumped(State<3>&);
 

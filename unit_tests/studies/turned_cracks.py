@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Errors of G, K_I, K_II and the kink angle of random cracks at random angles at rest, against those of the endless plate.
 
-    turned_cracks.py PROGRAM [--number N] [--seed N] [--cells 4 8]     cells in half of a crack's length
+    turned_cracks.py PROGRAM [--number N] [--seed N] [--cells 4 8] [--moving]     cells in half of a crack's length
 
 The crack lies anywhere in its cell, under tension at a random angle to it; the edges of the square move as in the endless plate
-(verification/inclined_crack_static.xml). Linear functions and GIMP, 2 x 2 and 3 x 3 particles a cell, in turns by chance.
+(verification/inclined_crack_static.xml). With --moving, the plates are damped until they rest. Linear functions and GIMP, 2 x 2 and 3 x 3 particles a cell, in turns by chance.
 """
 import argparse
 import concurrent.futures
@@ -48,10 +48,19 @@ def kink(first, second):
     return math.degrees(2 * math.atan2(-2 * second, first + math.sqrt(first**2 + 8 * second**2)))
 
 
-def errors(program, seed, cells):
+def damped(text):
+    """The scene in motion: the edge of the square moves within a time, and damping ends the motion."""
+    text = replaced(text, ('<Parameter name="Analysis" type="string" value="Static"/>', '<Parameter name="CFL" type="double" value="0.8"/>'))
+    damping = re.search(r'  <ParameterList name="Damping">.*?</ParameterList>\n', read("verification/inclined_crack_30.xml"), flags=re.S)
+    return text.replace('  <ParameterList name="Energy Release"/>', damping.group(0) + '  <ParameterList name="Energy Release"/>')
+
+
+def errors(program, seed, cells, moving):
     """Of both fronts: G [%], K_I and K_II [% of sqrt(K_I^2 + K_II^2)], kink [degrees]."""
     pick = random.Random(seed)
     text, c, s = scene(pick, cells)
+    if moving:
+        text = damped(text)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "scene.xml")
         with open(path, "w", encoding="utf-8") as file:
@@ -73,12 +82,13 @@ def main():
     options.add_argument("program")
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--number", type=int, default=30, help="of cracks")
+    options.add_argument("--moving", action="store_true")
     options.add_argument("--cells", type=int, nargs="*", default=[4, 8])
     chosen = options.parse_args()
     print("seed %d" % chosen.seed)
     for cells in chosen.cells:
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            jobs = pool.map(lambda k: errors(chosen.program, 1000 * chosen.seed + k, cells), range(chosen.number))
+            jobs = pool.map(lambda k: errors(chosen.program, 1000 * chosen.seed + k, cells, chosen.moving), range(chosen.number))
             found = [row for rows in jobs for row in rows]
         for i, name in enumerate(("G, %", "K_I, % of K", "K_II, % of K", "kink, degrees")):
             values = [row[i] for row in found]
