@@ -109,10 +109,7 @@ struct Parts
         springs(releases, limited),
         growth(mirrors)
   {
-    surroundings.law.ofCells =
-        // Faces that burn carry the pressure of the gas.
-        D == 2 && !releases && !touching && options.fieldsConduct && options.pressedCracks.empty() &&
-        !options.burning;
+    surroundings.law.ofCells = D == 2 && !releases && options.fieldsConduct;
   }
 };
 
