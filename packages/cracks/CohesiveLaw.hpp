@@ -37,7 +37,7 @@ struct FrontLaw
 template <int D>
 KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, FrontLaw law)
 {
-  return D == 2 && law.ofCells && (law.unlimited || steepest > springs::onTheCells);
+  return law.ofCells && (law.unlimited || steepest > springs::onTheCells);
 }
 
 /// How far ahead of a front a node may lie that has an enriched field, with front springs [cells].

@@ -109,7 +109,7 @@ struct Parts
         springs(releases, limited),
         growth(mirrors)
   {
-    surroundings.law.ofCells = D == 2 && !releases && options.fieldsConduct;
+    surroundings.law.ofCells = !releases && options.fieldsConduct;
   }
 };
 

@@ -158,7 +158,8 @@ private:
     if constexpr (D == 3) // less at the surface, by the filled fraction of the cells of the node
     {
       const double filled = (a + b) / (density * cell * cell * cell);
-      width = cell * (filled > springs::fullCells ? 1.0 : filled);
+      width = cell * (filled > springs::fullCells ? 1.0 : filled) *
+              (hasFrontCell<D>(steepest, frontLaw) ? openingFraction(a, b) : 1.0);
     }
     else
       width = thickness * (hasFrontCell<D>(steepest, frontLaw) ? openingFraction(a, b) : 1.0);
