@@ -20,11 +20,11 @@ enum class SpringState : int
   Open = 2       ///< not at all: the traction has fallen to zero
 };
 
-/// Where the law of FrontCell.hpp holds in 2D; elsewhere the plain one does.
+/// Where the law of FrontCell.hpp holds; elsewhere the plain one does.
 struct FrontLaw
 {
-  bool ofCells = false;   ///< for cracks along the cells
-  bool unlimited = false; ///< no step limits the stiffness: for cracks at angles too
+  bool ofCells = false;   ///< in 2D for cracks along the cells
+  bool unlimited = false; ///< no step limits the stiffness: for cracks at angles and in 3D too
 
   /// xi of a node that just opens [cells].
   KOKKOS_INLINE_FUNCTION double least() const
@@ -37,7 +37,7 @@ struct FrontLaw
 template <int D>
 KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, FrontLaw law)
 {
-  return law.ofCells && (law.unlimited || steepest > springs::onTheCells);
+  return law.ofCells && (law.unlimited || (D == 2 && steepest > springs::onTheCells));
 }
 
 /// How far ahead of a front a node may lie that has an enriched field, with front springs [cells].

@@ -152,7 +152,8 @@ template <int D>
 Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
 {
   Geometry::Cuts<D> cuts;
-  if (parts.bodies == nullptr || !(staysAtRest(state) || (parts.surroundings.law.ofCells && !parts.limited)))
+  if (parts.bodies == nullptr ||
+      !(staysAtRest(state) || (parts.hasSprings && parts.surroundings.law.ofCells && !parts.limited)))
     return cuts;
   std::vector<std::string> warnings;
   const auto [edge, front] = sizesOf(parts, state);

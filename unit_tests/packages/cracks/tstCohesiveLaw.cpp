@@ -127,14 +127,22 @@ TEST(CohesiveLaw, FrontSpringsHandOverFromNodeToNode)
   EXPECT_EQ(openingFraction(1.0, 0.0), 0.0);
 }
 
-/// At rest the law of the front's cell holds at every angle, and a node that just opens is as good as closed.
-TEST(CohesiveLaw, AtRestOneLawHoldsAtEveryAngle)
+/// Where no step limits springs the law of the front's cell holds at every angle and in 3D, a node that just
+/// opens is as good as closed, and nothing changes suddenly where the crack passes the next node.
+TEST(CohesiveLaw, WithoutLimitsOneLawHoldsEverywhere)
 {
-  const FrontLaw rest{true, true};
-  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, rest),
-                   (frontCell::atRest::lag + 0.2 * frontCell::atRest::lagTurned) / 0.8);
-  EXPECT_GT(frontSpringStiffness<2>(1.0, 1.0, -splitAhead<2>(0.8, 0.0, rest), 0.0, 0.8, rest), 50.0);
-  EXPECT_FALSE(hasFrontCell<3>(1.0, rest));
+  const FrontLaw law{true, true};
+  const double ahead = splitAhead<2>(0.8, 0.0, law);
+  EXPECT_DOUBLE_EQ(ahead, (frontCell::unlimited::lag + 0.2 * frontCell::unlimited::lagTurned) / 0.8);
+  EXPECT_GT(frontSpringStiffness<2>(1.0, 1.0, -ahead, 0.0, 0.8, law), 50.0);
+  for (const double behind : {-0.2, 0.0, 0.5})
+  {
+    const double stiffness = frontSpringStiffness<2>(1.0, 1.0, behind, 0.0, 0.8, law);
+    EXPECT_GT(stiffness, 0.0);
+    for (const double away : {0.5, 0.99, 1.01, 1.5})
+      EXPECT_EQ(frontSpringStiffness<2>(1.0, 1.0, behind, away, 0.8, law), stiffness);
+    EXPECT_EQ(frontSpringStiffness<3>(1.0, 1.0, behind, 0.5, 0.8, law), stiffness);
+  }
 }
 
 /// A spring of 8 N/m stretched by 0.5 m stores 1 J and dissipates another one as it softens.
