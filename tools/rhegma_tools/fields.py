@@ -9,12 +9,14 @@ from .interpreter import Problem
 
 
 class Crack:
-    """points (v, 3) [m] as they are now, cells (s, 2 or 3), opening (v, 3) [m]: position of one face minus that of the other."""
+    """points (v, 3) [m] as they are now, cells (s, 2 or 3), opening (v, 3) [m]: position of one face minus that of the other; number (s):
+    which crack of the scene a cell belongs to."""
 
-    def __init__(self, points, cells, opening):
+    def __init__(self, points, cells, opening, number=None):
         self.points = points
         self.cells = cells
         self.opening = opening
+        self.number = np.zeros(len(cells), dtype=int) if number is None else number
 
     @property
     def is_surface(self):
@@ -48,6 +50,8 @@ class Fields:
         self.temperature = None if temperature is None else temperature.reshape(len(temperature))
         self.deformation = particles["deformation"].reshape(-1, 3, 3)
         self.edges = particles["edges"].reshape(-1, 3, 3)
+        body = particles.get("body")
+        self.body = np.zeros(len(self.position), dtype=int) if body is None else body.astype(int).ravel()  # number in the scene
         self.crack = crack
         self.leaves = leaves
 
@@ -98,7 +102,8 @@ def read_crack(group):
     points = np.asarray(group["points"], dtype=float)
     cells = np.asarray(group["cells"], dtype=int)
     opening = np.asarray(group["opening"], dtype=float) if "opening" in group else np.zeros_like(points)
-    return Crack(points, cells, opening) if cells.size else None
+    number = np.asarray(group["crack"], dtype=int) if "crack" in group else None
+    return Crack(points, cells, opening, number) if cells.size else None
 
 
 def read_leaves(group):
@@ -124,7 +129,7 @@ def read_fields(folder, time=None):
             group = chosen["particles"]
             names = ["position", "displacement", "deformation", "edges"]
             names += ["stress", "von_mises"] if "stress" in group or "temperature" not in group else []
-            names += ["temperature"] if "temperature" in group else []
+            names += [name for name in ("temperature", "body") if name in group]
             particles = {name: np.asarray(group[name], dtype=float) for name in names}
             fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
                             read_leaves(chosen.get("leaves")), written.values())

@@ -15,6 +15,7 @@ from history_tests import *  # noqa: E402,F401,F403
 from limits_tests import *  # noqa: E402,F401,F403
 from plot_tests import *  # noqa: E402,F401,F403
 from same_tests import *  # noqa: E402,F401,F403
+from scene_tests import *  # noqa: E402,F401,F403
 from study_tests import *  # noqa: E402,F401,F403
 
 if __name__ == "__main__":
