@@ -10,9 +10,11 @@ from .film_frames import draw_film
 from .front_picture import draw_surface, panels_along
 from .history_picture import panels_of
 from .interpreter import Problem
+from .spatial_picture import draw_cracks_in_body, draw_cut_body
 from .path_picture import curves, draw_factor, draw_force, is_path
 from .state_picture import draw_state
 from .style import plt
+from .vtk_window import INSTALL
 from .zoom_data import panel_data
 
 LARGEST_DRAWING = 150_000  # bytes of a still panel as SVG; beyond it is a PNG
@@ -57,6 +59,35 @@ def body_picture(fields, summary, title, quantity, view):
                  what + cracks + (scale if name != "temperature" else ""))
 
 
+def spatial_pictures(fields, summary, title, view):
+    """Of a run in 3D the body cut open and the cracks in its outline; without VTK the crack surface alone."""
+    found, target = [], io.BytesIO()
+    asked = (view.normal, view.where)
+    factor = draw_cut_body(fields, summary, title, target, asked=asked)
+    if factor is not None:
+        name = QUANTITIES[quantity_shown(fields, "principal")]
+        found.append(Shown("png", target.getvalue(), f"{title}: the body in 3D, cut open, coloured by the {name}",
+                           f"The body at t = {seconds(fields.time)} in 3D, cut open at {section_of(view)[len(', section at '):]}, coloured by the {name}; "
+                           f"{magnified(factor)}."))
+    if fields.crack is None:
+        return found
+    target = io.BytesIO()
+    coloured = None if factor is None else draw_cracks_in_body(fields, summary, title, target)
+    if coloured is not None:
+        along = f" Colours along the fronts: {coloured}." if coloured else ""
+        found.append(Shown("png", target.getvalue(), f"{title}: cracks in the outline of the body" + (f", fronts coloured by {coloured}" if coloured else ""),
+                           f"Cracks in the outline of the body at t = {seconds(fields.time)}; true positions.{along}"))
+    return found + [surface_picture(fields, title, "" if factor is not None else f" {INSTALL}")]
+
+
+def surface_picture(fields, title, more):
+    target = io.BytesIO()
+    unit = draw_surface(fields.crack, title, fields.time, target)
+    return Shown("png", target.getvalue(), f"{title}: crack surface in 3D, coloured by its opening in {unit}",
+                 f"Crack surface at t = {seconds(fields.time)}, coloured by the opening [{unit}]; true positions. The black line is its border: "
+                 f"the front, and edges on surfaces or planes of symmetry.{more}")
+
+
 def field_pictures(folder, summary, title):
     """Pictures of the last and the first fields; none where the run has no fields."""
     fields = read_fields(folder)
@@ -74,13 +105,7 @@ def field_pictures(folder, summary, title):
         found.append(Shown("png", target.getvalue(), f"{title}: {count} cells, coloured by their level of refinement",
                            f"The {count} cells in use at t = {seconds(fields.time)}, by level of refinement, and the finest ones with their "
                            f"particles; true displacements."))
-    if fields.crack is not None and fields.crack.is_surface:
-        target = io.BytesIO()
-        unit = draw_surface(fields.crack, title, fields.time, target)
-        found.append(Shown("png", target.getvalue(), f"{title}: crack surface in 3D, coloured by its opening in {unit}",
-                           f"Crack surface at t = {seconds(fields.time)}, coloured by the opening [{unit}]; true positions. The black line is its border: "
-                           f"the front, and edges on surfaces or planes of symmetry."))
-    return found
+    return found + (spatial_pictures(fields, summary, title, view) if fields.dimension == 3 else [])
 
 
 def still(figure):

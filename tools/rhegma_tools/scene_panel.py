@@ -35,8 +35,10 @@ class Panel:
         across, up = np.asarray(toward) / max(float(np.linalg.norm(toward)), 1.0e-300)
         sideways = abs(across) > abs(up)
         alignment = {"ha": ("left" if across > 0 else "right") if sideways else "center", "va": "center" if sideways else ("bottom" if up >= 0 else "top")}
-        self.labels.append(self.axes.annotate(text, self.flat(point), (4.0 * across, 4.0 * up), "data", "offset points", color=colour, fontsize=8.5,
-                                              bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 0.6}, zorder=9, **alignment))
+        text = self.axes.annotate(text, self.flat(point), (4.0 * across, 4.0 * up), "data", "offset points", color=colour, fontsize=8.5,
+                                  bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 0.6}, zorder=9, **alignment)
+        text.set_in_layout(False)  # a label that protrudes does not make the axes smaller
+        self.labels.append(text)
 
 
 def body_outlines(fields, view):
@@ -211,6 +213,7 @@ def draw_symbols(panel, symbols):
 def part_labels(panels, figure):
     """Moves labels that would cover one another, up or down."""
     figure.canvas.draw()
+    figure.set_layout_engine("none")
     renderer = figure.canvas.get_renderer()
     for panel in panels:
         done = []
@@ -223,4 +226,5 @@ def part_labels(panels, figure):
                     break
                 text.set_position((x, y + (1 if attempt % 2 else -1) * ((attempt + 1) // 2) * 1.05 * points))
                 box = text.get_window_extent(renderer)
+            text.set_in_layout(True)
             done.append(box)

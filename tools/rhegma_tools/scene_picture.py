@@ -11,12 +11,14 @@ from .report_facts import readable
 from .scene_outlines import outlines_of
 from .scene_panel import ARROW, COLOUR, Panel, draw_bodies, draw_cells, draw_cracks, draw_fronts, draw_outlines, draw_symbols, front_positions
 from .scene_panel import part_labels
+from .scene_spatial import draw_perspective, perspective
 from .scene_symbols import MOTION, Arrows, Mark, Nodes, Plane, Region, crack_loads, symbols_of
 from .scene_values import array, lists
 from .style import plt
 
 LONGEST_LINE = 150  # letters of the list below the picture
 MOST_LINES = 24
+LABEL = 0.3  # length of a label, of the largest extent of the bodies
 
 
 class Drawing:
@@ -81,11 +83,14 @@ def list_lines(drawing):
 
 
 def frame(panel, drawing):
-    """Limits of the axes around the bodies with their arrows, not beyond the domain where that is far."""
+    """Limits of the axes around the bodies with their arrows, and with the labels of those that point to a side."""
     low, high = drawing.low.copy(), drawing.high.copy()
     for symbol in drawing.symbols:
         if isinstance(symbol, Arrows):
             reach = symbol.direction * ARROW * drawing.extent * (-1.0 if symbol.into else 1.0)
+            across, up = panel.view.flat(symbol.direction)
+            if abs(across) > abs(up):
+                reach = reach + LABEL * drawing.extent * np.sign(reach) * (np.arange(3) == panel.view.axes[0])
             low = np.minimum(low, np.min(symbol.points + np.minimum(reach, 0.0), axis=0))
             high = np.maximum(high, np.max(symbol.points + np.maximum(reach, 0.0), axis=0))
     limits(panel.axes, panel.flat(low), panel.flat(high), 0.06)
@@ -177,8 +182,8 @@ def flat_figure(drawing):
     return figure, [panel]
 
 
-def spatial_figure(drawing, image):
-    """Figure and panels of a scene in 3D: from the front, from the right, from above. image: a picture in perspective, or None"""
+def spatial_figure(drawing, found):
+    """Figure and panels of a scene in 3D, seen along z, x and y. found: a picture in perspective, as scene_spatial.perspective gives it"""
     below = 0.18 * len(list_lines(drawing)) + 0.15
     figure, axes = plt.subplots(3, 2, figsize=(11.0, 9.4 + below), layout="constrained", gridspec_kw={"height_ratios": [4.7, 4.7, below]})
     panels = []
@@ -188,19 +193,21 @@ def spatial_figure(drawing, image):
         where = readable(float(view.where), "m") if view.where else "0"
         panel.set_title(f"seen along {'xyz'[normal]}; cells at {'xyz'[normal]} = {where}", fontweight="normal", fontsize=10)
     axes[1, 1].set_axis_off()
-    if image is not None:
-        axes[1, 1].imshow(image)
+    if found is not None:
+        draw_perspective(axes[1, 1], found)
     draw_list(axes[2, 0], drawing)
     axes[2, 1].set_axis_off()
     return figure, panels
 
 
-def draw_scene(drawing, path, image=None):
-    """Writes the picture of a scene. image: (rows, columns, 3) a picture in perspective of a scene in 3D, or None"""
-    figure, panels = flat_figure(drawing) if drawing.fields.dimension == 2 else spatial_figure(drawing, image)
+def draw_scene(drawing, path):
+    """Writes the picture of a scene. \return whether a view in perspective is missing, for want of VTK"""
+    found = perspective(drawing) if drawing.fields.dimension == 3 else None
+    figure, panels = flat_figure(drawing) if drawing.fields.dimension == 2 else spatial_figure(drawing, found)
     figure.suptitle(f"{drawing.title}: the scene before the run", x=0.01, ha="left", fontsize=12, fontweight="bold")
     part_labels(panels, figure)
     style.save(figure, path)
+    return drawing.fields.dimension == 3 and found is None
 
 
 def summary_line(drawing):

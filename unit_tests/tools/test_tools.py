@@ -16,6 +16,7 @@ from limits_tests import *  # noqa: E402,F401,F403
 from plot_tests import *  # noqa: E402,F401,F403
 from same_tests import *  # noqa: E402,F401,F403
 from scene_tests import *  # noqa: E402,F401,F403
+from spatial_tests import *  # noqa: E402,F401,F403
 from study_tests import *  # noqa: E402,F401,F403
 
 if __name__ == "__main__":
