@@ -4,14 +4,15 @@ import io
 
 from . import style
 from .cell_picture import draw_cells
-from .field_picture import QUANTITIES, choose_view, draw_fields, quantity_shown
+from .field_picture import choose_view, draw_fields
 from .fields import read_fields
 from .film_frames import draw_film
 from .front_picture import draw_surface, panels_along
 from .history_picture import panels_of
 from .interpreter import Problem
-from .spatial_picture import draw_cracks_in_body, draw_cut_body
 from .path_picture import curves, draw_factor, draw_force, is_path
+from .quantity import label_of, quantity_shown
+from .spatial_picture import draw_cracks_in_body, draw_cut_body
 from .state_picture import draw_state
 from .style import plt
 from .vtk_window import INSTALL
@@ -50,7 +51,7 @@ def body_picture(fields, summary, title, quantity, view):
     target = io.BytesIO()
     asked = None if view.normal is None else (view.normal, view.where)
     factor, unit = draw_fields(fields, summary, title, target, quantity, asked=asked)
-    name = QUANTITIES[quantity_shown(fields, quantity)]
+    name = label_of(quantity_shown(fields, quantity))
     what = f"{name[0].upper()}{name[1:]} [{unit}] at t = {seconds(fields.time)}{section_of(view)}; {magnified(factor)}."
     cracks = "" if fields.crack is None else " Lines are crack faces; a white dot is a crack front, a red one a front that stopped numerically."
     zero = not fields.values(quantity).any()
@@ -65,7 +66,7 @@ def spatial_pictures(fields, summary, title, view):
     asked = (view.normal, view.where)
     factor = draw_cut_body(fields, summary, title, target, asked=asked)
     if factor is not None:
-        name = QUANTITIES[quantity_shown(fields, "principal")]
+        name = label_of(quantity_shown(fields, "principal"))
         found.append(Shown("png", target.getvalue(), f"{title}: the body in 3D, cut open, coloured by the {name}",
                            f"The body at t = {seconds(fields.time)} in 3D, cut open at {section_of(view)[len(', section at '):]}, coloured by the {name}; "
                            f"{magnified(factor)}."))

@@ -6,8 +6,9 @@ from matplotlib.colors import Normalize
 from . import style
 from .answers import is_number
 from .deformation import automatic_magnification
-from .field_picture import QUANTITIES, choose_view, colour_scale, heat_scale, quantity_shown, stop_after, unit_of
+from .field_picture import choose_view, colour_scale, heat_scale, stop_after
 from .history_picture import initiation_toughness
+from .quantity import label_of, quantity_shown, unit_of
 from .report_facts import all_fronts, readable
 from .spatial_pieces import body_piece, cell_piece, crack_pieces, cut_open, edge_piece, front_segments
 from .style import plt
@@ -86,9 +87,9 @@ def onto_cracks(toward, crack):
     return toward if abs(seen) >= STEEP else toward + (STEEP - abs(seen)) * 1.5 * normal
 
 
-def camera_of(fields, view, magnification, onto=False):
+def camera_of(fields, view, magnification, onto=False, bounds=None):
     """The camera, towards the slice and obliquely to the other axes, and the side (+1 or -1) of the slice that it is on. onto: towards the
-    faces of the cracks, too"""
+    faces of the cracks, too; bounds: lowest and highest corner [m] that it shows, where these are not those of the fields"""
     signs = sides(fields, view)
     vertical = 2 if view.normal != 2 else 1
     other = 3 - view.normal - vertical
@@ -99,7 +100,7 @@ def camera_of(fields, view, magnification, onto=False):
     if onto:
         toward = onto_cracks(toward, fields.crack)
     drawn = fields.position + (magnification - 1.0) * fields.displacement
-    low, high = drawn.min(axis=0) - fields.size, drawn.max(axis=0) + fields.size
+    low, high = (drawn.min(axis=0) - fields.size, drawn.max(axis=0) + fields.size) if bounds is None else bounds
     corners = np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
     camera = Camera(0.5 * (low + high), toward, np.eye(3)[vertical], 1.0, SIZE)
     arm = corners - camera.focus
@@ -169,10 +170,9 @@ def heading(fields, summary, magnification, more):
     return [",   ".join([f"t = {fields.time * factor:.4g} {unit}", *stop_after(fields, summary), size, *more])]
 
 
-def body_colours(fields, values, quantity, factor):
-    """Colours (n, 3) of all particles, with colour map and norm."""
-    colours, norm = (heat_scale if quantity == "temperature" else colour_scale)(values * factor)
-    return np.round(255 * plt.get_cmap(colours)(norm(values * factor))[:, :3]), colours, norm
+def body_colours_at(values, colours, norm):
+    """Colours (n, 3), from 0 to 255, of values."""
+    return np.round(255 * plt.get_cmap(colours)(norm(values))[:, :3])
 
 
 def cut_text(view, side):
@@ -192,15 +192,15 @@ def draw_cut_body(fields, summary, title, path, stress="principal", magnificatio
         kept = np.arange(len(fields.position))
     values = fields.values(quantity)
     factor, unit = unit_of(quantity, values)
-    colours, colour_map, norm = body_colours(fields, values, quantity, factor)
-    pieces = [body_piece(fields, kept, magnification, colours)] + crack_pieces(fields, magnification)
+    colour_map, norm = (heat_scale if quantity == "temperature" else colour_scale)(values * factor)
+    pieces = [body_piece(fields, kept, magnification, body_colours_at(values * factor, colour_map, norm))] + crack_pieces(fields, magnification)
     if cells and fields.leaves is not None:
         pieces.append(cell_piece(fields, view, side))
     image = render(pieces, camera)
     if image is None:
         return None
     lines = heading(fields, summary, magnification, [cut_text(view, side)])
-    compose(image, camera, title, lines, [(colour_map, norm, f"{QUANTITIES[quantity]} [{unit}]", "both" if quantity != "temperature" else "neither")], path)
+    compose(image, camera, title, lines, [(colour_map, norm, f"{label_of(quantity)} [{unit}]", "both" if quantity != "temperature" else "neither")], path)
     return magnification
 
 

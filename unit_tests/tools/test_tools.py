@@ -11,6 +11,7 @@ import unittest  # noqa: E402
 from accuracy_tests import *  # noqa: E402,F401,F403
 from check_tests import *  # noqa: E402,F401,F403
 from extension_tests import *  # noqa: E402,F401,F403
+from film_tests import *  # noqa: E402,F401,F403
 from history_tests import *  # noqa: E402,F401,F403
 from limits_tests import *  # noqa: E402,F401,F403
 from plot_tests import *  # noqa: E402,F401,F403
