@@ -18,6 +18,7 @@ from .style import plt
 
 LONGEST_LINE = 150  # letters of the list below the picture
 MOST_LINES = 24
+ROUNDING = 1.0e-6  # of the largest extent of the bodies
 LABEL = 0.3  # length of a label, of the largest extent of the bodies
 
 
@@ -39,11 +40,10 @@ class Drawing:
 
     @property
     def focus(self):
-        """The position [m] that slices of cells go through: the first crack front, else the middle of the cracks or of the bodies."""
-        if len(self.fronts):
-            return self.fronts[0]
-        crack = self.fields.crack
-        return 0.5 * (self.low + self.high) if crack is None else 0.5 * (crack.points.min(axis=0) + crack.points.max(axis=0))
+        """The position [m], in the bodies, that slices of cells go through: the first crack front, else the middle of the cracks or of the bodies."""
+        points = self.fronts[:1] if len(self.fronts) else None if self.fields.crack is None else self.fields.crack.points
+        middle = 0.5 * (self.low + self.high) if points is None else 0.5 * (points.min(axis=0) + points.max(axis=0))
+        return np.clip(middle, self.low + ROUNDING * self.extent, self.high - ROUNDING * self.extent)
 
 
 def cells_text(drawing):
@@ -190,7 +190,7 @@ def spatial_figure(drawing, found):
     for panel, axes_of, normal in ((axes[0, 0], [0, 1], 2), (axes[0, 1], [1, 2], 0), (axes[1, 0], [0, 2], 1)):
         view = View(axes_of, normal, float(drawing.focus[normal]))
         panels.append(draw_view(panel, view, drawing))
-        where = readable(float(view.where), "m") if view.where else "0"
+        where = "0" if abs(view.where) < 2.0 * ROUNDING * drawing.extent else readable(float(view.where), "m")
         panel.set_title(f"seen along {'xyz'[normal]}; cells at {'xyz'[normal]} = {where}", fontweight="normal", fontsize=10)
     axes[1, 1].set_axis_off()
     if found is not None:

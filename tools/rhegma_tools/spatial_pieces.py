@@ -1,7 +1,5 @@
 """The pieces of a picture in 3D: the surface of bodies, whole or cut open, crack faces and fronts, and cells."""
 
-import itertools
-
 import numpy as np
 from matplotlib.colors import to_rgb
 
@@ -9,6 +7,7 @@ from . import style
 from .deformation import magnified_faces
 from .field_picture import in_slice
 from .front_picture import border, lines_of
+from .occupancy import Occupancy
 from .vtk_window import Piece
 
 # Corners of the six faces of a box in half edge vectors, seen from outside, and the direction of each.
@@ -16,7 +15,6 @@ FACES = np.array([[[-1, -1, -1], [-1, -1, 1], [-1, 1, 1], [-1, 1, -1]], [[1, -1,
                   [[-1, -1, -1], [1, -1, -1], [1, -1, 1], [-1, -1, 1]], [[-1, 1, -1], [-1, 1, 1], [1, 1, 1], [1, 1, -1]],
                   [[-1, -1, -1], [-1, 1, -1], [1, 1, -1], [1, -1, -1]], [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]], dtype=float)
 OUTWARD = FACES.mean(axis=1)
-ASIDE = np.array([aside for aside in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(aside)])  # half edges
 MOST_EDGES = 3.0  # times the edges of the bodies' bounding boxes: with more, surfaces are curved or oblique
 
 
@@ -24,33 +22,13 @@ def rgb(colour):
     return np.round(255 * np.array(to_rgb(colour)))
 
 
-def keys(points, edge):
-    """One number for each position, the same where positions are the same up to a tenth of an edge."""
-    cell = np.round(points / edge * 2.0).astype(np.int64)
-    return (cell[:, 0] * 2097152 + cell[:, 1]) * 2097152 + cell[:, 2]
-
-
-def outer_faces(fields, kept, tolerant=False):
-    """(indices of particles, numbers of faces) of the faces of the particles kept that have no neighbour among them, in the undeformed body.
-    tolerant: a neighbour may be half an edge aside, as boxes that a crack cuts have their middles off the lattice"""
-    start = fields.position[kept] - fields.displacement[kept]
-    start = start - start.min(axis=0)
-    edges, bodies = fields.edges[kept], fields.body[kept]
-    edge = float(np.min(np.linalg.norm(edges, axis=2)))
-    offset = bodies.astype(float)[:, None] * 1.0e5 * edge  # bodies that touch keep their faces
-    there = np.sort(keys(start + offset, edge))
-
-    def occupied(points):
-        wanted = keys(points, edge)
-        return there[np.minimum(np.searchsorted(there, wanted), len(there) - 1)] == wanted
-
+def outer_faces(fields, kept):
+    """(indices of particles, numbers of faces) of the faces of the particles kept that are at their surface, in the undeformed body."""
+    lattice = Occupancy(fields.position[kept] - fields.displacement[kept], np.abs(fields.edges[kept]).sum(axis=1), fields.body[kept])
     owners, faces = [], []
     for number, outward in enumerate(OUTWARD):
-        neighbour = start + offset + np.einsum("e,nei->ni", outward, edges)
-        free = np.flatnonzero(~occupied(neighbour))
-        for aside in ASIDE[ASIDE @ outward <= 0.0] if tolerant else ():
-            free = free[~occupied(neighbour[free] + 0.5 * edge * aside)]
-        owners.append(kept[free])
+        free = kept[lattice.free(outward)]
+        owners.append(free)
         faces.append(np.full(len(free), number))
     return np.concatenate(owners), np.concatenate(faces)
 
@@ -69,26 +47,14 @@ def body_piece(fields, kept, magnification, colours, **look):
     return Piece(corners.reshape(-1, 3), np.arange(4 * len(corners)).reshape(-1, 4), chosen, **look)
 
 
-def far_from_cracks(fields, owners):
-    """Which of the particles are more than three of their edges from all cracks: a crack cuts boxes, too, and no edge of the body is there."""
-    crack = fields.crack
-    if crack is None or not len(owners):
-        return np.ones(len(owners), dtype=bool)
-    corner = crack.points[crack.cells]
-    samples = np.concatenate([crack.points, corner.mean(axis=1), 0.5 * (corner + np.roll(corner, 1, axis=1)).reshape(-1, 3)])
-    nearest = [np.linalg.norm(samples - point, axis=1).min() for point in fields.position[owners]]
-    return np.array(nearest) > 3.0 * fields.size
-
-
 def edge_piece(fields, magnification, colour, **look):
     """Edges of the bodies, where two outer faces of a particle meet. Of bodies with curved surfaces, which have them everywhere, none."""
     free = np.zeros((len(fields.position), 6), dtype=bool)
-    free[outer_faces(fields, np.arange(len(fields.position)), tolerant=True)] = True
+    free[outer_faces(fields, np.arange(len(fields.position)))] = True
     segments = []
     for one in range(6):
         for other in range(one + 1 - one % 2 + 1, 6):  # faces of other axes
             owners = np.flatnonzero(free[:, one] & free[:, other])
-            owners = owners[far_from_cracks(fields, owners)]
             along = np.cross(OUTWARD[one], OUTWARD[other])
             ends = np.stack([OUTWARD[one] + OUTWARD[other] - along, OUTWARD[one] + OUTWARD[other] + along])
             position = fields.position[owners] + (magnification - 1.0) * fields.displacement[owners]

@@ -16,6 +16,7 @@ from rhegma_tools.spatial_pieces import cell_piece, crack_pieces, cut_open, edge
 from rhegma_tools.spatial_picture import camera_of, fronts_at_end, scale_bar
 from rhegma_tools.vtk_window import Camera, Piece, render
 
+SEED = int(os.environ.get("RHEGMA_SEED", "20261128"))
 SQUARE = Piece(np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), [[0, 1, 2, 3]], [200, 30, 40], flat=True)
 FROM_ABOVE = Camera([0.5, 0.5, 0.0], [0, 0, 1], [0, 1, 0], 1.0, (400, 300))
 DRAWS = render([SQUARE], FROM_ABOVE) is not None
@@ -55,6 +56,27 @@ class Pieces(ToolTest):
         owners, faces = outer_faces(fields, kept)
         self.assertEqual((faces == 0).sum(), 12)
         np.testing.assert_allclose(fields.position[owners[faces == 0], 0], 0.035)
+
+    def test_a_refined_brick_has_the_surface_of_a_whole_one(self):
+        """Particles split at random, in halves of halves: their outer faces have the area of the brick, and its edges the length."""
+        print(f"seed {SEED}")
+        chance = np.random.default_rng(SEED)
+        middle = made_up_run.lattice(*[np.arange(n) + 0.5 for n in (5, 4, 3)]) + chance.uniform(-9, 9, 3)
+        extent = np.ones(len(middle))
+        for level in (1, 2):
+            split = chance.random(len(middle)) < 0.4
+            corners = made_up_run.lattice(*3 * [np.array([-0.25, 0.25])])
+            parts = (middle[split][:, None, :] + extent[split][:, None, None] * corners).reshape(-1, 3)
+            middle = np.concatenate([middle[~split], parts])
+            extent = np.concatenate([extent[~split], np.repeat(0.5 * extent[split], 8)])
+        group = made_up_run.particles(middle, 0 * middle, np.zeros((len(middle), 6)), 1.0)
+        group["edges"] = (extent[:, None, None] * np.eye(3)).reshape(-1, 9)
+        made_up_run.write_fields(self.folder, [(1.0, {"particles": group})])
+        fields = read_fields(self.folder)
+        owners, _ = outer_faces(fields, np.arange(len(middle)))
+        self.assertAlmostEqual((extent[owners] ** 2).sum(), 2 * (20 + 12 + 15), places=9)
+        points = edge_piece(fields, 1.0, "#000000").points.reshape(-1, 2, 3)
+        self.assertAlmostEqual(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum(), 4 * 12.0, places=9)
 
     def test_edges_of_a_brick(self):
         fields = brick(self.folder)
