@@ -132,7 +132,8 @@ def draw_arrows(panel, symbol):
     panel.axes.quiver(*points.T, *np.broadcast_to(step, points.shape).T, angles="xy", scale_units="xy", scale=1.0, units="inches", width=0.018,
                       headwidth=5, headlength=6, headaxislength=5.2, pivot="tip" if symbol.into else "tail", color=colour, zorder=7)
     middle = symbol.points.mean(axis=0)
-    if np.linalg.norm((symbol.points - middle) @ symbol.direction) > 0.5 * np.linalg.norm(symbol.points - middle) > 0.0:  # in a row, one behind the other
+    spread = np.linalg.norm(symbol.points - middle)
+    if np.linalg.norm((symbol.points - middle) @ symbol.direction) > 0.5 * spread > 0.0:  # in a row, one behind the other
         panel.label(f"{symbol.name}: {symbol.label}", middle, colour, panel.flat(middle) - panel.middle())
         return
     end = middle + symbol.direction * ARROW * panel.extent * (-1.0 if symbol.into else 1.0)

@@ -17,11 +17,12 @@ from .vtk_window import Camera, Piece, render
 SIZE = (1500, 1150)  # pixels
 TUBE = 0.006  # radius of a front, of the largest extent of the picture
 MARGIN = 1.12
+LEAST_SPAN = 0.2  # of the largest value along a front: the least that its colours span
 STEEP = 0.6  # sine of the least angle at which the cracks are seen
 
 
 class Front:
-    """The fronts of a run at its end. quantity: what is drawn; label: with its unit; segments (k, 2, 3) [m]; values (k), NaN where there is none"""
+    """The fronts of a run at its end. label: what is drawn, with its unit; segments (k, 2, 3) [m]; values (k), NaN where there is none"""
 
     def __init__(self, label, segments, values):
         self.label, self.segments, self.values = label, segments, values
@@ -116,14 +117,13 @@ def front_piece(front, norm, camera):
 
 
 def front_norm(values):
-    """Limits of colours: from 0 where values do not change sign, with room above; of G / Gc the same scale in all pictures would hide runs far below."""
+    """Limits of colours: from the lowest to the highest value, but at least a fraction of the largest, or scatter would look like a pattern."""
     finite = values[np.isfinite(values)]
-    if not finite.size:
+    if not finite.any():
         return Normalize(0.0, 1.0)
     low, high = float(finite.min()), float(finite.max())
-    if high - low < 1.0e-6 * max(abs(high), abs(low)):
-        return Normalize(low - 0.5 * abs(low) - 1e-300, high + 0.5 * abs(high) + 1e-300)
-    return Normalize(low, high)
+    missing = max(LEAST_SPAN * max(abs(high), abs(low)) - (high - low), 0.0)
+    return Normalize(low - 0.5 * missing, high + 0.5 * missing)
 
 
 def triad(axes, camera):

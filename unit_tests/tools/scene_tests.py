@@ -171,6 +171,26 @@ class SceneDrawn(ToolTest):
         self.assertIn("Pull: 3 MPa", {text.get_text() for text in panels[1].labels})
         style.plt.close(figure)
 
+    def test_arrows_have_the_directions_of_the_programs_forces(self):
+        """Loads of random directions on random faces of a block; the program prints the direction of each total force."""
+        print(f"seed {SEED}")
+        rng = random.Random(SEED)
+        corner, edges = [0, 0, 0], np.diag([0.012, 0.01, 0.008])
+        for _ in range(2):
+            axis, side = rng.randrange(3), rng.randrange(2)
+            one, two = (edges[(axis + k) % 3] for k in ((1, 2) if side else (2, 1)))  # their cross product points outwards
+            start = corner + side * edges[axis]
+            face = {"Type": "Traction", "Body": "Block", "Corner": list(start), "Edge 1": list(one), "Edge 2": list(two)}
+            values = block()
+            values["Boundaries"] = {"Press": dict(face, Pressure=rng.choice([-1, 1]) * 2e6),
+                                    "Drag": dict(face, Stress=[rng.uniform(-1e6, 1e6) for _ in range(3)], History="0:0, 1e-5:-3"),
+                                    "Pin": {"Type": "Point Load", "Body": "Block", "Point": [0.006, 0.005, 0.008], "Force": [rng.uniform(-9, 9) for _ in range(3)]}}
+            drawing = self.drawing(values)
+            for symbol in drawing.symbols:
+                text = drawing.state.forces[symbol.name]
+                given = np.array([float(number) for number in text[text.index("(") + 1:text.index(")")].split(",")])
+                np.testing.assert_allclose(symbol.direction, given / np.linalg.norm(given), atol=0.01, err_msg=f"{symbol.name}: {text}")
+
     def test_the_command_writes_a_picture_and_no_other_file(self):
         scene = self.write("plate.xml", xml(self.random_plate(random.Random(SEED + 2))[0]))
         picture = self.path("before.png")

@@ -122,6 +122,15 @@ class Pieces(ToolTest):
         np.testing.assert_allclose(found.values, 0.75)
         self.assertIsNone(fronts_at_end(summary, 0.5e-3))  # the summary is of the end of the run
 
+    def test_colours_of_a_front_span_a_fifth_of_its_largest_value(self):
+        norm = spatial_picture.front_norm(np.array([98.0, 100.0, np.nan]))
+        self.assertAlmostEqual(norm.vmin, 89.0)
+        self.assertAlmostEqual(norm.vmax, 109.0)
+        norm = spatial_picture.front_norm(np.array([10.0, 100.0]))
+        self.assertEqual((norm.vmin, norm.vmax), (10.0, 100.0))
+        norm = spatial_picture.front_norm(np.array([0.0, np.nan]))
+        self.assertEqual((norm.vmin, norm.vmax), (0.0, 1.0))
+
     def test_cells_of_a_cut(self):
         fields = brick(self.folder)
         low = made_up_run.lattice(*[np.arange(n) * 0.02 for n in (3, 2, 2)])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""All tests of the other tools than rhegma-report at once: python3 test_tools.py."""
+"""All tests of the other tools at once, without rhegma-report and pictures of scenes, in 3D and films: python3 test_tools.py."""
 
 import os
 import sys
@@ -11,13 +11,10 @@ import unittest  # noqa: E402
 from accuracy_tests import *  # noqa: E402,F401,F403
 from check_tests import *  # noqa: E402,F401,F403
 from extension_tests import *  # noqa: E402,F401,F403
-from film_tests import *  # noqa: E402,F401,F403
 from history_tests import *  # noqa: E402,F401,F403
 from limits_tests import *  # noqa: E402,F401,F403
 from plot_tests import *  # noqa: E402,F401,F403
 from same_tests import *  # noqa: E402,F401,F403
-from scene_tests import *  # noqa: E402,F401,F403
-from spatial_tests import *  # noqa: E402,F401,F403
 from study_tests import *  # noqa: E402,F401,F403
 
 if __name__ == "__main__":
