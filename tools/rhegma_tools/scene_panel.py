@@ -35,7 +35,7 @@ class Panel:
         across, up = np.asarray(toward) / max(float(np.linalg.norm(toward)), 1.0e-300)
         sideways = abs(across) > abs(up)
         alignment = {"ha": ("left" if across > 0 else "right") if sideways else "center", "va": "center" if sideways else ("bottom" if up >= 0 else "top")}
-        text = self.axes.annotate(text, self.flat(point), (4.0 * across, 4.0 * up), "data", "offset points", color=colour, fontsize=8.5,
+        text = self.axes.annotate(text, self.flat(point), (4.0 * across, 4.0 * up), "data", "offset points", color=colour, fontsize=8.5, parse_math=False,
                                   bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 0.6}, zorder=9, **alignment)
         text.set_in_layout(False)  # a label that protrudes does not make the axes smaller
         self.labels.append(text)
@@ -177,7 +177,7 @@ def draw_plane(panel, symbol):
     if symbol.axis not in panel.view.axes:
         return
     where, colour = symbol.position * panel.length, COLOUR[SUPPORT]
-    text, look = f"{symbol.name}: {symbol.label}", {"color": colour, "fontsize": 8.5, "zorder": 9}
+    text, look = f"{symbol.name}: {symbol.label}", {"color": colour, "fontsize": 8.5, "zorder": 9, "parse_math": False}
     if panel.view.axes.index(symbol.axis) == 0:
         panel.axes.axvline(where, color=colour, lw=1.3, ls="-.", zorder=6)
         panel.axes.annotate(text, (where, 0.5), (-3.0, 0.0), panel.axes.get_xaxis_transform(), "offset points", rotation=90, ha="right", va="center", **look)

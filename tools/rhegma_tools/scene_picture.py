@@ -162,7 +162,8 @@ def draw_list(axes, drawing):
     axes.set_axis_off()
     lines = list_lines(drawing)
     for i, (text, colour) in enumerate(lines):
-        axes.annotate(text, (0.0, 1.0), (0.0, -4.0 - 12.5 * i), "axes fraction", "offset points", fontsize=8.5, color=colour, va="top", annotation_clip=False)
+        axes.annotate(text, (0.0, 1.0), (0.0, -4.0 - 12.5 * i), "axes fraction", "offset points", fontsize=8.5, color=colour, va="top", annotation_clip=False,
+                      parse_math=False)
 
 
 def flat_figure(drawing):
@@ -204,7 +205,7 @@ def draw_scene(drawing, path):
     """Writes the picture of a scene. \return whether a view in perspective is missing, for want of VTK"""
     found = perspective(drawing) if drawing.fields.dimension == 3 else None
     figure, panels = flat_figure(drawing) if drawing.fields.dimension == 2 else spatial_figure(drawing, found)
-    figure.suptitle(f"{drawing.title}: the scene before the run", x=0.01, ha="left", fontsize=12, fontweight="bold")
+    figure.suptitle(f"{drawing.title}: the scene before the run", x=0.01, ha="left", fontsize=12, fontweight="bold", parse_math=False)
     part_labels(panels, figure)
     style.save(figure, path)
     return drawing.fields.dimension == 3 and found is None

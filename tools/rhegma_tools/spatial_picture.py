@@ -153,7 +153,7 @@ def compose(image, camera, title, lines, bars, path):
     figure, axes = plt.subplots(figsize=(8.2, 6.2), layout="constrained")
     axes.imshow(image)
     axes.set_axis_off()
-    axes.set_title(title + "\n" * len(lines), fontsize=12)
+    axes.set_title(title + "\n" * len(lines), fontsize=12, parse_math=False)
     axes.annotate("\n".join(lines), (0.0, 1.0), (0.0, 5.0), "axes fraction", "offset points", fontsize=9.5, linespacing=1.3)
     triad(axes, camera)
     scale_bar(axes, camera)

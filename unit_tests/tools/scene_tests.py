@@ -200,6 +200,19 @@ class SceneDrawn(ToolTest):
         self.assertGreater(min(picture_size(picture)), 500)
         self.assertEqual(sorted(os.listdir(self.folder)), ["before.png", "plate.xml"])
 
+    def test_names_of_any_letters_on_a_plain_terminal(self):
+        values = plate(0.03, 0.03, 4e-4, [0, 0.015, 0.01, 0.015],
+                       {"Last $x$ größer": {"Type": "Traction", "Body": "Plate", "From": [0.03, 0.03], "To": [0, 0.03], "Stress": [0, 1e6]}})
+        scene = self.write("odd.xml", xml(values))
+        status, output, messages = run("rhegma-plot", "--scene", scene, "-o", self.path("odd.png"), "--rhegma", PROGRAM, PYTHONIOENCODING="ascii")
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn("cells of 400 ?m", output)
+        figure, (panel,) = flat_figure(self.drawing(values))
+        (label,) = panel.labels
+        self.assertEqual(label.get_text(), "Last $x$ größer: 1 MPa")
+        self.assertFalse(label.get_parse_math())
+        style.plt.close(figure)
+
     def test_set_changes_what_is_drawn(self):
         values = plate(0.03, 0.03, 1e-3, [0, 0.015, 0.01, 0.015],
                        {"Top": {"Type": "Traction", "Body": "Plate", "From": [0.03, 0.03], "To": [0, 0.03], "Stress": [0, 1e6]}})
