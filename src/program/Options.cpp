@@ -28,6 +28,9 @@ void refuseMisfits(const Options& options)
 {
   if (options.twice && (options.action != Options::Action::Run || !options.restart.empty()))
     throw UsageError("--twice runs a scene from its start; leave --check, --print-plan and --restart out");
+  if (options.action == Options::Action::New && !options.scene.empty())
+    throw UsageError("--new takes one template; leave \"" + options.scene +
+                     "\" out, or put names with blanks in quotes");
   const bool needsScene = options.action == Options::Action::Run ||
                           options.action == Options::Action::Check ||
                           options.action == Options::Action::PrintPlan;
@@ -76,6 +79,11 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
       while (a == "--describe" && k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"))
         options.section += (options.section.empty() ? "" : " ") + arguments[++k];
     }
+    else if (a == "--new")
+    {
+      options.action = Options::Action::New;
+      options.section = k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--") ? arguments[++k] : "";
+    }
     else if (a == "--version")
       options.action = Options::Action::Version;
     else if (a == "--help" || a == "-h")
@@ -110,7 +118,11 @@ std::string usage()
          "type, unit, default, allowed values, meaning;\n                        of a part: --describe "
          "'Thermal > Sources', --describe Domain:Accuracy;\n                        of a name anywhere: "
          "--describe Toughness\nrhegma --describe-markdown      the same as a "
-         "page of Markdown (docs/reference.md)\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
+         "page of Markdown (docs/reference.md)\nrhegma --new TEMPLATE           print a commented scene to "
+         "start "
+         "from: dcb, plate, quench, burning or 3d-part;\n                        --output FILE: write it to "
+         "a "
+         "file\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
          "--kokkos-num-threads=N (OpenMP back end).\nExit: 0 finished, 1 the scene is wrong, 2 the run "
          "failed, 3 a defect of the program,\n      4 finished, but a value of the scene's Reference section "
          "is outside its tolerance,\n        or --strict and a warning during the run (1: before it).\n";

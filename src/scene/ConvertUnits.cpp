@@ -119,12 +119,13 @@ std::optional<double> oneNumber(const ParameterEntry& entry)
   return content ? parseReal(*content) : numberIn(entry);
 }
 
-/// What a parameter without a unit is, such as "a pure number".
+/// What a parameter without a unit is, such as "a number without a unit".
 std::string withoutUnit(const Parameter& parameter)
 {
   if (parameter.type == ParameterType::Real)
-    return "a pure number";
-  return parameter.type == ParameterType::RealArray ? "an array of pure numbers" : typeAsText(parameter.type);
+    return "a number without a unit";
+  return parameter.type == ParameterType::RealArray ? "an array of numbers without a unit"
+                                                    : typeAsText(parameter.type);
 }
 
 /// Converts values of the types that have units.

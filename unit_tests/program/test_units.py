@@ -94,7 +94,7 @@ class Units(ProgramTest):
             ("Propagation > Toughness", ["is given in MPa, a pressure", "an energy per area", "J/m2"]),
             ("Bodies > Plate > Rotation", ["is given in kg, a mass", "an angle", "deg"]),
             ("Time > Final Time", ['"sec onds"', "no known unit"]),
-            ("Materials > Polymer > Poisson Ratio", ["is given in Pa", "a pure number", "leave the unit out"]),
+            ("Materials > Polymer > Poisson Ratio", ["is given in Pa", "a number without a unit", "leave the unit out"]),
             ("Domain > Cell Size", ['"mm m^0.5"', "a unit with a root"]),
         ])
 

@@ -129,9 +129,9 @@ TEST(ScenesInUnits, WhereThereAreNoneAreRefused)
 {
   const std::string ratio = "type=\"double\" value=\"0.3\"";
   expectMistake(changed(ratio, inUnit("double", "0.3", "mm")), "Materials > Steel > Poisson Ratio",
-                {"in mm", "a pure number", "leave the unit out"});
+                {"in mm", "a number without a unit", "leave the unit out"});
   expectMistake(changed(ratio, "type=\"string\" value=\"30 %\""), "Materials > Steel > Poisson Ratio",
-                {"in %", "a pure number"});
+                {"in %", "a number without a unit"});
   expectMistake(with("Domain", withUnit("Plane", "string", "Stress", "mm")), "Domain > Plane",
                 {"one of the allowed values", "leave the unit out"});
   expectMistake(changed("type=\"string\" value=\"Steel\"", inUnit("string", "Steel", "kg")),
@@ -164,7 +164,7 @@ TEST(ScenesInUnits, OfTheCommandLine)
   const auto plain = read(changed(cell, inUnit("double", "3", "mm")), {"Domain:Cell Size=0.5"});
   EXPECT_EQ(plain.list->sublist("Domain").get<double>("Cell Size"), 0.5);
   expectOnly(read(goodScene(), {"Domain:Cell Size=2 MPa"}).errors, "Domain > Cell Size", {"MPa, a pressure"});
-  expectOnly(read(goodScene(), {"Time:CFL=0.3 s"}).errors, "Time > CFL", {"a pure number"});
+  expectOnly(read(goodScene(), {"Time:CFL=0.3 s"}).errors, "Time > CFL", {"a number without a unit"});
   expectOnly(read(goodScene(), {"Bodies:Plate:Velocity=1, 2 mm/s"}).errors, "Bodies > Plate > Velocity",
              {"{1, 2} m/s"});
 }
