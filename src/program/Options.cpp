@@ -38,6 +38,16 @@ void refuseMisfits(const Options& options)
     throw UsageError("no scene was given; usage: rhegma SCENE.xml [options], see rhegma --help");
 }
 
+/// The arguments up to the next option, with blanks between them: names of sections have blanks, and may come
+/// without quotes. \param k the argument before them; moved to the last of them \param most number of them
+std::string namesAfter(const std::vector<std::string>& arguments, std::size_t& k, std::size_t most)
+{
+  std::string names;
+  for (; most > 0 && k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"); --most)
+    names += (names.empty() ? "" : " ") + arguments[++k];
+  return names;
+}
+
 } // namespace
 
 Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos)
@@ -75,14 +85,12 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     else if (a == "--describe" || a == "--describe-markdown")
     {
       options.action = a == "--describe" ? Options::Action::Describe : Options::Action::DescribeMarkdown;
-      // Names of sections have blanks: they may come without quotes.
-      while (a == "--describe" && k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"))
-        options.section += (options.section.empty() ? "" : " ") + arguments[++k];
+      options.section = namesAfter(arguments, k, a == "--describe" ? arguments.size() : 0);
     }
     else if (a == "--new")
     {
       options.action = Options::Action::New;
-      options.section = k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--") ? arguments[++k] : "";
+      options.section = namesAfter(arguments, k, 1);
     }
     else if (a == "--version")
       options.action = Options::Action::Version;
