@@ -1,5 +1,5 @@
-# The libraries next to Trilinos: HDF5 (C, the one of the MPI in use), checksums, JSON and expressions; and MUMPS, the
-# direct solver of equilibria, where it is there for the MPI in use.
+# The libraries next to Trilinos: HDF5 (C, the one of the MPI in use), checksums, JSON, expressions and units; and MUMPS,
+# the direct solver of equilibria, where it is there for the MPI in use.
 
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)
@@ -14,6 +14,19 @@ if(NOT TARGET muparser::muparser)
   set_target_properties(muparser::muparser PROPERTIES
     IMPORTED_LOCATION ${MUPARSER_LIBRARY}
     INTERFACE_INCLUDE_DIRECTORIES ${MUPARSER_INCLUDE_DIR})
+endif()
+
+if(NOT TARGET Rhegma::Udunits)
+  find_library(UDUNITS2_LIBRARY udunits2)
+  find_path(UDUNITS2_INCLUDE_DIR udunits2.h PATH_SUFFIXES udunits2)
+  if(NOT UDUNITS2_LIBRARY OR NOT UDUNITS2_INCLUDE_DIR)
+    message(FATAL_ERROR "UDUNITS-2, which converts the units of scenes, was not found. Install it (Debian: libudunits2-dev; "
+      "./setup does so), or name the folder that it is installed in with -DCMAKE_PREFIX_PATH=...")
+  endif()
+  add_library(Rhegma::Udunits UNKNOWN IMPORTED)
+  set_target_properties(Rhegma::Udunits PROPERTIES
+    IMPORTED_LOCATION ${UDUNITS2_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${UDUNITS2_INCLUDE_DIR})
 endif()
 
 option(RHEGMA_MUMPS "Solve equilibria directly with MUMPS where it is found" ON)

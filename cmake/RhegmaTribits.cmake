@@ -16,7 +16,7 @@ endif()
 
 tribits_include_directories(${RHEGMA_ROOT}/src ${RHEGMA_ROOT}/packages)
 tribits_add_library(rhegma SOURCES ${RHEGMA_SOURCES} NOINSTALLHEADERS
-  IMPORTEDLIBS hdf5::hdf5 ZLIB::ZLIB nlohmann_json::nlohmann_json muparser::muparser
+  IMPORTEDLIBS hdf5::hdf5 ZLIB::ZLIB nlohmann_json::nlohmann_json muparser::muparser Rhegma::Udunits
   ${RHEGMA_MUMPS_TARGET})
 tribits_add_executable(rhegma_program NOEXEPREFIX NOEXESUFFIX SOURCES ${RHEGMA_ROOT}/src/main.cpp INSTALLABLE)
 if(TARGET rhegma_program) # Trilinos leaves it out where it is told to make no executables

@@ -29,7 +29,25 @@ void refuseOnRanks(const Teuchos::ParameterList& scene)
         alone + ": such scenes run on one rank only; start the program without mpirun, or with mpirun -np 1");
 }
 
+/// Throws std::invalid_argument with all errors, a line each, if there are any.
+void throwAll(const std::vector<SceneError>& errors)
+{
+  std::string all;
+  for (const SceneError& error : errors)
+    all += (all.empty() ? "" : "\n") + toString(error);
+  if (!errors.empty())
+    throw std::invalid_argument(all);
+}
+
 } // namespace
+
+Teuchos::RCP<Teuchos::ParameterList> Simulation::readScene(const std::string& file,
+                                                           const std::vector<std::string>& overrides)
+{
+  const SceneResult result = Rhegma::readScene(file, overrides, effectSchema());
+  throwAll(result.errors);
+  return result.list;
+}
 
 Simulation::Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm,
                        const Teuchos::RCP<Teuchos::ParameterList>& scene, bool validated)
@@ -37,13 +55,7 @@ Simulation::Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm,
   std::vector<SceneError> errors;
   if (!validated)
     validateList(*scene, effectSchema(), errors);
-  if (!errors.empty())
-  {
-    std::ostringstream all;
-    for (const SceneError& error : errors)
-      all << (&error == &errors.front() ? "" : "\n") << error.where << ": " << error.message;
-    throw std::invalid_argument(all.str());
-  }
+  throwAll(errors);
   const Ranks ranks(comm);
   if (ranks.many())
     refuseOnRanks(*scene);

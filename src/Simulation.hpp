@@ -32,6 +32,15 @@ public:
   /// A sample: names and values, as a row of history.csv.
   using Row = std::vector<std::pair<std::string, double>>;
 
+  /// Reads, validates and completes the scene in a file, with its units: `unit="mm"`, which
+  /// Teuchos::getParametersFromXmlFile ignores without a message, so that it reads 2 mm as 2 m.
+  ///
+  /// \param file      path of the XML file
+  /// \param overrides "Section:Sub:Parameter=value", as of the option --set
+  /// \return the scene, all numbers in SI units
+  static Teuchos::RCP<Teuchos::ParameterList> readScene(const std::string& file,
+                                                        const std::vector<std::string>& overrides = {});
+
   /// \param comm  ranks of the run; with several, every call below is collective
   /// \param scene the list `Rhegma` of a scene; validated and completed with defaults here
   /// \param validated whether readScene has done that, and the scene has not changed since; it is then shared

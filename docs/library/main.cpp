@@ -8,7 +8,6 @@
 
 #include <Kokkos_Core.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
-#include <Teuchos_XMLParameterListHelpers.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -30,7 +29,7 @@ double energyRelease(const Rhegma::Simulation::Row& row)
 int willItRun(const std::string& file, double toughness)
 {
   const auto comm = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
-  const auto scene = Teuchos::getParametersFromXmlFile(file);
+  const auto scene = Rhegma::Simulation::readScene(file);
   const double end = scene->sublist("Time").get<double>("Final Time");
 
   Rhegma::Simulation simulation(comm, scene); // throws std::invalid_argument for a wrong scene

@@ -80,7 +80,7 @@ void addCriteria(Section& s)
       .meaning("A cell is refined if the velocity changes by more than this over it (edge length times mean "
                "velocity gradient of its particles).");
   s.real("Temperature Change")
-      .unit("K")
+      .temperatureDifference()
       .positive()
       .optional("no refinement by temperature")
       .meaning("A cell is refined if the temperature changes by more than this over it (edge length times "

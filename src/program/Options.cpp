@@ -28,11 +28,24 @@ void refuseMisfits(const Options& options)
 {
   if (options.twice && (options.action != Options::Action::Run || !options.restart.empty()))
     throw UsageError("--twice runs a scene from its start; leave --check, --print-plan and --restart out");
+  if (options.action == Options::Action::New && !options.scene.empty())
+    throw UsageError("--new takes one template; leave \"" + options.scene +
+                     "\" out, or put names with blanks in quotes");
   const bool needsScene = options.action == Options::Action::Run ||
                           options.action == Options::Action::Check ||
                           options.action == Options::Action::PrintPlan;
   if (needsScene && options.scene.empty())
     throw UsageError("no scene was given; usage: rhegma SCENE.xml [options], see rhegma --help");
+}
+
+/// The arguments up to the next option, with blanks between them: names of sections have blanks, and may come
+/// without quotes. \param k the argument before them; moved to the last of them \param most number of them
+std::string namesAfter(const std::vector<std::string>& arguments, std::size_t& k, std::size_t most)
+{
+  std::string names;
+  for (; most > 0 && k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"); --most)
+    names += (names.empty() ? "" : " ") + arguments[++k];
+  return names;
 }
 
 } // namespace
@@ -72,9 +85,12 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     else if (a == "--describe" || a == "--describe-markdown")
     {
       options.action = a == "--describe" ? Options::Action::Describe : Options::Action::DescribeMarkdown;
-      // Names of sections have blanks: they may come without quotes.
-      while (a == "--describe" && k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"))
-        options.section += (options.section.empty() ? "" : " ") + arguments[++k];
+      options.section = namesAfter(arguments, k, a == "--describe" ? arguments.size() : 0);
+    }
+    else if (a == "--new")
+    {
+      options.action = Options::Action::New;
+      options.section = namesAfter(arguments, k, 1);
     }
     else if (a == "--version")
       options.action = Options::Action::Version;
@@ -110,7 +126,11 @@ std::string usage()
          "type, unit, default, allowed values, meaning;\n                        of a part: --describe "
          "'Thermal > Sources', --describe Domain:Accuracy;\n                        of a name anywhere: "
          "--describe Toughness\nrhegma --describe-markdown      the same as a "
-         "page of Markdown (docs/reference.md)\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
+         "page of Markdown (docs/reference.md)\nrhegma --new TEMPLATE           print a commented scene to "
+         "start "
+         "from: dcb, plate, quench, burning or 3d-part;\n                        --output FILE: write it to "
+         "a "
+         "file\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
          "--kokkos-num-threads=N (OpenMP back end).\nExit: 0 finished, 1 the scene is wrong, 2 the run "
          "failed, 3 a defect of the program,\n      4 finished, but a value of the scene's Reference section "
          "is outside its tolerance,\n        or --strict and a warning during the run (1: before it).\n";

@@ -30,13 +30,14 @@ struct Options
     PrintPlan,
     Describe,
     DescribeMarkdown,
+    New,
     Version,
     Help
   };
   Action action = Action::Run;
   std::string scene;
-  std::string output;  ///< folder; empty: next to the scene
-  std::string section; ///< of --describe
+  std::string output;  ///< folder; empty: next to the scene; of --new a file, empty: standard output
+  std::string section; ///< of --describe, or the template of --new
   std::string restart; ///< checkpoint to continue from; empty: start of the scene
   std::vector<std::string> overrides;
   bool quiet = false;

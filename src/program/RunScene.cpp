@@ -20,6 +20,7 @@
 #include "program/Intervals.hpp"
 #include "program/Production.hpp"
 #include "program/RunEnd.hpp"
+#include "program/Templates.hpp"
 #include "program/Twice.hpp"
 #include "scene/ReadFile.hpp"
 #include "scene/Scene.hpp"
@@ -375,6 +376,8 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
       return exitWrongScene;
     }
   }
+  else if (options.action == Action::New)
+    return writeTemplate(options, out, err);
   else
   {
     const double start = processorSeconds();

@@ -3,6 +3,7 @@
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "material/TemperatureTable.hpp"
+#include "scene/EntryNumbers.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/TimeFunction.hpp"
 #include "scene/Validators.hpp"
@@ -22,46 +23,6 @@ namespace
 
 using Teuchos::ParameterEntry;
 
-template <class Number>
-std::optional<double> asNumber(const ParameterEntry& entry)
-{
-  if (entry.isType<Number>())
-    return static_cast<double>(Teuchos::getValue<Number>(entry));
-  return {};
-}
-
-/// A number of any arithmetic type; not a bool.
-std::optional<double> number(const ParameterEntry& entry)
-{
-  for (const auto& value :
-       {asNumber<double>(entry), asNumber<int>(entry), asNumber<float>(entry), asNumber<long>(entry),
-        asNumber<long long>(entry), asNumber<unsigned>(entry), asNumber<unsigned long>(entry)})
-    if (value)
-      return value;
-  return {};
-}
-
-template <class Number>
-std::optional<std::vector<double>> asNumbers(const ParameterEntry& entry)
-{
-  if (!entry.isType<Teuchos::Array<Number>>())
-    return {};
-  const auto& array = Teuchos::getValue<Teuchos::Array<Number>>(entry);
-  return std::vector<double>(array.begin(), array.end());
-}
-
-/// An array of numbers, or one number as an array of one.
-std::optional<std::vector<double>> numbers(const ParameterEntry& entry)
-{
-  for (const auto& values : {asNumbers<double>(entry), asNumbers<int>(entry), asNumbers<float>(entry),
-                             asNumbers<long long>(entry)})
-    if (values)
-      return values;
-  if (const auto value = number(entry))
-    return std::vector<double>{*value};
-  return {};
-}
-
 std::optional<std::vector<int>> wholeNumbers(const std::vector<double>& values)
 {
   std::vector<int> whole;
@@ -75,15 +36,6 @@ std::optional<std::vector<int>> wholeNumbers(const std::vector<double>& values)
   return whole;
 }
 
-std::optional<std::string> text(const ParameterEntry& entry)
-{
-  if (entry.isType<std::string>())
-    return Teuchos::getValue<std::string>(entry);
-  if (entry.isType<const char*>())
-    return std::string(Teuchos::getValue<const char*>(entry));
-  return {};
-}
-
 /// The entry as a value of the parameter's own type.
 std::optional<ParameterValue> convert(const ParameterEntry& entry, const Parameter& parameter)
 {
@@ -93,10 +45,10 @@ std::optional<ParameterValue> convert(const ParameterEntry& entry, const Paramet
   switch (type)
   {
   case ParameterType::Real:
-    return pack(number(entry));
+    return pack(numberIn(entry));
   case ParameterType::Integer:
   {
-    const auto value = number(entry);
+    const auto value = numberIn(entry);
     return pack(value ? wholeNumber(*value) : std::nullopt);
   }
   case ParameterType::Boolean:
@@ -106,17 +58,17 @@ std::optional<ParameterValue> convert(const ParameterEntry& entry, const Paramet
   case ParameterType::Text:
   case ParameterType::Choice:
     if (parameter.unit.empty())
-      return pack(text(entry));
+      return pack(textIn(entry));
     [[fallthrough]]; // a text with a unit is an expression
   case ParameterType::TimeFunction:
-    if (const auto value = number(entry))
+    if (const auto value = numberIn(entry))
       return ParameterValue(formatExactly(*value));
-    return pack(text(entry));
+    return pack(textIn(entry));
   case ParameterType::RealArray:
-    return pack(numbers(entry));
+    return pack(numbersIn(entry));
   case ParameterType::IntegerArray:
   {
-    const auto values = numbers(entry);
+    const auto values = numbersIn(entry);
     return pack(values ? wholeNumbers(*values) : std::nullopt);
   }
   }
@@ -126,13 +78,13 @@ std::optional<ParameterValue> convert(const ParameterEntry& entry, const Paramet
 /// What an entry holds, for a message.
 std::string found(const ParameterEntry& entry)
 {
-  if (const auto value = text(entry))
+  if (const auto value = textIn(entry))
     return "the text \"" + *value + "\"";
   if (entry.isType<bool>())
     return Teuchos::getValue<bool>(entry) ? "the truth value true" : "the truth value false";
-  if (const auto value = number(entry))
+  if (const auto value = numberIn(entry))
     return "the number " + formatReal(*value);
-  if (const auto values = numbers(entry))
+  if (const auto values = numbersIn(entry))
   {
     std::string list;
     for (const double value : *values)
@@ -275,7 +227,7 @@ std::string refused(const Parameter& parameter, const ParameterEntry& entry, con
   case ParameterType::Text:
     return "is empty; write a text.";
   default:
-    return "is " + (number(entry) ? formatReal(*number(entry)) : found(entry)) +
+    return "is " + (numberIn(entry) ? formatReal(*numberIn(entry)) : found(entry)) +
            (parameter.unit.empty() ? "" : " " + parameter.unit) + "; it must be " + parameter.rangeAsText() +
            (parameter.unit.empty() ? "." : " " + parameter.unit + ".");
   }
@@ -335,11 +287,12 @@ std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Pa
   const ParameterEntry& entry = list.getEntry(parameter.name);
   if (isRight(entry, parameter, dimension))
     return {};
-  if (const auto table = text(entry); parameter.mayBeTable && table && table->find(':') != std::string::npos)
+  if (const auto table = textIn(entry);
+      parameter.mayBeTable && table && table->find(':') != std::string::npos)
     return wrongTable(parameter, *table);
   const auto value = convert(entry, parameter);
-  if (const auto whole = number(entry); !value && whole && parameter.type == ParameterType::Integer &&
-                                        std::fabs(*whole) > std::numeric_limits<int>::max())
+  if (const auto whole = numberIn(entry); !value && whole && parameter.type == ParameterType::Integer &&
+                                          std::fabs(*whole) > std::numeric_limits<int>::max())
     return "is " + formatReal(*whole) + "; write at most " + std::to_string(std::numeric_limits<int>::max()) +
            ".";
   if (!value)

@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/NormaliseValue.hpp"
+#include "scene/UnitText.hpp"
 #include "scene/Validation.hpp"
 
 #include <algorithm>
@@ -33,6 +34,11 @@ std::vector<std::string> sublists(const Teuchos::ParameterList& list)
     if (entry.second.isList())
       names.push_back(entry.first);
   return names;
+}
+
+bool isReal(const Parameter& parameter)
+{
+  return parameter.type == ParameterType::Real || parameter.type == ParameterType::RealArray;
 }
 
 void setParameter(Teuchos::ParameterList& scene, const std::string& text, const SceneSchema& schema,
@@ -90,8 +96,14 @@ void setParameter(Teuchos::ParameterList& scene, const std::string& text, const 
   const std::string given = text.substr(equals + 1);
   if (const auto value = valueFromText(*parameter, given))
     setValue(*list, *parameter, *value);
+  else if (isReal(*parameter) && quantityOf(given)) // its unit is converted with those of the scene
+    setValue(*list, *parameter, given);
   else
-    errors.push_back({where, quoted + "gives \"" + given + "\"; write " + typeAsText(parameter->type) + "."});
+    errors.push_back({where, quoted + "gives \"" + given + "\"; write " + typeAsText(parameter->type) +
+                                 (parameter->type == ParameterType::RealArray && !parameter->unit.empty()
+                                      ? ", such as {1, 2} or {1, 2} " + parameter->unit
+                                      : "") +
+                                 "."});
 }
 
 } // namespace

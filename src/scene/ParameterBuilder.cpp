@@ -9,6 +9,12 @@ ParameterBuilder& ParameterBuilder::unit(const std::string& u)
   return *this;
 }
 
+ParameterBuilder& ParameterBuilder::temperatureDifference()
+{
+  p->temperature = TemperatureKind::Difference;
+  return unit("K");
+}
+
 ParameterBuilder& ParameterBuilder::meaning(const std::string& m)
 {
   p->meaning = m;

@@ -3,7 +3,9 @@
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
+#include "scene/UnitText.hpp"
 #include "scene/Utf8.hpp"
+#include "scene/ValueWithUnit.hpp"
 #include "scene/XmlAttributes.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -21,6 +23,7 @@ namespace Rhegma
 namespace
 {
 
+using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
 
 const std::vector<std::string> knownTypes = {"double", "int",           "bool",
@@ -108,8 +111,11 @@ std::string wrongValue(const std::string& type, const std::string& text)
     return values ? found + "is out of the range of whole numbers; write a smaller number."
                   : found + (array ? "is not a list of whole numbers; write {1, 2}."
                                    : "is not a whole number; write digits only.");
+  if (const auto quantity = quantityOf(text))
+    return found + "is not " + (array ? "a list of numbers" : "a number") + "; write value=\"" +
+           quantity->value + "\" unit=\"" + quantity->unit + "\".";
   return array ? found + "is not a list of numbers; write {1.0, 2.0}."
-               : found + "is not a number; write digits only, such as 1.5e-3, without a unit.";
+               : found + "is not a number; write digits only, such as 1.5e-3.";
 }
 
 /// Tags that are nested deeper are those of no scene, or most are never closed.
@@ -189,6 +195,10 @@ private:
         kind == Kind::List ? &addValue(*above.list, name, ParameterList(above.list->name() + "->" + name))
                            : above.list;
     m_open.push_back({kind, name, list, false, {}});
+    m_unit.reset();
+    if (const std::string* const unit = kind == Kind::Parameter ? m_xml.find("unit") : nullptr;
+        unit != nullptr)
+      m_unit = *unit;
     for (auto& [attribute, value] : m_parameter)
     {
       const std::string* const given = kind == Kind::Parameter ? m_xml.find(attribute) : nullptr;
@@ -255,7 +265,15 @@ private:
     const bool known =
         type == "Array(string)" || std::find(knownTypes.begin(), knownTypes.end(), type) != knownTypes.end();
     if (known && setFromText(*element.list, element.name, type, text))
+    {
+      if (m_unit)
+      {
+        ParameterEntry& entry = element.list->getEntry(element.name);
+        ValueWithUnit given{entry, *m_unit};
+        entry.setValue(given);
+      }
       return true;
+    }
     report(path(), known ? wrongValue(type, text)
                          : "the type \"" + type + "\" is unknown; " + suggestion(type, knownTypes));
     return false;
@@ -288,6 +306,7 @@ private:
   /// Of the open parameter.
   std::array<std::pair<const char*, std::optional<std::string>>, 2> m_parameter{
       {{"type", std::nullopt}, {"value", std::nullopt}}};
+  std::optional<std::string> m_unit; ///< likewise
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "base/EntryValue.hpp"
 #include "scene/Accuracy.hpp"
+#include "scene/ConvertUnits.hpp"
 #include "scene/CrossChecks.hpp"
 #include "scene/Overrides.hpp"
 #include "scene/ReadFile.hpp"
@@ -23,6 +24,7 @@ namespace
 void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, std::vector<SceneError>& errors)
 {
   list.setName(schema.root().name);
+  convertUnits(list, schema, errors);
   chooseCells(list, schema, errors);
   Validation(dimensionOf(list), errors).check(list, schema.root(), "");
   deriveDefaults(list);

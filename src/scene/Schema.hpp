@@ -12,6 +12,7 @@
 #include "scene/CellNeeds.hpp"
 #include "scene/Compatibility.hpp"
 #include "scene/SceneError.hpp"
+#include "scene/UnitConversion.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -67,7 +68,8 @@ struct Parameter
 {
   std::string name;
   ParameterType type = ParameterType::Real;
-  std::string unit; ///< SI; empty: a pure number or not a number
+  std::string unit;                                        ///< SI; empty: a pure number or not a number
+  TemperatureKind temperature = TemperatureKind::Absolute; ///< where the unit is K
   std::string meaning;
   std::vector<std::string>
       formerNames; ///< names of earlier versions; a scene with one gets an error with the new name
@@ -110,6 +112,8 @@ public:
   explicit ParameterBuilder(Parameter& parameter) : p(&parameter) {}
 
   ParameterBuilder& unit(const std::string& u);
+  /// A difference of temperatures, which is in K and in no unit with another zero.
+  ParameterBuilder& temperatureDifference();
   ParameterBuilder& meaning(const std::string& m);
   /// The name that the parameter had in an earlier version.
   ParameterBuilder& formerly(const std::string& oldName);

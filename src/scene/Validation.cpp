@@ -105,21 +105,21 @@ bool Validation::mentioned(const std::string& where) const
   return m_meant.count(where) > 0 || m_found.has(where);
 }
 
-const ActiveSection& Validation::activeOf(const Section& section, const Teuchos::ParameterList& list)
+const ActiveSection& ActiveSections::of(const Section& section, const Teuchos::ParameterList& list)
 {
   std::pair<const Section*, std::string> key(&section, chosenIn(section, list));
-  auto found = m_active.find(key);
-  if (found == m_active.end())
+  auto found = made_.find(key);
+  if (found == made_.end())
   {
     ActiveSection active(section, key.second);
-    found = m_active.emplace(std::move(key), std::move(active)).first;
+    found = made_.emplace(std::move(key), std::move(active)).first;
   }
   return found->second;
 }
 
 void Validation::check(Teuchos::ParameterList& list, const Section& section, const std::string& path)
 {
-  const ActiveSection& active = activeOf(section, list);
+  const ActiveSection& active = m_active.of(section, list);
   // An entry stays where it is in memory while others are removed and added.
   std::vector<std::pair<std::string, Teuchos::ParameterEntry*>> all;
   int entries = 0;

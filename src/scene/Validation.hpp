@@ -37,6 +37,16 @@ struct ActiveSection
   std::vector<std::string> sectionNames() const;
 };
 
+/// Active sections, made once for all lists of a kind: they see their section in the same way.
+class ActiveSections
+{
+public:
+  const ActiveSection& of(const Section& section, const Teuchos::ParameterList& list);
+
+private:
+  std::map<std::pair<const Section*, std::string>, ActiveSection> made_; ///< by section and chosen variant
+};
+
 /// The scene's dimension, or 0 if it is not given.
 int dimensionOf(const Teuchos::ParameterList& scene);
 
@@ -68,14 +78,12 @@ private:
   void report(const std::string& where, const std::string& message) { m_errors.push_back({where, message}); }
   /// Whether this path has an error already, or an unknown name was interpreted as this one.
   bool mentioned(const std::string& where) const;
-  /// Lists of one kind see their section in the same way, so that it is made once.
-  const ActiveSection& activeOf(const Section& section, const Teuchos::ParameterList& list);
 
   int m_dimension;
   std::vector<SceneError>& m_errors;
   ErrorIndex m_found;
   std::set<std::string> m_meant; ///< positions of which a misspelt name was given
-  std::map<std::pair<const Section*, std::string>, ActiveSection> m_active; ///< by section and chosen variant
+  ActiveSections m_active;
 };
 
 } // namespace Rhegma

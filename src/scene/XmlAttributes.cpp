@@ -15,8 +15,8 @@ namespace
 const std::vector<std::string>& knownAttributes(std::string_view tag)
 {
   static const std::vector<std::string> ofLists = {"name", "id", "docString"};
-  static const std::vector<std::string> ofParameters = {"name",      "type",   "value",     "id",
-                                                        "isDefault", "isUsed", "docString", "validatorId"};
+  static const std::vector<std::string> ofParameters = {
+      "name", "type", "value", "id", "unit", "isDefault", "isUsed", "docString", "validatorId"};
   static const std::vector<std::string> none;
   return tag == "ParameterList" ? ofLists : tag == "Parameter" ? ofParameters : none;
 }

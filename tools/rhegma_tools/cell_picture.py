@@ -6,8 +6,8 @@ from matplotlib.patches import Patch
 
 from . import style
 from .deformation import magnified_faces
-from .field_picture import (QUANTITIES, choose_view, colour_scale, crack_segments, draw_crack, draw_particles,
-                            heat_scale, particle_outlines, quantity_shown, unit_of)
+from .field_picture import choose_view, colour_scale, crack_segments, draw_crack, draw_particles, heat_scale, particle_outlines
+from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 
 SHADES = ["#F2F2F2", "#CFE3F2", "#8FC1E3", "#4492C6", "#1B669E", "#0B4271", "#062746"]  # of levels 0, 1, ...
@@ -112,7 +112,7 @@ def draw_cells(fields, title, path, stress="principal", asked=None):
         axes.set_ylabel(f"{names[1]} [{unit}]")
         axes.set_xlabel(f"{names[0]} [{unit}]")
     bar = figure.colorbar(particles, ax=close, extend="both", shrink=0.95, aspect=22, pad=0.02)
-    bar.set_label(f"{QUANTITIES[stress]} [{stress_unit}]")
+    bar.set_label(f"{label_of(stress)} [{stress_unit}]")
     bar.outline.set_linewidth(0.6)
     style.save(figure, path)
     return len(fields.leaves.level)

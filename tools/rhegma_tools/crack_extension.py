@@ -9,6 +9,7 @@ import math
 import os
 
 from .interpreter import Problem
+from .lengths import METRES, unit_of
 from .scene_study import read_scene
 from .study_file import Run, Study, split_array
 from .summary import read_summary
@@ -33,12 +34,37 @@ def text_of(element, *names):
     return None if element is None else element.get("value")
 
 
+def value_and_unit(element, *names):
+    """(value, unit) at names within lists, as texts; the unit is empty where there is none."""
+    for name in names:
+        element = child(element, name)
+    if element is None or element.get("value") is None:
+        return "", ""
+    value, unit = element.get("value"), element.get("unit", "").strip()
+    brace = value.rfind("}") + 1
+    if brace:
+        return value[:brace], unit or value[brace:].strip()
+    own = unit_of(value)
+    return (value[:value.rindex(own)], own) if own else (value, unit)
+
+
 def numbers(element, name):
-    """An array of a list as numbers, or None where it is absent or no array of numbers."""
+    """An array of a list as numbers in its unit, or None where it is absent or no array of numbers."""
     try:
-        return [float(text) for text in split_array(text_of(element, name) or "", name)]
+        return [float(text) for text in split_array(value_and_unit(element, name)[0], name)]
     except (Problem, ValueError):
         return None
+
+
+def in_metres(element, *names):
+    """A length [m] at names within lists, or an array of them; None where there is none."""
+    value, unit = value_and_unit(element, *names)
+    if unit not in METRES:
+        raise Problem(f"--crack-extension: {' > '.join(names)} is in {unit}; write it in m, cm, mm or um.")
+    if value.strip().startswith("{"):
+        found = numbers(element, names[-1])
+        return None if found is None else [METRES[unit] * number for number in found]
+    return METRES[unit] * float(value) if value else None
 
 
 class Extension:
@@ -89,15 +115,15 @@ def read_extension(path, name, summary):
     if entry is None or not number.isdigit() or int(number) >= len(fronts):
         raise Problem(f"{where}: the scene has no such front; write CRACK.N, such as Notch.0.")
     cell = summary["cells"]["largest"]
-    points, radius = numbers(entry, "Points"), text_of(entry, "Radius")
+    points, radius = in_metres(entry, "Points"), in_metres(entry, "Radius")
     if text_of(root, "Domain", "Dimension") == "2" and points:
-        depth = float(text_of(root, "Domain", "Thickness") or 1.0)
+        depth = in_metres(root, "Domain", "Thickness") or 1.0
         changed, far = of_polyline(points, fronts[int(number)]["position"], cell, where)
         return Extension(f"Cracks:{crack}:Points", [array_text(p) for p in changed], far * depth)
     if radius and child(entry, "Second Radius") is None:
-        if float(radius) < 2.0 * cell:
+        if radius < 2.0 * cell:
             raise Problem(f"{where}: its Radius is {radius} m, and must be two cells or more.")
-        return Extension(f"Cracks:{crack}:Radius", [repr(float(radius) + step) for step in (-cell, cell)], None)
+        return Extension(f"Cracks:{crack}:Radius", [repr(radius + step) for step in (-cell, cell)], None)
     raise Problem(f"{where}: only cracks of Points in 2D and disks of a Radius in 3D can be made longer.")
 
 

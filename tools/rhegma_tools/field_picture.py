@@ -7,23 +7,11 @@ from matplotlib.colors import Normalize, TwoSlopeNorm
 from . import boxes, style
 from .deformation import automatic_magnification, crack_normals, curved_at_fronts, magnified_faces
 from .interpreter import Problem
+from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 from .summary import stop_time, stopped_part
 
 MOST = 250_000  # particles drawn; of more, every second, third, ... is drawn larger
-QUANTITIES = {"principal": "largest principal stress", "mises": "von Mises stress", "temperature": "temperature"}
-
-
-def quantity_shown(fields, quantity):
-    """The quantity itself, or temperature where the run had no stress."""
-    return "temperature" if fields.stress is None else quantity
-
-
-def unit_of(quantity, values):
-    """Factor and unit of the values: kelvins as they are, pascals with a prefix."""
-    if quantity == "temperature":
-        return 1.0, "K"
-    return style.scale(float(np.percentile(np.abs(values), 99.5)), "Pa")
 
 
 class View:
@@ -337,7 +325,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         (bool(values.min() < norm.vmin), bool(values.max() > norm.vmax))
     ]
     bar = figure.colorbar(particles, ax=list(axes.flat), extend=extend, shrink=0.9, aspect=28, pad=0.02)
-    bar.set_label(f"{QUANTITIES[stress]} [{stress_unit}]")
+    bar.set_label(f"{label_of(stress)} [{stress_unit}]")
     bar.outline.set_linewidth(0.6)
     style.save(figure, path)
     return magnification, stress_unit

@@ -6,15 +6,18 @@ import h5py
 import numpy as np
 
 from .interpreter import Problem
+from .quantity import component_values, parts_of
 
 
 class Crack:
-    """points (v, 3) [m] as they are now, cells (s, 2 or 3), opening (v, 3) [m]: position of one face minus that of the other."""
+    """points (v, 3) [m] as they are now, cells (s, 2 or 3), opening (v, 3) [m]: position of one face minus that of the other; number (s):
+    which crack of the scene a cell belongs to."""
 
-    def __init__(self, points, cells, opening):
+    def __init__(self, points, cells, opening, number=None):
         self.points = points
         self.cells = cells
         self.opening = opening
+        self.number = np.zeros(len(cells), dtype=int) if number is None else number
 
     @property
     def is_surface(self):
@@ -48,6 +51,9 @@ class Fields:
         self.temperature = None if temperature is None else temperature.reshape(len(temperature))
         self.deformation = particles["deformation"].reshape(-1, 3, 3)
         self.edges = particles["edges"].reshape(-1, 3, 3)
+        body = particles.get("body")
+        self.body = np.zeros(len(self.position), dtype=int) if body is None else body.astype(int).ravel()  # number in the scene
+        self.chosen = particles.get("chosen")  # another field (n) or (n, components), if it was asked for
         self.crack = crack
         self.leaves = leaves
 
@@ -67,7 +73,10 @@ class Fields:
         return self.edges[chosen] + magnification * np.einsum("nij,nej->nei", change, self.edges[chosen])
 
     def values(self, quantity):
-        """What to colour particles by: "principal" or "mises" [Pa], "temperature" [K]; the last where nothing else is."""
+        """What to colour particles by: "principal" or "mises" [Pa], "temperature" [K]; the last where nothing else is. Any other is a component
+        of the field that was asked for."""
+        if self.chosen is not None:
+            return component_values(self.chosen, parts_of(quantity)[1])
         if quantity == "temperature" or self.stress is None:
             return self.temperature
         return self.largest_principal_stress() if quantity == "principal" else self.von_mises
@@ -98,7 +107,8 @@ def read_crack(group):
     points = np.asarray(group["points"], dtype=float)
     cells = np.asarray(group["cells"], dtype=int)
     opening = np.asarray(group["opening"], dtype=float) if "opening" in group else np.zeros_like(points)
-    return Crack(points, cells, opening) if cells.size else None
+    number = np.asarray(group["crack"], dtype=int) if "crack" in group else None
+    return Crack(points, cells, opening, number) if cells.size else None
 
 
 def read_leaves(group):
@@ -108,8 +118,16 @@ def read_leaves(group):
     return Leaves(points[np.asarray(group["cells"], dtype=int)], np.asarray(group["level"], dtype=int))
 
 
-def read_fields(folder, time=None):
-    """The fields of a run nearest to a time [s], or the last ones, or None where the run left none."""
+def read_chosen(group, field):
+    """A field of the particles by its name; a Problem names those that there are."""
+    if field not in group:
+        raise Problem(f"the particles have no field {field}; they have {', '.join(sorted(group))}, and principal and mises.")
+    return np.asarray(group[field], dtype=float)
+
+
+def read_fields(folder, time=None, field=None):
+    """The fields of a run nearest to a time [s], or the last ones, or None where the run left none. field: another one of the particles that is
+    read, too"""
     path = os.path.join(folder, "fields.h5")
     if not os.path.exists(path):
         return None
@@ -124,8 +142,10 @@ def read_fields(folder, time=None):
             group = chosen["particles"]
             names = ["position", "displacement", "deformation", "edges"]
             names += ["stress", "von_mises"] if "stress" in group or "temperature" not in group else []
-            names += ["temperature"] if "temperature" in group else []
+            names += [name for name in ("temperature", "body") if name in group]
             particles = {name: np.asarray(group[name], dtype=float) for name in names}
+            if field is not None:
+                particles["chosen"] = read_chosen(group, field)
             fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
                             read_leaves(chosen.get("leaves")), written.values())
     except (OSError, KeyError, RuntimeError, ValueError, IndexError) as error:

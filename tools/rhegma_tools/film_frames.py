@@ -7,10 +7,11 @@ from PIL import Image
 
 from . import style
 from .deformation import automatic_magnification, magnified_faces
-from .field_picture import QUANTITIES, choose_view, colour_scale, crack_segments, draw_crack, draw_particles, heat_scale, limits
-from .field_picture import in_slice, particle_outlines, picture_size, quantity_shown, unit_of
+from .field_picture import choose_view, colour_scale, crack_segments, draw_crack, draw_particles, heat_scale, in_slice, limits
+from .field_picture import particle_outlines, picture_size
 from .fields import read_fields
 from .interpreter import Problem
+from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 
 MOST = 40  # frames
@@ -74,15 +75,15 @@ class Stage:
         _, size = picture_size((high - low) * self.length, False)
         self.figure, self.axes = plt.subplots(figsize=size, layout="constrained")
         bar = self.figure.colorbar(plt.cm.ScalarMappable(self.norm, self.colours), ax=self.axes, shrink=0.9, aspect=28, pad=0.02, extend="both")
-        bar.set_label(f"{QUANTITIES[quantity]} [{self.unit}]")
+        bar.set_label(label_of(quantity) + (f" [{self.unit}]" if self.unit else ""))
         limits(self.axes, low * self.length, high * self.length, 0.03)
         self.axes.set_aspect("equal")
         drawn_at = "" if magnification == 1.0 else ", magnified"
         self.axes.set_xlabel(f"{'xyz'[view.axes[0]]}{drawn_at} [{metres}]")
         self.axes.set_ylabel(f"{'xyz'[view.axes[1]]}{drawn_at} [{metres}]")
 
-    def draw(self, fields, clock):
-        """A PNG of a frame. clock: factor and unit of times"""
+    def draw(self, fields, clock, more="", dots=DOTS):
+        """A frame as a PNG of any colours. clock: factor and unit of times; more: what follows the time; dots: per inch"""
         outlines, drawn = particle_outlines(fields, self.view, self.magnification)
         added = [draw_particles(self.axes, [o * self.length for o in outlines], fields.values(self.quantity)[drawn] * self.factor,
                                 self.colours, self.norm)] if len(outlines) else []
@@ -91,12 +92,12 @@ class Stage:
             faces = magnified_faces(fields.crack, fields.position, fields.displacement, self.magnification)
             draw_crack(self.axes, [face * self.length for face in crack_segments(fields, faces, self.view)], [], 0.9)
         added += [c for c in self.axes.collections if c not in before]
-        self.axes.set_title(f"t = {fields.time * clock[0]:.4g} {clock[1]}", fontsize=10, fontweight="normal")
+        self.axes.set_title(f"t = {fields.time * clock[0]:.4g} {clock[1]}{more}", fontsize=10, fontweight="normal")
         target = io.BytesIO()
-        self.figure.savefig(target, dpi=DOTS)
+        self.figure.savefig(target, dpi=dots)
         for artist in added:
             artist.remove()
-        return few_colours(target.getvalue(), self.palette)
+        return target.getvalue()
 
 
 def palette_of(colours):
@@ -140,11 +141,11 @@ def draw_film(folder, most_bytes, quantity="principal"):
     stage = Stage(samples, view, quantity, magnification)
     clock = style.scale(max(abs(time) for time in times), "s")
     try:
-        frames = [(time, stage.draw(read_fields(folder, time), clock)) for time in times]
+        frames = [(time, few_colours(stage.draw(read_fields(folder, time), clock), stage.palette)) for time in times]
     finally:
         plt.close(stage.figure)
     where = ""
     if view.normal is not None:
         factor, unit = style.scale(abs(view.where), "m")
         where = f"{'xyz'[view.normal]} = {view.where * factor:.3g} {unit}"
-    return Film(within(frames, most_bytes), len(last.written), magnification, QUANTITIES[quantity], stage.unit, where)
+    return Film(within(frames, most_bytes), len(last.written), magnification, label_of(quantity), stage.unit, where)

@@ -96,11 +96,12 @@ def draw_surface(crack, title, time, path):
     for i, name in enumerate("xyz"):
         getattr(axes, f"set_{name}lim")(middle[i] - half[i], middle[i] + half[i])
         getattr(axes, f"set_{name}label")(f"{name} [{metres}]")
-    axes.set_box_aspect(half, zoom=1.15)
+    axes.set_box_aspect(half, zoom=1.05)
     axes.locator_params(nbins=5)
+    axes.locator_params(axis="z", nbins=3)
     factor, seconds = style.scale(time, "s")
     axes.set_title(f"{title}: crack surface at t = {time * factor:.4g} {seconds}", fontsize=12)
-    bar = figure.colorbar(surface, ax=axes, shrink=0.6, aspect=22, pad=0.12)
+    bar = figure.colorbar(surface, ax=axes, shrink=0.6, aspect=22, pad=0.2)
     bar.set_label(f"opening [{unit}]")
     style.save(figure, path)
     return unit

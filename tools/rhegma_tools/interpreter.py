@@ -55,6 +55,8 @@ def need(*packages):
 def run(main):
     """Exits with what main returns; a Problem becomes a message and status 1."""
     tool = os.path.basename(sys.argv[0])
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="replace")  # a terminal without the letters of units and names
     try:
         sys.exit(main(sys.argv[1:]))
     except Problem as problem:

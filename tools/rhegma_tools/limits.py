@@ -5,10 +5,11 @@ import os
 
 from .answers import answers_of
 from .interpreter import Problem
+from .lengths import metres
 from .richardson import find_limit
+from .study_file import CELL
 from .summary import read_summary
 
-CELL = "Domain:Cell Size"
 COLUMNS = ["family", "answer", "unit", "finest", "order", "extrapolated", "from", "to", "reference", "why not"]
 
 
@@ -30,12 +31,12 @@ class Mesh:
     def __init__(self, family, outcomes):
         self.family = family
         self.texts = [o.run.settings[CELL] for o in outcomes]
-        self.sizes = [float(text) for text in self.texts]
+        self.sizes = [metres(text) for text in self.texts]
         self.rows, self.why = [], None
 
 
 def size_of(outcome):
-    return float(outcome.run.settings[CELL])
+    return metres(outcome.run.settings[CELL])
 
 
 def meshes_in(outcomes):

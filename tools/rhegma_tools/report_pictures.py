@@ -4,15 +4,18 @@ import io
 
 from . import style
 from .cell_picture import draw_cells
-from .field_picture import QUANTITIES, choose_view, draw_fields, quantity_shown
+from .field_picture import choose_view, draw_fields
 from .fields import read_fields
 from .film_frames import draw_film
 from .front_picture import draw_surface, panels_along
 from .history_picture import panels_of
 from .interpreter import Problem
 from .path_picture import curves, draw_factor, draw_force, is_path
+from .quantity import label_of, quantity_shown
+from .spatial_picture import draw_cracks_in_body, draw_cut_body
 from .state_picture import draw_state
 from .style import plt
+from .vtk_window import INSTALL
 from .zoom_data import panel_data
 
 LARGEST_DRAWING = 150_000  # bytes of a still panel as SVG; beyond it is a PNG
@@ -48,13 +51,42 @@ def body_picture(fields, summary, title, quantity, view):
     target = io.BytesIO()
     asked = None if view.normal is None else (view.normal, view.where)
     factor, unit = draw_fields(fields, summary, title, target, quantity, asked=asked)
-    name = QUANTITIES[quantity_shown(fields, quantity)]
+    name = label_of(quantity_shown(fields, quantity))
     what = f"{name[0].upper()}{name[1:]} [{unit}] at t = {seconds(fields.time)}{section_of(view)}; {magnified(factor)}."
     cracks = "" if fields.crack is None else " Lines are crack faces; a white dot is a crack front, a red one a front that stopped numerically."
     zero = not fields.values(quantity).any()
     scale = f" The {name} is zero everywhere." if zero else " The most extreme half percent of the values has the colours at the ends of the scale."
     return Shown("png", target.getvalue(), f"{title}: the body, coloured by the {name} in {unit}, at t = {seconds(fields.time)}, {magnified(factor)}",
                  what + cracks + (scale if name != "temperature" else ""))
+
+
+def spatial_pictures(fields, summary, title, view):
+    """Of a run in 3D the body cut open and the cracks in its outline; without VTK the crack surface alone."""
+    found, target = [], io.BytesIO()
+    asked = (view.normal, view.where)
+    factor = draw_cut_body(fields, summary, title, target, asked=asked)
+    if factor is not None:
+        name = label_of(quantity_shown(fields, "principal"))
+        found.append(Shown("png", target.getvalue(), f"{title}: the body in 3D, cut open, coloured by the {name}",
+                           f"The body at t = {seconds(fields.time)} in 3D, cut open at {section_of(view)[len(', section at '):]}, coloured by the {name}; "
+                           f"{magnified(factor)}."))
+    if fields.crack is None:
+        return found
+    target = io.BytesIO()
+    coloured = None if factor is None else draw_cracks_in_body(fields, summary, title, target)
+    if coloured is not None:
+        along = f" Colours along the fronts: {coloured}." if coloured else ""
+        found.append(Shown("png", target.getvalue(), f"{title}: cracks in the outline of the body" + (f", fronts coloured by {coloured}" if coloured else ""),
+                           f"Cracks in the outline of the body at t = {seconds(fields.time)}; true positions.{along}"))
+    return found + [surface_picture(fields, title, "" if factor is not None else f" {INSTALL}")]
+
+
+def surface_picture(fields, title, more):
+    target = io.BytesIO()
+    unit = draw_surface(fields.crack, title, fields.time, target)
+    return Shown("png", target.getvalue(), f"{title}: crack surface in 3D, coloured by its opening in {unit}",
+                 f"Crack surface at t = {seconds(fields.time)}, coloured by the opening [{unit}]; true positions. The black line is its border: "
+                 f"the front, and edges on surfaces or planes of symmetry.{more}")
 
 
 def field_pictures(folder, summary, title):
@@ -74,13 +106,7 @@ def field_pictures(folder, summary, title):
         found.append(Shown("png", target.getvalue(), f"{title}: {count} cells, coloured by their level of refinement",
                            f"The {count} cells in use at t = {seconds(fields.time)}, by level of refinement, and the finest ones with their "
                            f"particles; true displacements."))
-    if fields.crack is not None and fields.crack.is_surface:
-        target = io.BytesIO()
-        unit = draw_surface(fields.crack, title, fields.time, target)
-        found.append(Shown("png", target.getvalue(), f"{title}: crack surface in 3D, coloured by its opening in {unit}",
-                           f"Crack surface at t = {seconds(fields.time)}, coloured by the opening [{unit}]; true positions. The black line is its border: "
-                           f"the front, and edges on surfaces or planes of symmetry."))
-    return found
+    return found + (spatial_pictures(fields, summary, title, view) if fields.dimension == 3 else [])
 
 
 def still(figure):

@@ -3,9 +3,8 @@
 import os
 
 from .interpreter import Problem
-from .study_file import Run, Study, read_xml
-
-CELL = "Domain:Cell Size"
+from .lengths import metres
+from .study_file import CELL, Run, Study, read_xml
 
 
 def read_scene(path):
@@ -20,9 +19,9 @@ def study_of_cells(path, texts):
     """A study of a scene at cell sizes [m], one run for each, coarse cells first."""
     read_scene(path)
     try:
-        sizes = {float(text): text for text in texts}
+        sizes = {metres(text): text for text in texts}
     except ValueError:
-        raise Problem(f"--cell-sizes {' '.join(texts)}: must be numbers, in metres.")
+        raise Problem(f"--cell-sizes {' '.join(texts)}: must be numbers, in metres or with a unit: m, cm, mm or um.")
     if not all(0.0 < size < float("inf") for size in sizes):
         raise Problem(f"--cell-sizes {' '.join(texts)}: must be above zero and finite.")
     if len(sizes) < 3:

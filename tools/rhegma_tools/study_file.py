@@ -8,6 +8,9 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 from .interpreter import Problem
+from .lengths import METRES, unit_of
+
+CELL = "Domain:Cell Size"
 
 FORMAT = """\
 A study is a Teuchos parameter list named Study:
@@ -30,6 +33,7 @@ A study is a Teuchos parameter list named Study:
         <Parameter name="Group" type="string" value="GIMP"/>                      families of a group share a colour
         <Parameter name="Domain:Cell Size" type="Array(string)" value="{2.5e-3, 1.25e-3}"/>
         <Parameter name="Time:CFL" type="Array(string)" value="{0.4, 0.2}"/>
+        <Parameter name="Time:Final Time" type="string" value="2" unit="ms"/>     with a unit, as in a scene
         <Parameter name="Domain:Shape Functions" type="string" value="GIMP"/>     the same in all of its runs
       </ParameterList>
     </ParameterList>
@@ -135,9 +139,12 @@ def read_value(element, where):
     value = element.get("value")
     if value is None:
         raise Problem(f"{where}: has no value.")
+    # A unit is left to the program, which converts it: each value gets it as a text, such as "2 mm".
+    unit = element.get("unit", "").strip()
+    unit = " " + unit if unit else ""
     if element.get("type", "").replace(" ", "").startswith("Array("):
-        return split_array(value, where)
-    return value.strip()
+        return [entry + unit for entry in split_array(value, where)]
+    return value.strip() + unit
 
 
 def read_text(values, name, where):
@@ -198,6 +205,10 @@ def combine(values, how, where):
     return [{path: row[path] for path in values} for row in found]
 
 
+def as_list(value):
+    return value if isinstance(value, list) else [value]
+
+
 def read_scene(text, study_path, where):
     scene = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(study_path)), text))
     if not os.path.isfile(scene):
@@ -224,6 +235,9 @@ def read_family(element, study, study_path):
         if not re.fullmatch(r"[^:=]+(:[^:=]+)+", path):
             raise Problem(f"{where} > {path}: is no path of a scene's parameter; write Section:Parameter, "
                           "such as Domain:Cell Size.")
+    for size in as_list(values.get(CELL, [])):
+        if unit_of(size) not in METRES:
+            raise Problem(f"{where} > {CELL}: {size} is in a unit that a study does not sort by; write m, cm, mm or um.")
     merged = dict(study, **own)
     scene = read_scene(read_text(merged, "Scene", where if "Scene" in own else "Study"), study_path, where)
     quantities, references = read_measured(merged, own, where)

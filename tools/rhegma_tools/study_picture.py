@@ -4,6 +4,7 @@ import math
 
 from . import style
 from .interpreter import Problem
+from .lengths import metres
 from .style import plt
 
 MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
@@ -25,7 +26,7 @@ def frontier(points):
 def by_chance(outcome, others, cell="Domain:Cell Size"):
     """Whether a run of the same family on smaller cells is worse, so that this one is better than its cells."""
     def size(o):
-        return float(o.run.settings[cell])
+        return metres(o.run.settings[cell])
 
     return cell in outcome.run.settings and any(
         o.run.family == outcome.run.family and size(o) < size(outcome) and o.error > (1.0 + GAIN) * outcome.error
@@ -44,7 +45,7 @@ def short(run, swept):
         value = run.settings[names[0]]
         try:
             if names[0] == "Domain:Cell Size":
-                return f"{1000.0 * float(value):.4g} mm"
+                return f"{1000.0 * metres(value):.4g} mm"
             return value if len(value) < 9 else f"{float(value):.3g}"
         except ValueError:
             return value

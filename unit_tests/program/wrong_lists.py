@@ -43,7 +43,7 @@ MISSING = [
 
 TYPES = [
     ("text_for_a_number", plate().set(MODULUS, "stiff"), one(MODULUS, '"stiff"', 'type="double"')),
-    ("number_with_a_unit", plate().raw(MODULUS, "double", "3 GPa"), one(MODULUS, "3 GPa", "without a unit")),
+    ("number_with_a_unit", plate().raw(MODULUS, "double", "3 GPa"), one(MODULUS, "3 GPa", 'value="3" unit="GPa"')),
     ("broken_number_for_a_whole_one", plate().raw("Domain > Dimension", "double", "2.5"),
      one("Domain > Dimension", "2.5", "whole number")),
     ("words_for_an_array", plate().set("Domain > Lower Corner", "0 0"),

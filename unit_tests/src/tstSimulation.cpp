@@ -35,6 +35,28 @@ Simulation example(const std::string& name, const std::vector<std::string>& over
 
 } // namespace
 
+TEST(Simulation, ReadsScenesInUnits)
+{
+  const std::string file = std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/examples/dcb.xml";
+  const auto scene = Simulation::readScene(file, {"Time:Maximum Steps=3", "Time:Final Time=8 ms"});
+  EXPECT_EQ(scene->sublist("Time").get<double>("Final Time"), 8e-3);
+  Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), scene);
+  simulation.initialize();
+  simulation.advance(8e-3);
+  EXPECT_EQ(simulation.steps(), 3);
+  try
+  {
+    Simulation::readScene(file, {"Time:Final Time=8 MPa", "Time:CFL=-1"});
+    FAIL() << "a wrong scene was read";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("Time > Final Time: is given in MPa"), std::string::npos) << message;
+    EXPECT_NE(message.find("\nTime > CFL: "), std::string::npos) << message;
+  }
+}
+
 TEST(Simulation, EndsAfterTheMaximumOfSteps)
 {
   Simulation simulation = example("dcb.xml", {"Time:Maximum Steps=7"});

@@ -75,6 +75,19 @@ class Extension(ToolTest):
         area = 3.141592653589793 / 4 * (2.1**2 - 1.9**2)
         self.assertAlmostEqual(found["change of energy"], 0.5 * 100.0 * 1e-3 * (2.1**3 - 1.9**3) / area, 6)
 
+    def test_lengths_in_units(self):
+        """The same crack in millimetres, and a disk with its radius in centimetres, also within its text."""
+        inside = self.releases("load", self.start("load", points='{0, 0, 0, 1000, 600, 1800}" unit="mm'))[1]
+        self.assertAlmostEqual(inside["change of energy"], central(0.4), 6)
+        area = 3.141592653589793 / 4 * (2.1**2 - 1.9**2)
+        for radius in ('"200" unit="cm"', '"200 cm"'):
+            self.write("disk.xml", SCENE.replace('"%(radius)g"', radius) % {"dimension": 3, "speed": 0.0, "points": "{0, 0}", "more": ""})
+            found = self.releases("disk", run("rhegma-study", self.path("disk.xml"), "--rhegma", PROGRAM, "--crack-extension", "Disk.0"))[1]
+            self.assertAlmostEqual(found["change of energy"], 0.5 * 100.0 * 1e-3 * (2.1**3 - 1.9**3) / area, 6)
+        status, _, messages = self.start("load", points='{0, 0, 0, 1, 0, 2}" unit="inch')
+        self.assertEqual((status, messages.count("\n")), (1, 1), messages)
+        self.assertIn("is in inch; write it in m, cm, mm or um", messages)
+
     def test_a_run_that_fails(self):
         status, output, messages = self.start("disk", front="Disk.0", dimension=3, radius=2.45)
         self.assertEqual((status, messages), (2, "rhegma-study: 1 of 3 runs failed; see rhegma.log in the folder of each.\n"))

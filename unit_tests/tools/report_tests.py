@@ -16,6 +16,7 @@ import numpy as np
 from html_page import Page
 
 from rhegma_tools import film_frames, zoom_data
+from spatial_tests import DRAWS
 from rhegma_tools.html_text import element, markup
 from rhegma_tools.report_page import chosen_columns
 from rhegma_tools.report_verdict import so_far
@@ -278,6 +279,19 @@ class Film(ToolTest):
         self.assertEqual([frame["data-label"] for frame in frames], ["t = 0 s", "t = 1 ms", "t = 2 ms", "t = 3 ms", "t = 4 ms", "t = 5 ms"])
         self.assertEqual([frame.get("class") for frame in frames], [None] * 5 + ["shown"])
         self.assertEqual(len({frame["src"] for frame in frames}), 6)
+
+    def test_a_run_in_3d_has_its_body_and_cracks(self):
+        """Without VTK a caption names what to install."""
+        made_up_run.penny(self.folder)
+        status, _, messages = run("rhegma-report", self.folder)
+        self.assertEqual((status, messages), (0, ""))
+        with open(self.path("report.html"), encoding="utf-8") as file:
+            text = file.read()
+        alts = [image["alt"] for image in Page(text).of("img")]
+        drawn = [alt for alt in alts if "in 3D, cut open, coloured by the largest principal stress" in alt or "cracks in the outline of the body" in alt]
+        self.assertEqual(len(drawn), 2 if DRAWS else 0)
+        self.assertEqual("need VTK for Python" in text, not DRAWS)
+        self.assertTrue(any("crack surface in 3D, coloured by its opening" in alt for alt in alts))
 
     def test_one_scale_for_all_frames(self):
         """Stress grows to 5 MPa, displacement to 5e-3 of 19.5 m on a body 20 m long: WANTED / that is 16, so 10 times."""

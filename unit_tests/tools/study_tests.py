@@ -7,6 +7,7 @@ import unittest
 
 from tool import HERE, ToolTest, picture_size, run
 
+from rhegma_tools.lengths import metres
 from rhegma_tools.study_file import Run, combine, read_study, split_array
 from rhegma_tools.study_picture import by_chance, frontier, group_style
 from rhegma_tools.study_runs import Outcome
@@ -165,6 +166,24 @@ class Study(ToolTest):
         self.assertEqual(split_array("{ {0, 0}, {1, 0} }", ""), ["{0, 0}", "{1, 0}"])
         self.assertEqual(split_array('{"a", b c}', ""), ["a", "b c"])
 
+    def test_units_are_left_to_the_program(self):
+        family = """    <ParameterList name="mm">
+      <Parameter name="Domain:Cell Size" type="Array(string)" value="{5, 2.5}" unit="mm"/>
+      <Parameter name="Time:Final Time" type="string" value="2 ms"/>
+    </ParameterList>
+"""
+        study = read_study(self.study(family))
+        self.assertEqual([run.settings for run in study.runs], [{"Domain:Cell Size": f"{size} mm", "Time:Final Time": "2 ms"}
+                                                                for size in ("5", "2.5")])
+        self.study(family.replace('unit="mm"', 'unit="inch"'))
+        self.assert_fails(self.start(), "Domain:Cell Size: 5 inch is in a unit that a study does not sort by")
+
+    def test_lengths_in_units(self):
+        for text, value in (("2.5e-3", 2.5e-3), ("2.5 mm", 2.5e-3), ("25cm", 0.25), ("5 um", 5e-6), (" 1 m ", 1.0)):
+            self.assertAlmostEqual(metres(text), value, 15)
+        for text in ("5 inch", "fine", "", "{1} mm"):
+            self.assertRaises(ValueError, metres, text)
+
     def test_frontier(self):
         """Times 1, 2, 3, 4 and errors 4, 5, 2, 2: the second and the last are beaten."""
         self.assertEqual(frontier([(1.0, 4.0), (2.0, 5.0), (3.0, 2.0), (4.0, 2.0)]), [0, 2])
@@ -181,6 +200,8 @@ class Study(ToolTest):
             return found
 
         runs = [outcome("a", "4e-3", 0.02), outcome("a", "2e-3", 0.05), outcome("a", "1e-3", 0.03), outcome("b", "1e-3", 0.09)]
+        self.assertEqual([by_chance(run, runs) for run in runs], [True, False, False, False])
+        runs[1].run.settings["Domain:Cell Size"] = "2 mm"
         self.assertEqual([by_chance(run, runs) for run in runs], [True, False, False, False])
         self.assertFalse(by_chance(Outcome(Run("a", "", {"Time:CFL": "0.4"}, ["x"], [1.0]), "", 0), runs))
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""All tests of the other tools than rhegma-report at once: python3 test_tools.py."""
+"""All tests of the other tools at once, without rhegma-report and pictures of scenes, in 3D and films: python3 test_tools.py."""
 
 import os
 import sys

@@ -13,7 +13,6 @@
 #include <Kokkos_Core.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
-#include <Teuchos_XMLParameterListHelpers.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -103,7 +102,7 @@ int run(const std::string& file)
 {
   const Comm comm = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
   const bool speaks = comm->getRank() == 0;
-  const auto scene = Teuchos::getParametersFromXmlFile(file);
+  const auto scene = Rhegma::Simulation::readScene(file);
   const double end = scene->sublist("Time").get<double>("Final Time");
 
   const Plate plate = {-4.0e-5, -4.0e-5, 1.0e-5, 48, 18, 2.0e-5, 148.0, 1.66e6};

@@ -1,6 +1,7 @@
 /// The command line.
 
 #include "program/Options.hpp"
+#include "program/Templates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,29 @@ TEST(Options, RunsASceneByDefault)
   EXPECT_EQ(options.scene, "dcb.xml");
   EXPECT_TRUE(options.output.empty() && options.restart.empty() && options.overrides.empty());
   EXPECT_FALSE(options.quiet);
+}
+
+TEST(Options, TakeATemplate)
+{
+  const Options options = read({"--new", "dcb", "--output", "my.xml"});
+  EXPECT_EQ(options.action, Options::Action::New);
+  EXPECT_EQ(options.section, "dcb");
+  EXPECT_EQ(options.output, "my.xml");
+  EXPECT_EQ(read({"--new", "--output", "my.xml"}).section, "");
+  EXPECT_NE(mistake({"--new", "dcb", "plate"}).find("\"plate\""), std::string::npos);
+}
+
+TEST(Templates, AreFoundByTheirNames)
+{
+  ASSERT_FALSE(sceneTemplates().empty());
+  for (const SceneTemplate& one : sceneTemplates())
+  {
+    EXPECT_EQ(std::string(findTemplate(one.name).text), one.text);
+    EXPECT_NE(std::string(one.text).find("<ParameterList name=\"Rhegma\">"), std::string::npos) << one.name;
+    EXPECT_NE(usage().find(one.name), std::string::npos) << one.name << " is not in --help";
+  }
+  for (const std::string wrong : {"", "dbc", "DCB"})
+    EXPECT_THROW(findTemplate(wrong), UsageError) << wrong;
 }
 
 TEST(Options, TakesValuesInAnyOrder)

@@ -6,7 +6,6 @@
 #include <plan/KnownEffects.hpp>
 
 #include <Teuchos_DefaultMpiComm.hpp>
-#include <Teuchos_XMLParameterListHelpers.hpp>
 
 #include <cmath>
 #include <iostream>
@@ -20,7 +19,7 @@ namespace
 int run(const std::string& file)
 {
   addEffect(bristles());
-  const auto scene = Teuchos::getParametersFromXmlFile(file);
+  const auto scene = Simulation::readScene(file);
   const double end = scene->sublist("Time").get<double>("Final Time");
   Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), scene);
   simulation.initialize();

@@ -1,0 +1,91 @@
+"""Outlines of the bodies' shapes as the scene gives them: lines (k, 3) in m, those of shapes that are cut away apart."""
+
+import numpy as np
+
+from .scene_symbols import spatial
+from .scene_values import array, lists, number
+
+ROUND = np.linspace(0.0, 2.0 * np.pi, 97)
+
+
+class Outline:
+    """lines: arrays (k, 3); cut: of a shape that is cut away; body: number of its body"""
+
+    def __init__(self, lines, cut, body):
+        self.lines, self.cut, self.body = lines, cut, body
+
+
+def closed(points):
+    return np.vstack([points, points[:1]])
+
+
+def circle(centre, one, two):
+    """A circle from two perpendicular vectors as long as its radius."""
+    return centre + np.outer(np.cos(ROUND), one) + np.outer(np.sin(ROUND), two)
+
+
+def prism(low, high):
+    """Edges of a prism between two polygons (k, 3) with as many corners."""
+    return [closed(low), closed(high)] + [np.stack([a, b]) for a, b in zip(low, high)]
+
+
+def box_lines(values, dimension):
+    low, high = spatial(array(values, "Lower Corner")), spatial(array(values, "Upper Corner"))
+    flat = np.array([[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]])
+    if dimension == 2:
+        return [closed(np.c_[flat, np.zeros(4)])]
+    return prism(np.c_[flat, np.full(4, low[2])], np.c_[flat, np.full(4, high[2])])
+
+
+def ball_lines(values, dimension):
+    centre, radius = spatial(array(values, "Centre")), number(values, "Radius")
+    x, y, z = radius * np.eye(3)
+    return [circle(centre, x, y)] if dimension == 2 else [circle(centre, x, y), circle(centre, y, z), circle(centre, z, x)]
+
+
+def cylinder_lines(values, dimension):
+    start, end, radius = spatial(array(values, "From")), spatial(array(values, "To")), number(values, "Radius")
+    along = (end - start) / np.linalg.norm(end - start)
+    one = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
+    one *= radius / np.linalg.norm(one)
+    two = np.cross(along, one)
+    sides = [np.stack([start + arm, end + arm]) for arm in (one, -one, two, -two)]
+    return [circle(start, one, two), circle(end, one, two), *sides]
+
+
+def polygon_lines(values, dimension):
+    flat = np.array(array(values, "Points")).reshape(-1, 2)
+    if dimension == 2:
+        return [closed(np.c_[flat, np.zeros(len(flat))])]
+    return prism(*(np.c_[flat, np.full(len(flat), number(values, name))] for name in ("Bottom", "Top")))
+
+
+SHAPES = {"Box": box_lines, "Ball": ball_lines, "Cylinder": cylinder_lines, "Polygon": polygon_lines}
+
+
+def rotated(lines, values, dimension):
+    """Lines of a shape after its rotation."""
+    angle = np.radians(number(values, "Rotation", 0.0))
+    if not angle:
+        return lines
+    everything = np.vstack(lines)
+    centre = spatial(array(values, "Rotation Centre", 0.5 * (everything.min(axis=0) + everything.max(axis=0))))
+    axis = np.array(array(values, "Rotation Axis", [0.0, 0.0, 1.0]) if dimension == 3 else [0.0, 0.0, 1.0])
+    axis = axis / np.linalg.norm(axis)
+    turned = []
+    for line in lines:
+        arm = line - centre
+        across = np.cross(axis, arm)
+        turned.append(centre + arm * np.cos(angle) + across * np.sin(angle) + np.outer(arm @ axis, axis) * (1.0 - np.cos(angle)))
+    return turned
+
+
+def outlines_of(values, dimension):
+    """Outlines of all shapes of the section Bodies."""
+    found = []
+    for body, (_, one) in enumerate(lists(values, "Bodies")):
+        shapes = [(one, False)] + [(shape, shape.get("Operation") == "Cut") for _, shape in lists(one, "Operations")]
+        for shape, cut in shapes:
+            if shape.get("Shape") in SHAPES:
+                found.append(Outline(rotated(SHAPES[shape["Shape"]](shape, dimension), shape, dimension), cut, body))
+    return found

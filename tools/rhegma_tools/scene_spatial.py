@@ -1,0 +1,92 @@
+"""The picture of a scene in 3D in perspective: outline of the bodies, cracks, and the arrows of what acts on them."""
+
+import numpy as np
+
+from .field_picture import choose_view
+from .scene_panel import ARROW, COLOUR
+from .scene_symbols import Arrows, Nodes, Region
+from .spatial_pieces import body_piece, crack_pieces, edge_piece, rgb
+from .spatial_picture import camera_of, triad
+from .vtk_window import Piece, render
+
+SIDES = 12  # of a cone
+HEAD, WIDE, SHAFT = 0.35, 0.12, 0.035  # length and radius of an arrow's head, radius of its shaft, of the length of the arrow
+
+
+def arrow_pieces(symbol, length):
+    """Shafts and heads of arrows of a length [m]."""
+    step = symbol.direction * length
+    tails = symbol.points - step if symbol.into else symbol.points
+    necks = tails + (1.0 - HEAD) * step
+    shafts = np.stack([tails, necks], axis=1).reshape(-1, 3)
+    one = np.cross(symbol.direction, np.eye(3)[np.argmin(np.abs(symbol.direction))])
+    one /= np.linalg.norm(one)
+    angle = np.linspace(0.0, 2.0 * np.pi, SIDES, endpoint=False)[:, None]
+    ring = WIDE * length * (np.cos(angle) * one + np.sin(angle) * np.cross(symbol.direction, one))
+    points, cells = [], []
+    for neck, head in zip(necks, tails + step):
+        first = len(points) * (SIDES + 2)
+        points.append(np.vstack([head, neck, neck + ring]))
+        around = first + 2 + np.arange(SIDES)
+        following = np.roll(around, -1)
+        cells += [np.c_[np.full(SIDES, tip), around, following] for tip in (first, first + 1)]
+    colour = rgb(COLOUR[symbol.kind])
+    return [Piece(shafts, np.arange(len(shafts)).reshape(-1, 2), colour, lines=True, tube=SHAFT * length),
+            Piece(np.concatenate(points), np.concatenate(cells), colour)]
+
+
+def cube_piece(points, size, colour, **look):
+    """A cube around each point, such as a supported node."""
+    unit = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
+    faces = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+    corners = points[:, None, :] + 0.5 * size * unit
+    return Piece(corners.reshape(-1, 3), (8 * np.arange(len(points))[:, None, None] + faces).reshape(-1, 4), rgb(colour), **look)
+
+
+def scene_pieces(drawing):
+    """All pieces of a scene in 3D."""
+    fields, pieces = drawing.fields, [edge_piece(drawing.fields, 1.0, "#8A949C", width=1.5)]
+    if len(pieces[0].cells) == 0:
+        pieces = [body_piece(fields, np.arange(len(fields.position)), 1.0, np.array([150, 165, 180]), opacity=0.12, flat=True)]
+    pieces += crack_pieces(fields, None)
+    for symbol in drawing.symbols:
+        if isinstance(symbol, Arrows):
+            pieces += arrow_pieces(symbol, 1.4 * ARROW * drawing.extent)
+        elif isinstance(symbol, Nodes) and len(symbol.points):
+            pieces.append(cube_piece(symbol.points, 0.3 * fields.size, COLOUR[symbol.kind]))
+        elif isinstance(symbol, Region) and symbol.radius is None:
+            pieces.append(box_piece(symbol.low, symbol.high, COLOUR[symbol.kind]))
+        elif isinstance(symbol, Region):
+            pieces.append(ball_piece(symbol.centre, symbol.radius, COLOUR[symbol.kind]))
+    return pieces
+
+
+def box_piece(low, high, colour):
+    corners = np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    faces = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+    return Piece(corners, faces, rgb(colour), opacity=0.4)
+
+
+def ball_piece(centre, radius, colour, count=16):
+    """A ball as squares between circles of latitude and longitude."""
+    polar, around = np.meshgrid(np.linspace(0.0, np.pi, count + 1), np.linspace(0.0, 2.0 * np.pi, 2 * count, endpoint=False), indexing="ij")
+    points = centre + radius * np.stack([np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.cos(polar)], axis=-1)
+    number = np.arange(points.shape[0] * points.shape[1]).reshape(points.shape[:2])
+    right = np.roll(number, -1, axis=1)
+    cells = np.stack([number[:-1], right[:-1], right[1:], number[1:]], axis=-1).reshape(-1, 4)
+    return Piece(points.reshape(-1, 3), cells, rgb(colour), opacity=0.4)
+
+
+def perspective(drawing):
+    """(picture (rows, columns, 3), Camera) of a scene in 3D, or None where VTK draws nothing."""
+    camera, _ = camera_of(drawing.fields, choose_view(drawing.fields), 1.0, onto=drawing.fields.crack is not None)
+    camera.half_height *= 1.0 + 1.2 * ARROW * any(isinstance(symbol, Arrows) for symbol in drawing.symbols)
+    image = render(scene_pieces(drawing), camera)
+    return None if image is None else (image, camera)
+
+
+def draw_perspective(axes, found):
+    """The picture in perspective with the directions of the axes. found: as perspective gives it"""
+    image, camera = found
+    axes.imshow(image)
+    triad(axes, camera)

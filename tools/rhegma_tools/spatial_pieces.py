@@ -1,0 +1,119 @@
+"""The pieces of a picture in 3D: the surface of bodies, whole or cut open, crack faces and fronts, and cells."""
+
+import numpy as np
+from matplotlib.colors import to_rgb
+
+from . import style
+from .deformation import magnified_faces
+from .field_picture import in_slice
+from .front_picture import border, lines_of
+from .occupancy import Occupancy
+from .vtk_window import Piece
+
+# Corners of the six faces of a box in half edge vectors, seen from outside, and the direction of each.
+FACES = np.array([[[-1, -1, -1], [-1, -1, 1], [-1, 1, 1], [-1, 1, -1]], [[1, -1, -1], [1, 1, -1], [1, 1, 1], [1, -1, 1]],
+                  [[-1, -1, -1], [1, -1, -1], [1, -1, 1], [-1, -1, 1]], [[-1, 1, -1], [-1, 1, 1], [1, 1, 1], [1, 1, -1]],
+                  [[-1, -1, -1], [-1, 1, -1], [1, 1, -1], [1, -1, -1]], [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]], dtype=float)
+OUTWARD = FACES.mean(axis=1)
+MOST_EDGES = 3.0  # times the edges of the bodies' bounding boxes: with more, surfaces are curved or oblique
+
+
+def rgb(colour):
+    return np.round(255 * np.array(to_rgb(colour)))
+
+
+def outer_faces(fields, kept):
+    """(indices of particles, numbers of faces) of the faces of the particles kept that are at their surface, in the undeformed body."""
+    lattice = Occupancy(fields.position[kept] - fields.displacement[kept], np.abs(fields.edges[kept]).sum(axis=1), fields.body[kept])
+    owners, faces = [], []
+    for number, outward in enumerate(OUTWARD):
+        free = kept[lattice.free(outward)]
+        owners.append(free)
+        faces.append(np.full(len(free), number))
+    return np.concatenate(owners), np.concatenate(faces)
+
+
+def box_faces(fields, owners, faces, magnification):
+    """Corners (k, 4, 3) of faces of particles' boxes as drawn."""
+    position = fields.position[owners] + (magnification - 1.0) * fields.displacement[owners]
+    return position[:, None, :] + 0.5 * np.einsum("kce,kei->kci", FACES[faces], fields.boxes(owners, magnification))
+
+
+def body_piece(fields, kept, magnification, colours, **look):
+    """The surface of the particles kept. colours: (n, 3) of all particles, or one"""
+    owners, faces = outer_faces(fields, kept)
+    corners = box_faces(fields, owners, faces, magnification)
+    chosen = colours[owners] if np.ndim(colours) == 2 else colours
+    return Piece(corners.reshape(-1, 3), np.arange(4 * len(corners)).reshape(-1, 4), chosen, **look)
+
+
+def edge_piece(fields, magnification, colour, **look):
+    """Edges of the bodies, where two outer faces of a particle meet. Of bodies with curved surfaces, which have them everywhere, none."""
+    free = np.zeros((len(fields.position), 6), dtype=bool)
+    free[outer_faces(fields, np.arange(len(fields.position)))] = True
+    segments = []
+    for one in range(6):
+        for other in range(one + 1 - one % 2 + 1, 6):  # faces of other axes
+            owners = np.flatnonzero(free[:, one] & free[:, other])
+            along = np.cross(OUTWARD[one], OUTWARD[other])
+            ends = np.stack([OUTWARD[one] + OUTWARD[other] - along, OUTWARD[one] + OUTWARD[other] + along])
+            position = fields.position[owners] + (magnification - 1.0) * fields.displacement[owners]
+            segments.append(position[:, None, :] + 0.5 * np.einsum("ce,kei->kci", ends, fields.boxes(owners, magnification)))
+    points = np.concatenate(segments).reshape(-1, 3)
+    start = fields.position - fields.displacement
+    of_boxes = sum(4.0 * np.ptp(start[fields.body == body], axis=0).sum() + 12.0 * fields.size for body in np.unique(fields.body))
+    if len(points) // 2 * fields.size > MOST_EDGES * of_boxes:
+        points = points[:0]
+    return Piece(points, np.arange(len(points)).reshape(-1, 2), rgb(colour), lines=True, flat=True, **look)
+
+
+def cut_open(fields, normal, where, side):
+    """Particles that are left where those on one side (+1 or -1) of a plane are taken out; those that it cuts stay."""
+    distance = side * (fields.position[:, normal] - where)
+    return np.flatnonzero((distance <= 0.0) | in_slice(fields, normal, where))
+
+
+def crack_pieces(fields, magnification, colour="#B8BCC0"):
+    """Both faces of the cracks as they have opened, with their borders; without a magnification (None) the surface midway between them."""
+    crack = fields.crack
+    if crack is None or not crack.is_surface:
+        return []
+    pieces = []
+    for face in [crack.points] if magnification is None else magnified_faces(crack, fields.position, fields.displacement, magnification):
+        pieces.append(Piece(face, crack.cells, rgb(colour)))
+        pieces.append(Piece(face, border(crack.cells), rgb(style.INK), lines=True, width=2.0, flat=True))
+    return pieces
+
+
+def is_closed(points):
+    """Whether a line of front nodes goes all around: its ends are as near as its nodes are."""
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    return len(points) > 3 and np.linalg.norm(points[0] - points[-1]) < 1.6 * steps.max()
+
+
+def front_segments(nodes, quantity):
+    """(points (k, 2, 3), values (k)) along the lines of a front: from each node to the next, and back to the first where it is closed."""
+    points, values = [], []
+    for line in lines_of(nodes):
+        if len(line) < 2:
+            continue
+        if is_closed(nodes["position"][line]):
+            line = np.append(line, line[0])
+        position, value = nodes["position"][line], nodes[quantity][line]
+        middle = 0.5 * (position[:-1] + position[1:])
+        points += list(np.stack([position[:-1], middle], axis=1)) + list(np.stack([middle, position[1:]], axis=1))
+        values += [value[:-1], value[1:]]
+    return np.array(points).reshape(-1, 2, 3), np.concatenate(values) if values else np.zeros(0)
+
+
+def cell_piece(fields, view, side):
+    """Edges of the cells that a slice cuts, just before the particles that it cuts. side: +1 or -1, of the reader"""
+    low, high = fields.leaves.corners.min(axis=1), fields.leaves.corners.max(axis=1)
+    cut = (low[:, view.normal] <= view.where) & (view.where < high[:, view.normal])
+    corners = np.empty((int(cut.sum()), 4, 3))
+    corners[:, :, view.normal] = view.where + side * 0.6 * fields.size
+    for i, (one, two) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+        corners[:, i, view.axes[0]] = (low, high)[one][cut, view.axes[0]]
+        corners[:, i, view.axes[1]] = (low, high)[two][cut, view.axes[1]]
+    loops = np.arange(4 * len(corners)).reshape(-1, 4)
+    return Piece(corners.reshape(-1, 3), np.hstack([loops, loops[:, :1]]), rgb("#5A6570"), lines=True, width=1.0, flat=True)

@@ -1,0 +1,82 @@
+"""Draws the pieces of a file by VTK, off screen, and writes a PNG. Started by vtk_window.py: VTK ends its process where it finds no display."""
+
+import json
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the back end registers itself)
+
+
+def poly_data(points, cells, colours, lines):
+    """Polygons or lines (k, corners) with a colour (k, 3) of each."""
+    data, vertices, array = vtkPolyData(), vtkPoints(), vtkCellArray()
+    vertices.SetData(numpy_to_vtk(np.ascontiguousarray(points, dtype=float), deep=True))
+    data.SetPoints(vertices)
+    counted = np.hstack([np.full((len(cells), 1), cells.shape[1]), cells]).astype(np.int64)
+    array.SetCells(len(cells), numpy_to_vtkIdTypeArray(np.ascontiguousarray(counted.ravel()), deep=True))
+    (data.SetLines if lines else data.SetPolys)(array)
+    data.GetCellData().SetScalars(numpy_to_vtk(np.ascontiguousarray(colours, dtype=np.uint8), deep=True))
+    return data
+
+
+def actor(points, cells, colours, look):
+    """look: lines, tube (radius), opacity, width (pixels), flat (without light)"""
+    data = poly_data(points, cells, colours, look.get("lines"))
+    mapper = vtkPolyDataMapper()
+    if look.get("tube"):
+        tube = vtkTubeFilter()
+        tube.SetInputData(data)
+        tube.SetRadius(look["tube"])
+        tube.SetNumberOfSides(16)
+        tube.CappingOn()
+        mapper.SetInputConnection(tube.GetOutputPort())
+    else:
+        mapper.SetInputData(data)
+    mapper.SetScalarModeToUseCellData()
+    result = vtkActor()
+    result.SetMapper(mapper)
+    result.GetProperty().SetOpacity(look.get("opacity", 1.0))
+    result.GetProperty().SetLineWidth(look.get("width", 1.0))
+    result.GetProperty().SetAmbient(1.0 if look.get("flat") else 0.6)
+    result.GetProperty().SetDiffuse(0.0 if look.get("flat") else 0.45)
+    result.GetProperty().SetInterpolationToFlat()
+    return result
+
+
+def main(source, target):
+    """source: npz with looks and camera as JSON and the arrays of each piece; target: a PNG"""
+    found = np.load(source)
+    camera = json.loads(str(found["camera"]))
+    renderer, window = vtkRenderer(), vtkRenderWindow()
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    for i, look in enumerate(json.loads(str(found["looks"]))):
+        renderer.AddActor(actor(found[f"points{i}"], found[f"cells{i}"], found[f"colours{i}"], look))
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetAlphaBitPlanes(1)
+    window.SetSize(*camera["size"])
+    window.AddRenderer(renderer)
+    view = renderer.GetActiveCamera()
+    view.ParallelProjectionOn()
+    view.SetFocalPoint(*camera["focus"])
+    view.SetPosition(*camera["position"])
+    view.SetViewUp(*camera["up"])
+    view.SetParallelScale(camera["half_height"])
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.SetFileName(target)
+    writer.Write()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,105 @@
+"""Pictures in 3D by VTK in a process of its own, on a virtual display where there is one."""
+
+import importlib.util
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from PIL import Image
+
+from .interpreter import SYSTEM_PYTHON
+
+CHILD = os.path.join(os.path.dirname(os.path.realpath(__file__)), "vtk_child.py")
+INSTALL = ("Pictures in 3D need VTK for Python and a virtual display; on Debian or Ubuntu: apt-get install python3-vtk9 xvfb "
+           "(python3-paraview has VTK, too).")
+LONGEST = 600  # s for a picture, and 20 s for a display
+
+
+class Piece:
+    """Polygons or lines in 3D. points (v, 3), cells (k, corners), colours: (k, 3) or one (3), from 0 to 255; look: opacity, lines, width
+    [pixels], tube (radius of lines), flat (without light)"""
+
+    def __init__(self, points, cells, colours, **look):
+        self.points, self.cells, self.look = np.asarray(points, dtype=float), np.asarray(cells, dtype=np.int64), look
+        self.colours = np.broadcast_to(np.asarray(colours, dtype=np.uint8), (len(self.cells), 3))
+
+
+class Camera:
+    """Parallel projection. focus: the position (3) in the middle of the picture; toward: from the body to the reader (3); up (3);
+    half_height: half the height of the picture, in the unit of positions; size: pixels (width, height)"""
+
+    def __init__(self, focus, toward, up, half_height, size):
+        self.focus, self.half_height, self.size = np.asarray(focus, dtype=float), float(half_height), tuple(int(n) for n in size)
+        self.toward = np.asarray(toward) / np.linalg.norm(toward)
+        right = np.cross(up, self.toward)
+        self.right = right / np.linalg.norm(right)
+        self.up = np.cross(self.toward, self.right)
+
+    def pixels(self, points):
+        """(k, 2) columns and rows, from the top left, of positions (k, 3)."""
+        arm = np.atleast_2d(points) - self.focus
+        scale = 0.5 * self.size[1] / self.half_height
+        return np.c_[0.5 * self.size[0] + scale * arm @ self.right, 0.5 * self.size[1] - scale * arm @ self.up]
+
+    def as_json(self):
+        return json.dumps({"focus": self.focus.tolist(), "position": (self.focus + 10.0 * self.half_height * self.toward).tolist(),
+                           "up": self.up.tolist(), "half_height": self.half_height, "size": self.size})
+
+
+def python_with_vtk():
+    """An interpreter that has VTK, or None."""
+    if importlib.util.find_spec("vtkmodules") is not None:
+        return sys.executable
+    if os.path.exists(SYSTEM_PYTHON) and os.path.realpath(SYSTEM_PYTHON) != os.path.realpath(sys.executable):
+        found = subprocess.run([SYSTEM_PYTHON, "-c", "import vtkmodules, numpy"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return SYSTEM_PYTHON if found.returncode == 0 else None
+    return None
+
+
+class Display:
+    """A virtual display while in use; without Xvfb the environment as it is, which newer VTK can draw in without any display."""
+
+    def __enter__(self):
+        self.server, self.environment = None, dict(os.environ)
+        program = shutil.which("Xvfb")
+        if program is None:
+            return self.environment
+        read, write = os.pipe()
+        self.server = subprocess.Popen([program, "-displayfd", str(write), "-screen", "0", "640x480x24", "-nolisten", "tcp"], pass_fds=[write],
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()  # empty where the server has ended
+        if number:
+            self.environment["DISPLAY"] = f":{number}"
+        return self.environment
+
+    def __exit__(self, *_):
+        if self.server is not None:
+            self.server.terminate()
+            self.server.wait()
+
+
+def render(pieces, camera):
+    """A picture (rows, columns, 3) of pieces, or None where there is no VTK or no display."""
+    python = python_with_vtk()
+    if python is None:
+        return None
+    with tempfile.TemporaryDirectory(prefix="rhegma-picture-") as folder:
+        source, target = os.path.join(folder, "pieces.npz"), os.path.join(folder, "picture.png")
+        shown = [piece for piece in pieces if len(piece.cells)]
+        arrays = {f"{name}{i}": getattr(piece, name) for i, piece in enumerate(shown) for name in ("points", "cells", "colours")}
+        np.savez(source, camera=camera.as_json(), looks=json.dumps([piece.look for piece in shown]), **arrays)
+        with Display() as environment:
+            try:
+                subprocess.run([python, CHILD, source, target], env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=LONGEST)
+            except (OSError, subprocess.TimeoutExpired):
+                return None
+        if not os.path.exists(target):
+            return None
+        with Image.open(target) as picture:
+            return np.asarray(picture.convert("RGB")).copy()

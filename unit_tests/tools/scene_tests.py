@@ -1,0 +1,270 @@
+"""Tests of rhegma-plot --scene: what the picture of a scene shows before any run, by the program's own state of it."""
+
+import os
+import random
+import unittest
+
+from tool import ToolTest, picture_size, run  # first, as it finds the Python for all others
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgb
+from matplotlib.quiver import Quiver
+
+from rhegma_tools import scene_panel, style
+from rhegma_tools.interpreter import Problem
+from rhegma_tools.scene_picture import Drawing, flat_figure, list_lines, spatial_figure, summary_line
+from rhegma_tools.scene_state import state_of
+from rhegma_tools.scene_symbols import Arrows, Nodes, Plane, peak
+from rhegma_tools.scene_values import Scene
+
+PROGRAM = os.environ.get("RHEGMA_PROGRAM")
+SEED = int(os.environ.get("RHEGMA_SEED", "20261128"))
+
+MATERIAL = ("Materials", {"Glass": {"Model": "Linear Elastic", "Density": 2500.0, "Young Modulus": 7e10, "Poisson Ratio": 0.2}})
+
+
+def xml(values, name="Rhegma"):
+    """A parameter list from nested dictionaries of numbers, texts and lists of numbers."""
+    kinds = {int: "int", float: "double", str: "string", bool: "bool"}
+    parts = []
+    for key, value in values.items():
+        if isinstance(value, dict):
+            parts.append(xml(value, key))
+        elif isinstance(value, (list, tuple)):
+            parts.append(f'<Parameter name="{key}" type="Array(double)" value="{{{", ".join(repr(float(v)) for v in value)}}}"/>')
+        else:
+            parts.append(f'<Parameter name="{key}" type="{kinds[type(value)]}" value="{str(value).lower() if isinstance(value, bool) else value}"/>')
+    return f'<ParameterList name="{name}">{"".join(parts)}</ParameterList>'
+
+
+def plate(width, height, cell, crack, boundaries, hole=None, **more):
+    """A scene in 2D: a plate with a corner at the origin, an edge crack and perhaps a hole (x, y, radius)."""
+    body = {"Material": "Glass", "Shape": "Box", "Lower Corner": [0, 0], "Upper Corner": [width, height]}
+    if hole:
+        body["Operations"] = {"Hole": {"Operation": "Cut", "Shape": "Ball", "Centre": hole[:2], "Radius": float(hole[2])}}
+    margin = 4 * cell
+    return {"Domain": {"Dimension": 2, "Lower Corner": [-margin, -margin], "Upper Corner": [width + margin, height + margin], "Cell Size": cell},
+            "Time": {"Final Time": 1e-5}, **dict([MATERIAL]), "Bodies": {"Plate": body}, "Cracks": {"Notch": {"Points": crack}},
+            "Boundaries": boundaries, **more}
+
+
+def block(cell=1e-3, **more):
+    """A scene in 3D: a block of 12 x 10 x 8 mm with a round crack, pulled along z, and a plane of symmetry at x = 0."""
+    pull = {"Type": "Traction", "Body": "Block", "Corner": [0, 0, 0.008], "Edge 1": [0.012, 0, 0], "Edge 2": [0, 0.01, 0], "Stress": [0, 0, 3e6]}
+    return {"Domain": {"Dimension": 3, "Lower Corner": [0, -0.002, -0.002], "Upper Corner": [0.014, 0.012, 0.01], "Cell Size": cell},
+            "Time": {"Final Time": 1e-5}, **dict([MATERIAL]),
+            "Bodies": {"Block": {"Material": "Glass", "Shape": "Box", "Lower Corner": [0, 0, 0], "Upper Corner": [0.012, 0.01, 0.008]}},
+            "Cracks": {"Penny": {"Centre": [0.006, 0.005, 0.0043], "Normal": [0, 0, 1], "Radius": 0.0025}},
+            "Boundaries": {"Middle": {"Type": "Symmetry", "Axis": "x", "Position": 0.0},
+                           "Floor": {"Type": "Velocity", "Lower Corner": [0, 0, 0], "Upper Corner": [0.012, 0.01, 0], "Components": "z", "Value": [0, 0, 0]},
+                           "Pull": pull}, **more}
+
+
+@unittest.skipUnless(PROGRAM, "needs the program, RHEGMA_PROGRAM")
+class SceneDrawn(ToolTest):
+    def drawing(self, values):
+        scene = Scene(self.write("scene.xml", xml(values)))
+        return Drawing(scene, state_of(scene, PROGRAM))
+
+    def arrows_of(self, axes):
+        """{label: (points, directions)} in the unit of the picture, of the arrows in the order of the symbols."""
+        return [(np.asarray(q.XY), np.stack([q.U, q.V], axis=1), q) for q in axes.collections if isinstance(q, Quiver)]
+
+    def random_plate(self, rng):
+        cell = 1e-3 * rng.uniform(0.8, 1.2)
+        width, height = (round(rng.uniform(24, 40)) * cell for _ in range(2))
+        start, length, angle = rng.uniform(0.35, 0.65) * height, rng.uniform(0.25, 0.4) * width, rng.uniform(-0.5, 0.5)
+        tip = [length * np.cos(angle), start + length * np.sin(angle)]
+        hole = (0.8 * width, rng.uniform(0.3, 0.7) * height, 0.09 * width)
+        stress, force = rng.uniform(1e6, 9e6), rng.uniform(10.0, 90.0)
+        boundaries = {
+            "Top": {"Type": "Traction", "Body": "Plate", "From": [width, height], "To": [0, height], "Stress": [0, stress]},
+            "Push": {"Type": "Traction", "Body": "Plate", "From": [width, 0], "To": [width, height], "Pressure": 2e6},
+            "Pin": {"Type": "Point Load", "Body": "Plate", "Point": [0.5 * width, height], "Force": [-force, 0], "History": "0:0, 1e-5:2"},
+            "Foot": {"Type": "Velocity", "Lower Corner": [0, 0], "Upper Corner": [width, 0], "Components": "y", "Value": [0, 0]}}
+        return plate(width, height, cell, [0, start, *tip], boundaries, hole), width, height, cell, start, tip, hole, stress, force
+
+    def test_a_random_plate_has_all_its_symbols(self):
+        print(f"seed {SEED}")
+        rng = random.Random(SEED)
+        for _ in range(3):
+            values, width, height, cell, start, tip, hole, stress, force = self.random_plate(rng)
+            drawing = self.drawing(values)
+            figure, (panel,) = flat_figure(drawing)
+            (top, up, _), (push, left, pushed), (pin, pinned, _) = self.arrows_of(panel.axes)
+            self.assertEqual((len(top), len(push), len(pin)), (7, 7, 1))
+            np.testing.assert_allclose(top[:, 1], height * drawing.length, rtol=1e-12)
+            self.assertTrue((up[:, 1] > 0).all() and (up[:, 0] == 0).all())
+            self.assertEqual(pushed.pivot, "tip")  # a pressure has its heads on the surface
+            self.assertTrue((left[:, 0] < 0).all())
+            np.testing.assert_allclose(pin, [[0.5 * width * drawing.length, height * drawing.length]], rtol=1e-12)
+            self.assertTrue(pinned[0, 0] < 0)
+            labels = {text.get_text() for text in panel.labels}
+            self.assertIn(f"Top: {stress / 1e6:.4g} MPa", labels)
+            self.assertIn("Push: 2 MPa", labels)
+            self.assertIn(f"Pin: {2 * force:.4g} N at most", labels)
+            self.assertIn("Foot: y held", labels)
+            self.check_crack_and_nodes(drawing, panel, width, cell, start, tip)
+            self.check_pixels(figure, panel, drawing, hole, tip, start)
+            style.plt.close(figure)
+
+    def check_crack_and_nodes(self, drawing, panel, width, cell, start, tip):
+        """The crack as the program has it goes from the edge to the tip, its front is there, and the foot has a node in each column."""
+        ends = drawing.fields.crack.points[:, :2]
+        for end in ([0.0, start], tip):
+            self.assertLess(np.linalg.norm(ends - end, axis=1).min(), 1e-9)
+        np.testing.assert_allclose(drawing.fronts, [[*tip, 0.0]], atol=1e-9)
+        drawn = [line for line in panel.axes.lines if line.get_label() == "crack front"]
+        np.testing.assert_allclose(drawn[0].get_xydata(), np.array([tip]) * drawing.length, atol=1e-6)
+        (foot,) = [symbol for symbol in drawing.symbols if isinstance(symbol, Nodes)]
+        self.assertTrue(foot.held and foot.axes == "y")
+        np.testing.assert_allclose(foot.points[:, 1], 0.0, atol=1e-12)
+        self.assertEqual(len(foot.points), round(width / cell) + 1)
+
+    def check_pixels(self, figure, panel, drawing, hole, tip, start):
+        """The crack is dark, the hole white, and the body has its tint."""
+        figure.canvas.draw()
+        picture = np.asarray(figure.canvas.buffer_rgba())[:, :, :3] / 255.0
+
+        def around(x, y, reach=2):
+            column, row = panel.axes.transData.transform((x * drawing.length, y * drawing.length))
+            row = picture.shape[0] - 1 - int(round(row))
+            return picture[row - reach:row + reach + 1, int(round(column)) - reach:int(round(column)) + reach + 1].reshape(-1, 3)
+
+        self.assertLess(around(0.5 * tip[0], 0.5 * (start + tip[1])).mean(axis=1).min(), 0.25)
+        self.assertTrue((around(*hole[:2]) == 1.0).all())
+        tint = np.array(to_rgb(scene_panel.TINTS[0]))
+        self.assertLess(np.abs(around(0.3 * hole[0], 0.1 * hole[1] + 1e-4, 4) - tint).max(axis=1).min(), 0.01)
+
+    def test_a_hole_is_dashed_and_cells_have_the_size_of_the_program(self):
+        rng = random.Random(SEED + 1)
+        values, *_ = self.random_plate(rng)
+        values["Adaptivity"] = {"Maximum Level": 1, "Front Cells": 6}
+        drawing = self.drawing(values)
+        figure, (panel,) = flat_figure(drawing)
+        dashed = [c for c in panel.axes.collections if isinstance(c, LineCollection) and c.get_linestyle()[0][1]]
+        self.assertEqual(len(dashed), 1)
+        radius = values["Bodies"]["Plate"]["Operations"]["Hole"]["Radius"]
+        self.assertAlmostEqual(np.ptp(dashed[0].get_segments()[0][:, 0]), 2 * radius * drawing.length, places=6)
+        cell = values["Domain"]["Cell Size"]
+        self.assertIn(f"to {0.5e6 * cell:.4g} µm (refined up to level 1)", summary_line(drawing))
+        finest = drawing.fields.leaves.corners[drawing.fields.leaves.level == 1]
+        self.assertAlmostEqual(np.ptp(finest[0][:, 0]), 0.5 * cell, places=12)
+        style.plt.close(figure)
+
+    def test_views_in_3d(self):
+        self.assertEqual(len(self.drawing(block()).fronts), 0)
+        drawing = self.drawing(block(**{"Energy Release": {}}))
+        pull = next(symbol for symbol in drawing.symbols if isinstance(symbol, Arrows))
+        self.assertEqual(len(pull.points), 9)
+        self.assertFalse(pull.into)
+        plane = next(symbol for symbol in drawing.symbols if isinstance(symbol, Plane))
+        self.assertEqual((plane.axis, plane.position), (0, 0.0))
+        self.assertGreater(len(drawing.fronts), 8)
+        np.testing.assert_allclose(np.linalg.norm(drawing.fronts - [0.006, 0.005, 0.0043], axis=1), 0.0025, rtol=0.02)
+        figure, panels = spatial_figure(drawing, None)
+        counts = [sum(q.N for _, _, q in self.arrows_of(panel.axes)) for panel in panels]
+        self.assertEqual(counts, [0, 9, 9])  # along z they are seen from their end
+        rings = [line for line in panels[0].axes.lines if line.get_marker() == "o" and len(line.get_xdata()) == 9]
+        self.assertEqual(len(rings), 1)
+        self.assertIn("Pull: 3 MPa", {text.get_text() for text in panels[1].labels})
+        style.plt.close(figure)
+
+    def test_arrows_have_the_directions_of_the_programs_forces(self):
+        """Loads of random directions on random faces of a block; the program prints the direction of each total force."""
+        print(f"seed {SEED}")
+        rng = random.Random(SEED)
+        corner, edges = [0, 0, 0], np.diag([0.012, 0.01, 0.008])
+        for _ in range(2):
+            axis, side = rng.randrange(3), rng.randrange(2)
+            one, two = (edges[(axis + k) % 3] for k in ((1, 2) if side else (2, 1)))  # their cross product points outwards
+            start = corner + side * edges[axis]
+            face = {"Type": "Traction", "Body": "Block", "Corner": list(start), "Edge 1": list(one), "Edge 2": list(two)}
+            values = block()
+            values["Boundaries"] = {"Press": dict(face, Pressure=rng.choice([-1, 1]) * 2e6),
+                                    "Drag": dict(face, Stress=[rng.uniform(-1e6, 1e6) for _ in range(3)], History="0:0, 1e-5:-3"),
+                                    "Pin": {"Type": "Point Load", "Body": "Block", "Point": [0.006, 0.005, 0.008], "Force": [rng.uniform(-9, 9) for _ in range(3)]}}
+            drawing = self.drawing(values)
+            for symbol in drawing.symbols:
+                text = drawing.state.forces[symbol.name]
+                given = np.array([float(number) for number in text[text.index("(") + 1:text.index(")")].split(",")])
+                np.testing.assert_allclose(symbol.direction, given / np.linalg.norm(given), atol=0.01, err_msg=f"{symbol.name}: {text}")
+
+    def test_the_command_writes_a_picture_and_no_other_file(self):
+        scene = self.write("plate.xml", xml(self.random_plate(random.Random(SEED + 2))[0]))
+        picture = self.path("before.png")
+        status, output, _ = run("rhegma-plot", "--scene", scene, "--output", picture, "--rhegma", PROGRAM)
+        self.assertEqual(status, 0)
+        self.assertIn(f"Wrote {picture}: 1 body, 1 crack, 3 loads, 1 support;", output)
+        self.assertGreater(min(picture_size(picture)), 500)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["before.png", "plate.xml"])
+
+    def test_names_of_any_letters_on_a_plain_terminal(self):
+        values = plate(0.03, 0.03, 4e-4, [0, 0.015, 0.01, 0.015],
+                       {"Last $x$ größer": {"Type": "Traction", "Body": "Plate", "From": [0.03, 0.03], "To": [0, 0.03], "Stress": [0, 1e6]}})
+        scene = self.write("odd.xml", xml(values))
+        status, output, messages = run("rhegma-plot", "--scene", scene, "-o", self.path("odd.png"), "--rhegma", PROGRAM, PYTHONIOENCODING="ascii")
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn("cells of 400 ?m", output)
+        figure, (panel,) = flat_figure(self.drawing(values))
+        (label,) = panel.labels
+        self.assertEqual(label.get_text(), "Last $x$ größer: 1 MPa")
+        self.assertFalse(label.get_parse_math())
+        style.plt.close(figure)
+
+    def test_set_changes_what_is_drawn(self):
+        values = plate(0.03, 0.03, 1e-3, [0, 0.015, 0.01, 0.015],
+                       {"Top": {"Type": "Traction", "Body": "Plate", "From": [0.03, 0.03], "To": [0, 0.03], "Stress": [0, 1e6]}})
+        scene = Scene(self.write("scene.xml", xml(values)), ["Cracks:Notch:Points={0, 0.015, 0.02, 0.015}", "Boundaries:Top:Stress={0, -4e6}"])
+        drawing = Drawing(scene, state_of(scene, PROGRAM))
+        np.testing.assert_allclose(drawing.fronts[0], [0.02, 0.015, 0.0], atol=1e-12)
+        self.assertEqual(drawing.symbols[0].label, "4 MPa")
+        self.assertTrue(drawing.symbols[0].into)
+        self.assertTrue(any("120 kN along (0, -1)" in text for text, _ in list_lines(drawing)))  # 4 MPa on 30 mm by 1 m
+
+    def test_an_equilibrium_is_drawn_too(self):
+        """Its Reference asks for a result that only growth in equilibrium has."""
+        values = plate(0.03, 0.03, 1e-3, [0, 0.015, 0.01, 0.015],
+                       {"Top": {"Type": "Traction", "Body": "Plate", "From": [0.03, 0.03], "To": [0, 0.03], "Stress": [0, 1e6]},
+                        "Foot": {"Type": "Velocity", "Lower Corner": [0, 0], "Upper Corner": [0.03, 0], "Value": [0, 0]}},
+                       **{"Energy Release": {}, "Propagation": {"Toughness": 10.0, "Increment": 0.1}})
+        values["Time"].update({"Analysis": "Quasi-Static", "Load Steps": 4})
+        values["Reference"] = {"Load": {"Quantity": "propagation.initiation.load_factor", "Value": 1.0, "Tolerance": 0.1, "Source": "made up"}}
+        drawing = self.drawing(values)
+        np.testing.assert_allclose(drawing.fronts[0], [0.01, 0.015, 0.0], atol=1e-9)
+
+    def test_a_wrong_scene_gives_the_message_of_the_program(self):
+        values = plate(0.03, 0.03, 1e-3, [0, 0.015, 0.01, 0.015], {"Top": {"Type": "Gravity", "Acceleration": [0, -9.81]}})
+        values["Domain"]["Cell Size"] = -1e-3
+        scene = self.write("wrong.xml", xml(values))
+        self.assert_fails(run("rhegma-plot", "--scene", scene, "--rhegma", PROGRAM), "Domain > Cell Size: is -0.001 m; it must be above 0 m")
+
+
+class SceneValues(ToolTest):
+    def test_histories(self):
+        self.assertEqual(peak({}), (1.0, ""))
+        self.assertEqual(peak({"History": "0:0, 1:3, 2:-5"}), (-5.0, " at most"))
+        self.assertEqual(peak({"History": "2.5"}), (2.5, ""))
+        self.assertEqual(peak({"History": "t < 2 ? 1 : 0"}), (1.0, " × f(t)"))
+
+    def test_a_copy_for_the_first_step(self):
+        scene = Scene(self.write("scene.xml", xml({"Time": {"Final Time": 1.0, "Analysis": "Static"}, "Output": {"Fields": False},
+                                                   "Cracks": {"A": {"Surface File": "crack.stl"}}, "Reference": {"R": {"Value": 1.0}}})))
+        text = scene.still()
+        self.assertNotIn("Reference", text)
+        self.assertNotIn("Static", text)
+        self.assertIn('name="Maximum Steps" type="int" value="1"', text)
+        self.assertIn('name="Fields" type="bool" value="true"', text)
+        self.assertIn(f'value="{self.path("crack.stl")}"', text)  # the copy lies elsewhere
+        self.assertIn("Static", scene.still(dynamic=False))
+
+    def test_refuses_wrong_arguments(self):
+        self.assert_fails(run("rhegma-plot"), "either the DIR of a run or --scene")
+        self.assert_fails(run("rhegma-plot", self.folder, "--scene", "a.xml"), "either the DIR of a run or --scene")
+        self.assert_fails(run("rhegma-plot", "--scene", self.path("none.xml")), "there is no file")
+        scene = self.write("scene.xml", xml({"Domain": {"Dimension": 2}}))
+        self.assert_fails(run("rhegma-plot", "--scene", scene, "--set", "Cell Size"), "--set", "Section:Parameter=value")
+        self.assert_fails(run("rhegma-plot", "--scene", scene, "--rhegma", self.path("rhegma")), "there is no program")
+        with self.assertRaises(Problem):
+            Scene(self.write("text.xml", "no scene"))
