@@ -70,6 +70,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
     timed.field = PositionFunction::parse(list.get<std::string>("Field"), D);
     setFieldAtNodes(timed, state);
   }
+  timed.boxMoves = boxMoves(timed, list.get<std::string>("Box Motion"), state);
   return timed;
 }
 
@@ -119,6 +120,10 @@ void checkVelocity(SectionChecks& checks, const ParameterList& boundary, const s
   checks.corners(boundary, where, true);
   checkComponents(checks, boundary, where);
   checkField(checks, boundary, where);
+  if (boundary.isParameter("Field") && text(boundary, "Box Motion") == "With Material")
+    checks.report(scenePath(where, "Box Motion"),
+                  "is \"With Material\", but the box can't follow a Field, whose velocity differs from node to "
+                  "node; write Value in place of Field, or set Box Motion to Fixed.");
 }
 
 } // namespace
@@ -135,6 +140,13 @@ BoundaryType velocityBoundary()
       .byDefault("Inside")
       .meaning("Which nodes are prescribed: those inside the box or those outside it. Nodes on the edge of "
                "the box belong to both.");
+  s.choice("Box Motion", {"Automatic", "Fixed", "With Material"})
+      .byDefault("Automatic")
+      .meaning(
+          "Whether the box moves. Fixed: it holds the nodes of a fixed region, through which material may "
+          "flow. With Material: it moves with the prescribed velocity, along the axes in Components, and goes "
+          "on holding the same part of the body; at the start it must contain particles. Automatic: With "
+          "Material where Value is not zero along such an axis and the box contains particles; else Fixed.");
   s.realArray("Value").unit("m/s").perAxis().optional().meaning(
       "The velocity, the same at all nodes. Axes that are not in Components are ignored.");
   s.text("Field").unit("m/s").notEmpty().optional().meaning(
