@@ -100,7 +100,7 @@ bool boxMoves(const TimedConstraint<D>& timed, const std::string& choice, const 
   bool moving = false;
   for (int d = 0; d < D; ++d)
     moving = moving || (timed.constraint.holds[d] && timed.value[d] != 0.0);
-  const bool requested = choice == "With Material";
+  const bool requested = choice == "With Material" || choice == "With Grid";
   if (timed.field || (!requested && (choice == "Fixed" || !moving)))
     return false;
   const bool holdsMaterial = particlesIn(timed.constraint, state) > 0.0;
@@ -272,7 +272,9 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                 {
                   updateCells(timed, state);
                   state.motion.constraints.push_back(timed.at(state.clock.time + state.clock.dt));
-                  timed.displace(state.clock.dt * state.motion.constraints.back().value);
+                  const Vector<D> by = timed.displace(state.clock.dt * state.motion.constraints.back().value);
+                  if (timed.gridMoves)
+                    state.mesh.ahead = by;
                 }
               });
   effect.call(Stage::AfterSolve, "prescribed motion",

@@ -32,6 +32,7 @@ struct TimedConstraint
   int generation = 0;                      ///< of the cells whose nodes have it
   /// Whether the box moves by `displacement`, so that it stays on the material that it held at the start.
   bool boxMoves = false;
+  bool gridMoves = false; ///< whether all cells move with it, so that it holds the same nodes throughout
 
   /// The constraint with its value at a time [s], and with its box as it is now.
   NodeConstraint<D> at(double time) const { return withFactor(history(time)); }
@@ -50,11 +51,14 @@ struct TimedConstraint
     return now;
   }
 
-  /// Records the motion over a step. \param by velocity times length of the step [m]
-  void displace(const Vector<D>& by)
+  /// Records the motion over a step. \param by velocity times length of the step [m] \return its part along
+  /// the axes that are held
+  Vector<D> displace(Vector<D> by)
   {
     for (int d = 0; d < D; ++d)
-      displacement[d] += constraint.holds[d] ? by[d] : 0.0;
+      by[d] = constraint.holds[d] ? by[d] : 0.0;
+    displacement = displacement + by;
+    return by;
   }
 };
 
