@@ -51,14 +51,16 @@ class MovingSupports(ProgramTest):
         return abs(energy["residual"]) / summary["largest_energy_supplied"]
 
     def test_the_body_stays_attached(self):
-        """Its centre follows the support up to its strain: v / c of its length is the largest, 3 % or half a cell."""
+        """Its centre follows the support up to its strain: v / c of its length is the largest, 3 % or half a cell. The error of
+        the energy balance is of first order in the step (0.6 % with CFL = 0.4, 0.14 % with 0.1)."""
         moved = SPEED * (END - 1e-3)
         for dimension in (2, 3):
             for motion in ("Automatic", "With Grid"):
                 with self.subTest(motion, dimension=dimension):
-                    summary = self.result(bar(motion, dimension), f"{motion} {dimension}".replace(" ", "_"))
+                    scene = bar(motion, dimension).set("Time > CFL", 0.1)
+                    summary = self.result(scene, f"{motion} {dimension}".replace(" ", "_"))
                     self.assertAlmostEqual(summary["bodies"][0]["centre"][0], 0.08 + moved, delta=0.5 * CELL)
-                    self.assertLess(self.balance(summary), 5e-3)
+                    self.assertLess(self.balance(summary), 2e-3)
 
     def test_impulse_of_the_support_is_the_momentum(self):
         """The mean force over each history interval times its length adds up to the momentum of the body."""
@@ -70,7 +72,7 @@ class MovingSupports(ProgramTest):
                     rows = [[float(x) if x else math.nan for x in line.split(",")] for line in file]
                 time, force = (next(k for k, n in enumerate(names) if n.split(" ")[0] == wanted)
                                for wanted in ("time", "Push.force_x"))
-                impulse = sum((b[time] - a[time]) * b[force] for a, b in zip(rows, rows[1:]))
+                impulse = rows[0][time] * rows[0][force] + sum((b[time] - a[time]) * b[force] for a, b in zip(rows, rows[1:]))
                 body = summary["bodies"][0]
                 self.assertAlmostEqual(impulse / (body["mass"] * body["velocity"][0]), 1.0, delta=1e-8)
 
@@ -82,7 +84,7 @@ class MovingSupports(ProgramTest):
         twin.set("Boundaries > Push > Value", [-SPEED, 0.0]).set("Boundaries > Push > History", "0:1, 2e-3:0")
         frame, lab = self.result(twin, "frame"), self.result(bar("With Grid"), "lab")
         stress = [s["bodies"][0]["stress"]["xx"] for s in (frame, lab)]
-        moved = SPEED * (END - 1e-3)
+        moved = SPEED * END
         self.assertAlmostEqual(lab["bodies"][0]["centre"][0] - frame["bodies"][0]["centre"][0], moved, delta=0.02 * CELL)
         scale = SPEED * math.sqrt(1e6 * 1000.0)  # rho c v
         self.assertAlmostEqual(stress[1] / scale, stress[0] / scale, delta=0.02)
@@ -116,10 +118,14 @@ class MovingSupports(ProgramTest):
             (bar("With Grid").set("Boundaries > Wall", {"Type": "Symmetry", "Axis": "x", "Position": 0.0}), push + " > Box Motion",
              ["can't move along x past Boundaries > Wall"]),
             (bar("With Grid").set("Time > Analysis", "Static"), push + " > Box Motion", ["only in dynamic analyses"]),
-            (bar("With Grid").set("Adaptivity", {"Maximum Level": 1}), push + " > Box Motion", ["refined cells can't move"]),
+            (bar("With Grid").set("Adaptivity", {"Maximum Level": 1, "Velocity Change": 0.1}), push + " > Box Motion", ["refined cells can't move"]),
             (bar("With Grid").again(push, "More"), "Boundaries > More > Box Motion", ["the grid moves with Boundaries > Push already"]),
-            (bar("With Material").remove(push + " > Value").set(push + " > Field", "y, 0"), push + " > Box Motion", ["can't follow a Field"]),
+            (bar("With Material").remove(push + " > Value").set(push + " > Field", "y, 0"), push + " > Box Motion",
+             ["can't follow a Field"]),
             (bar("With Material").set(push + " > Upper Corner", [-0.02, 1.0]), push, ["no particle is in the box"]),
+            (bar("With Material").set("Boundaries > Stop", {
+                "Type": "Velocity", "Lower Corner": [0.038, -1.0], "Upper Corner": [0.052, 1.0], "Components": "x",
+                "Value": [0.0, 0.0]}), push, ["both prescribe the node"]),
         )
         for k, (scene, where, words) in enumerate(cases):
             with self.subTest(words[0]):
