@@ -32,6 +32,9 @@ struct TimedConstraint
   int generation = 0;                      ///< of the cells whose nodes have it
   /// Whether the box moves by `displacement`, so that it stays on the material that it held at the start.
   bool boxMoves = false;
+  /// Length by which the trailing edges of such a box lag behind, so that nodes on them are not lost with the
+  /// first motion [m]
+  double lag = 0.0;
   bool gridMoves = false; ///< whether all cells move with it, so that it holds the same nodes throughout
 
   /// The constraint with its value at a time [s], and with its box as it is now.
@@ -43,12 +46,19 @@ struct TimedConstraint
     NodeConstraint<D> now = constraint;
     now.factor = factor;
     now.value = factor * value;
-    if (boxMoves)
+    for (int d = 0; d < D && boxMoves; ++d)
     {
-      now.lower = now.lower + displacement;
-      now.upper = now.upper + displacement;
+      const double by = displacement[d];
+      now.lower[d] += by > 0.0 ? trailing(by) : by;
+      now.upper[d] += by < 0.0 ? trailing(by) : by;
     }
     return now;
+  }
+
+  /// Displacement of a trailing edge. \param by that of the box [m]
+  double trailing(double by) const
+  {
+    return by > 0.0 ? (by > lag ? by - lag : 0.0) : (by < -lag ? by + lag : 0.0);
   }
 
   /// Records the motion over a step. \param by velocity times length of the step [m] \return its part along

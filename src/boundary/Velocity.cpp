@@ -74,6 +74,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
     setFieldAtNodes(timed, state);
   }
   timed.boxMoves = boxMoves(timed, boxMotion, state);
+  timed.lag = timed.gridMoves || timed.constraint.outside ? 0.0 : 0.5 * grid.spacing;
   return timed;
 }
 

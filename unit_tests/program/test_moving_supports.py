@@ -94,6 +94,15 @@ class MovingSupports(ProgramTest):
                  for m in ("With Material", "With Grid")]
         self.assertLess(boxes[1], 0.5 * boxes[0])
 
+    def test_nodes_on_a_trailing_edge_stay_held(self):
+        """Up to half a cell: until then a box that moves holds what a fixed one holds, whose edge lies on the same nodes."""
+        results = []
+        for motion in ("Fixed", "With Material"):
+            scene = bar(motion).set("Time > Final Time", 0.004).set("Boundaries > Push > Value", [-SPEED, 0.0])
+            scene.set("Boundaries > Push > Upper Corner", [0.02, 1.0])
+            results.append(self.result(scene, motion.replace(" ", "_"))["energy"])
+        self.assertEqual(results[0], results[1])
+
     def test_ranks_are_alike(self):
         for motion in ("Automatic", "With Grid"):
             with self.subTest(motion):
