@@ -129,7 +129,7 @@ void checkVelocity(SectionChecks& checks, const ParameterList& boundary, const s
     checks.report(scenePath(where, "Box Motion"),
                   "is \"" + motion +
                       "\", but the box can't follow a Field, whose velocity differs from node to node; write "
-                      "Value in place of Field, or set Box Motion to Fixed.");
+                      "Value instead of Field, or set Box Motion to Fixed.");
 }
 
 } // namespace
