@@ -5,6 +5,7 @@
 #include "base/ReadList.hpp"
 #include "boundary/BoundaryParts.hpp"
 #include "boundary/Contradictions.hpp"
+#include "boundary/GridMotion.hpp"
 #include "boundary/IdleSupports.hpp"
 #include "boundary/LoadDisplacements.hpp"
 #include "boundary/LoadForces.hpp"
@@ -96,12 +97,13 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
   if (!parts.loads.empty())
     addLoads(effect, scene, loads);
   effect.atStart = inOrder(effect.atStart,
-                           [constraints, loads, finalTime, supports = parts.supports, placed = parts.loads,
-                            all = &scene](State<D>& state)
+                           [constraints, loads, finalTime, cellsChange, supports = parts.supports,
+                            placed = parts.loads, all = &scene](State<D>& state)
                            {
                              Attempts attempts;
                              for (const auto& read : supports)
                                attempts.attempt([&] { constraints->push_back(read(state)); });
+                             attempts.attempt([&] { prepareGridMotion(*constraints, state, cellsChange); });
                              attempts.attempt(
                                  [&]
                                  {

@@ -37,7 +37,8 @@ struct Motion
   const TimedConstraint<D>& timed;
   std::vector<double> factor; ///< at each of the times
   double largestFactor = 0.0;
-  double largest = 0.0; ///< size of a component of the value at any time and position
+  double largest = 0.0;         ///< size of a component of the value at any time and position
+  std::vector<Vector<D>> shift; ///< of a box that moves, at each of the times [m]; else empty
 
   Motion(const TimedConstraint<D>& support, double finalTime) : timed(support), factor(times)
   {
@@ -46,7 +47,14 @@ struct Motion
       factor[k] = timed.history(finalTime * k / (times - 1));
       largestFactor = std::max(largestFactor, std::fabs(factor[k]));
     }
+    if (timed.boxMoves)
+      follow(finalTime / (times - 1));
   }
+
+  /// How far the box is from where it was at the start, at one of the times [m].
+  Vector<D> shiftAt(int k) const { return shift.empty() ? Vector<D>{} : shift[k]; }
+
+  bool holds(int k, const Vector<D>& x) const { return timed.constraint.appliesAt(x - shiftAt(k)); }
 
   Vector<D> amplitude(const Vector<D>& position) const
   {
@@ -66,13 +74,25 @@ struct Motion
     }
     return largestFactor * sum;
   }
+
+private:
+  /// By the trapezoidal rule. \param interval between the times [s]
+  void follow(double interval)
+  {
+    shift.assign(times, {});
+    for (int k = 1; k < times; ++k)
+      for (int d = 0; d < D; ++d)
+        shift[k][d] =
+            shift[k - 1][d] +
+            (timed.constraint.holds[d] ? 0.5 * interval * (factor[k - 1] + factor[k]) * timed.value[d] : 0.0);
+  }
 };
 
-/// Finds the time at which they disagree most. \return whether they disagree at all at a position that both
-/// hold
+/// Finds the time at which they disagree most. \param first \param last of the times to look at \return
+/// whether they disagree at all at a position that both hold
 template <int D>
 bool disagree(const Motion<D>& a, const Motion<D>& b, const Vector<D>& position, double spacing,
-              double finalTime, Conflict<D>& conflict)
+              double finalTime, int first, int last, Conflict<D>& conflict)
 {
   const Vector<D> ofA = a.amplitude(position), ofB = b.amplitude(position);
   double most = 0.0;
@@ -82,7 +102,7 @@ bool disagree(const Motion<D>& a, const Motion<D>& b, const Vector<D>& position,
       continue;
     const double slack = roundOff * std::max(a.largest, b.largest) + a.uncertainty(position, d, spacing) +
                          b.uncertainty(position, d, spacing);
-    for (int k = 0; k < times; ++k)
+    for (int k = first; k <= last; ++k)
     {
       const double one = a.factor[k] * ofA[d], two = b.factor[k] * ofB[d];
       const double apart = std::fabs(one - two);
@@ -127,11 +147,45 @@ bool mayMeet(const TimedConstraint<D>& a, const TimedConstraint<D>& b)
   if (!both)
     return false;
   for (int d = 0; d < D; ++d)
-    if (!a.constraint.outside && !b.constraint.outside &&
+    if (!a.constraint.outside && !b.constraint.outside && !a.boxMoves && !b.boxMoves &&
         std::max(a.constraint.lower[d], b.constraint.lower[d]) >
             std::min(a.constraint.upper[d], b.constraint.upper[d]))
       return false;
   return true;
+}
+
+/// Whether boxes of which one moves overlap at one of the times.
+template <int D>
+bool overlap(const Motion<D>& a, const Motion<D>& b, int k)
+{
+  const NodeConstraint<D>&one = a.timed.constraint, &two = b.timed.constraint;
+  for (int d = 0; d < D && !one.outside && !two.outside; ++d)
+    if (std::max(one.lower[d] + a.shiftAt(k)[d], two.lower[d] + b.shiftAt(k)[d]) >
+        std::min(one.upper[d] + a.shiftAt(k)[d], two.upper[d] + b.shiftAt(k)[d]))
+      return false;
+  return true;
+}
+
+/// The same as findConflict where a box moves: of the material that one of them holds, which moves with it.
+template <int D>
+bool findMeeting(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& positions,
+                 double spacing, double finalTime, Conflict<D>& conflict)
+{
+  for (int k = 0; k < times; ++k)
+  {
+    if (!overlap(one, two, k))
+      continue;
+    for (const Motion<D>* const carrier : {&one, &two})
+      for (const Vector<D>& position : positions)
+      {
+        const Vector<D> x =
+            position +
+            (carrier->shift.empty() ? Vector<D>{} : carrier->shift[k] - carrier->timed.displacement);
+        if (one.holds(k, x) && two.holds(k, x) && disagree(one, two, x, spacing, finalTime, k, k, conflict))
+          return true;
+      }
+  }
+  return false;
 }
 
 /// Checks the nodes of one pair.
@@ -139,9 +193,11 @@ template <int D>
 bool findConflict(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& positions,
                   double spacing, double finalTime, Conflict<D>& conflict)
 {
+  if (!one.shift.empty() || !two.shift.empty())
+    return findMeeting(one, two, positions, spacing, finalTime, conflict);
   for (const Vector<D>& position : positions)
     if (one.timed.constraint.appliesAt(position) && two.timed.constraint.appliesAt(position) &&
-        disagree(one, two, position, spacing, finalTime, conflict))
+        disagree(one, two, position, spacing, finalTime, 0, times - 1, conflict))
       return true;
   return false;
 }

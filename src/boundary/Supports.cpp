@@ -74,6 +74,46 @@ void setFieldAtNodes(TimedConstraint<D>& timed, const State<D>& state)
 namespace
 {
 
+/// Particles of all ranks in the box of a support, or outside of it where that holds those nodes.
+template <int D>
+double particlesIn(const NodeConstraint<D>& box, const State<D>& state)
+{
+  const auto position = state.particles.template real<D>(fields::position);
+  int count = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::particlesInBox", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, int& sum) {
+        Vector<D> x;
+        for (int d = 0; d < D; ++d)
+          x[d] = position(p, d);
+        sum += box.appliesAt(x) ? 1 : 0;
+      },
+      count);
+  return state.ranks.sum(static_cast<double>(count));
+}
+
+} // namespace
+
+template <int D>
+bool boxMoves(const TimedConstraint<D>& timed, const std::string& choice, const State<D>& state)
+{
+  bool moving = false;
+  for (int d = 0; d < D; ++d)
+    moving = moving || (timed.constraint.holds[d] && timed.value[d] != 0.0);
+  const bool requested = choice == "With Material" || choice == "With Grid";
+  if (timed.field || (!requested && (choice == "Fixed" || !moving)))
+    return false;
+  const bool holdsMaterial = particlesIn(timed.constraint, state) > 0.0;
+  if (requested && !holdsMaterial)
+    throw std::invalid_argument("Boundaries > " + timed.name +
+                                ": no particle is in the box at the start, so it can't move with material; "
+                                "extend it by a cell into the body, or set Box Motion to Fixed");
+  return holdsMaterial;
+}
+
+namespace
+{
+
 /// Updates the velocities at nodes after cells have changed.
 template <int D>
 void updateCells(TimedConstraint<D>& timed, State<D>& state)
@@ -136,15 +176,14 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                 }
               });
   effect.memory = inOrder(effect.memory,
-                          [constraints, last](State<D>& state, Archive& archive)
+                          [constraints, last](State<D>&, Archive& archive)
                           {
                             archive("last_sample", *last);
                             for (std::size_t c = 0; c < constraints->size(); ++c)
                             {
                               const Archive::Group group(archive, std::to_string(c));
                               archive.parts("impulse", (*constraints)[c].impulse);
-                              if (state.method.equilibrium())
-                                archive("displacement", (*constraints)[c].displacement);
+                              archive("displacement", (*constraints)[c].displacement);
                               archive("force", (*constraints)[c].force);
                               archive.parts("absorbed", (*constraints)[c].absorbed);
                               archive("absorbed_total", (*constraints)[c].absorbedTotal);
@@ -191,8 +230,8 @@ void collectReactions(State<D>& state, std::vector<TimedConstraint<D>>& constrai
           force);
       sumParts(state, &force, 1);
       constraints[c].force[d] = force;
-      constraints[c].displacement[d] += state.clock.dt * constraint.value[d];
     }
+    constraints[c].displace(state.clock.dt * constraint.value);
   }
 }
 
@@ -208,10 +247,7 @@ void addHeldDisplacements(Effect<D>& effect,
                 for (auto& timed : *constraints)
                 {
                   updateCells(timed, state);
-                  NodeConstraint<D> now = timed.constraint;
-                  now.factor = meanOverStep(state, timed.history);
-                  now.value = now.factor * timed.value;
-                  state.motion.constraints.push_back(now);
+                  state.motion.constraints.push_back(timed.withFactor(meanOverStep(state, timed.history)));
                 }
               });
   effect.call(Stage::AfterSolve, "forces of held nodes", {quantity::nodalMotion, quantity::prescribedMotion},
@@ -236,6 +272,9 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                 {
                   updateCells(timed, state);
                   state.motion.constraints.push_back(timed.at(state.clock.time + state.clock.dt));
+                  const Vector<D> by = timed.displace(state.clock.dt * state.motion.constraints.back().value);
+                  if (timed.gridMoves)
+                    state.mesh.ahead = by;
                 }
               });
   effect.call(Stage::AfterSolve, "prescribed motion",
@@ -258,11 +297,14 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
         if (constraints->size() > 1)
           clearMarks(state, *held);
         const bool atStart = state.clock.strainPass.before;
-        for (auto& timed : *constraints)
+        for (std::size_t c = 0; c < constraints->size(); ++c)
         {
-          const double work = constrainProjection(
-              state, timed.at(atStart ? state.clock.time : state.clock.time + state.clock.dt),
-              timed.at(state.clock.time), *held);
+          TimedConstraint<D>& timed = (*constraints)[c];
+          // The nodes that the solve held: the box has moved on since.
+          NodeConstraint<D> now = state.motion.constraints[c];
+          now.factor = timed.history(atStart ? state.clock.time : state.clock.time + state.clock.dt);
+          now.value = now.factor * timed.value;
+          const double work = constrainProjection(state, now, timed.at(state.clock.time), *held);
           state.energy.externalWork += work;
           timed.absorbed -= work;
         }
@@ -270,6 +312,8 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
       true);
 }
 
+template bool boxMoves(const TimedConstraint<2>&, const std::string&, const State<2>&);
+template bool boxMoves(const TimedConstraint<3>&, const std::string&, const State<3>&);
 template void setFieldAtNodes(TimedConstraint<2>&, const State<2>&);
 template void setFieldAtNodes(TimedConstraint<3>&, const State<3>&);
 template void addConstraints(Effect<2>&, const std::shared_ptr<std::vector<TimedConstraint<2>>>&, bool);

@@ -45,8 +45,11 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
   timed.constraint.lower = readVector<D>(list, "Lower Corner");
   timed.constraint.upper = readVector<D>(list, "Upper Corner");
   timed.constraint.outside = list.get<std::string>("Nodes") == "Outside";
-  // Nodes on the rim count as held whatever the rounding.
-  const double rim = (timed.constraint.outside ? -1e-9 : 1e-9) * grid.spacing;
+  const std::string boxMotion = list.get<std::string>("Box Motion");
+  timed.gridMoves = boxMotion == "With Grid";
+  // Nodes on the rim count as held whatever the rounding, which grows where box and grid move.
+  const double least = timed.gridMoves ? 1e-6 : 1e-9;
+  const double rim = (timed.constraint.outside ? -least : least) * grid.spacing;
   for (int d = 0; d < D; ++d)
   {
     timed.constraint.lower[d] -= rim;
@@ -70,6 +73,8 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
     timed.field = PositionFunction::parse(list.get<std::string>("Field"), D);
     setFieldAtNodes(timed, state);
   }
+  timed.boxMoves = boxMoves(timed, boxMotion, state);
+  timed.lag = timed.gridMoves || timed.constraint.outside ? 0.0 : 0.5 * grid.spacing;
   return timed;
 }
 
@@ -119,6 +124,12 @@ void checkVelocity(SectionChecks& checks, const ParameterList& boundary, const s
   checks.corners(boundary, where, true);
   checkComponents(checks, boundary, where);
   checkField(checks, boundary, where);
+  const std::string motion = text(boundary, "Box Motion");
+  if (boundary.isParameter("Field") && (motion == "With Material" || motion == "With Grid"))
+    checks.report(scenePath(where, "Box Motion"),
+                  "is \"" + motion +
+                      "\", but the box can't follow a Field, whose velocity differs from node to node; write "
+                      "Value instead of Field, or set Box Motion to Fixed.");
 }
 
 } // namespace
@@ -135,6 +146,18 @@ BoundaryType velocityBoundary()
       .byDefault("Inside")
       .meaning("Which nodes are prescribed: those inside the box or those outside it. Nodes on the edge of "
                "the box belong to both.");
+  s.choice("Box Motion", {"Automatic", "Fixed", "With Material", "With Grid"})
+      .byDefault("Automatic")
+      .meaning(
+          "Whether the box moves. Fixed: it holds the nodes of a fixed region, through which material may "
+          "flow. With Material: it moves with the prescribed velocity, along the axes in Components, and "
+          "goes "
+          "on holding the same part of the body; at the start it must contain particles. With Grid: the "
+          "same, and "
+          "all cells and the domain move, too, so that the same nodes are held throughout; without it stress "
+          "alternates from particle to particle near a box that moves by more than about half a cell. "
+          "Automatic: With Material where Value is not zero along such an axis and the box contains "
+          "particles; else Fixed.");
   s.realArray("Value").unit("m/s").perAxis().optional().meaning(
       "The velocity, the same at all nodes. Axes that are not in Components are ignored.");
   s.text("Field").unit("m/s").notEmpty().optional().meaning(

@@ -37,6 +37,9 @@ public:
 
   const Grid<D>& grid() const { return grid_; }
 
+  /// Moves the lattice. \param by displacement [m]
+  void translate(const Vector<D>& by) { grid_.translate(by); }
+
   /// A number of a cell among those of its level, in the order of their positions.
   std::uint64_t key(const Cell& cell) const;
 

@@ -64,6 +64,15 @@ struct Grid
     return x;
   }
 
+  /// Moves the cells and the domain. \param by displacement [m]
+  void translate(const Vector<D>& by)
+  {
+    origin = origin + by;
+    lower = lower + by;
+    upper = upper + by;
+    whole = whole + by;
+  }
+
   KOKKOS_INLINE_FUNCTION bool inside(const Vector<D>& x) const
   {
     bool in = true;

@@ -13,6 +13,7 @@ namespace Rhegma
 
 struct TimeFunction::Form
 {
+  std::string text;
   PairTable table; // empty for an expression
   // An expression of `t`, whose address the parser stores.
   mu::Parser parser;
@@ -34,6 +35,7 @@ TimeFunction::TimeFunction(std::shared_ptr<const Form> form) : m_form(std::move(
 TimeFunction TimeFunction::parse(const std::string& text)
 {
   const auto form = std::make_shared<Form>();
+  form->text = trimmed(text);
   if (trimmed(text).empty())
     throw std::invalid_argument("the function of time is empty." + adviceOnTime());
   if (PairTable::isMeant(text))
@@ -71,6 +73,8 @@ double TimeFunction::operator()(double t) const
   form.t = t;
   return form.parser.Eval();
 }
+
+bool TimeFunction::isSameAs(const TimeFunction& other) const { return m_form->text == other.m_form->text; }
 
 const std::vector<double>& TimeFunction::corners() const { return m_form->table.corners(); }
 

@@ -22,6 +22,9 @@ public:
   /// \param t  time [s]
   double operator()(double t) const;
 
+  /// Whether both were made of the same text.
+  bool isSameAs(const TimeFunction& other) const;
+
   /// Times of a table [s], in order; empty for an expression.
   const std::vector<double>& corners() const;
 

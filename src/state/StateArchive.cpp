@@ -2,6 +2,7 @@
 
 #include "grid/LeafList.hpp"
 #include "state/EnergySums.hpp"
+#include "state/MovingCells.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
@@ -212,6 +213,7 @@ void archiveState(State<D>& state, Archive& archive)
   archiveEnergies(state, archive);
   if (archive.loads())
     gatherLattice(state);
+  archiveCells(state, archive);
   archiveTree(state, archive);
   archiveParticles(state, archive);
   if (archive.loads())

@@ -71,8 +71,7 @@ void settle(State<D>& state, const Division<D>& division, const Branches<D>& ref
 {
   state.mesh.grid = division.window(state.ranks.rank());
   buildTree(refined.within(state.mesh.grid), state.mesh.tree); // caches of values by node are made anew
-  state.mesh.subdomain =
-      std::make_shared<const Subdomain<D>>(state.ranks, division, refined, state.mesh.tree);
+  state.mesh.subdomain = std::make_shared<Subdomain<D>>(state.ranks, division, refined, state.mesh.tree);
   state.mesh.nodes = Nodes<D>();
   state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, 0);
   state.mesh.nodes.foreign = state.mesh.subdomain->halo.foreign();
@@ -108,8 +107,8 @@ void refineCells(State<D>& state, const Branches<D>& refined)
   else
   {
     buildTree(refined.within(state.mesh.grid), state.mesh.tree);
-    state.mesh.subdomain = std::make_shared<const Subdomain<D>>(state.ranks, state.mesh.subdomain->division,
-                                                                refined, state.mesh.tree);
+    state.mesh.subdomain =
+        std::make_shared<Subdomain<D>>(state.ranks, state.mesh.subdomain->division, refined, state.mesh.tree);
     state.mesh.nodes.foreign = state.mesh.subdomain->halo.foreign();
   }
   state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numEnriched);

@@ -12,6 +12,7 @@
 #include "plausibility/Judges.hpp"
 #include "scene/SceneParts.hpp"
 #include "state/EnergySums.hpp"
+#include "state/MovingCells.hpp"
 #include "state/StateArchive.hpp"
 #include "state/Subdomain.hpp"
 #include "step/CoreStep.hpp"
@@ -318,6 +319,7 @@ template <int D>
 void Run<D>::explicitStep(double until)
 {
   const double left = until - state_.clock.time;
+  moveCells(state_);
   // First, because the step depends on the cells.
   runStage(plan_, state_, Stage::BetweenSteps);
   moveNodalFields(state_);

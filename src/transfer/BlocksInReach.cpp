@@ -40,7 +40,14 @@ bool BlocksInReach<D>::isKept(const State<D>& state, const std::vector<AxisBox<D
 {
   return sorted_.data() != nullptr && state.particles.sorted &&
          sorted_.data() == state.mesh.blocks.first.data() && boxes.size() == found_.size() &&
-         std::equal(boxes.begin(), boxes.end(), found_.begin(), isInside<D>);
+         std::equal(boxes.begin(), boxes.end(), found_.begin(),
+                    [since = state.mesh.grid.whole - node0_](AxisBox<D> box, const AxisBox<D>& found)
+                    {
+                      // Blocks move with the grid.
+                      box.lower = box.lower - since;
+                      box.upper = box.upper - since;
+                      return isInside(box, found);
+                    });
 }
 
 template <int D>
@@ -52,6 +59,7 @@ void BlocksInReach<D>::find(const State<D>& state, const std::vector<AxisBox<D>>
   std::vector<std::array<int, 2>> ranges;
   std::fill(std::begin(colourStart_), std::end(colourStart_), 0);
   found_.clear();
+  node0_ = state.mesh.grid.whole;
   for (const AxisBox<D>& box : boxes)
     found_.push_back(box.widened(keptCells * state.mesh.grid.spacing));
   if (!state.particles.sorted)

@@ -137,6 +137,7 @@ private:
   View<double* [mostSums]> parts_;
   int colourStart_[Blocks<D>::colours + 1] = {};
   std::vector<AxisBox<D>> found_; ///< the boxes, larger by a cell
+  Vector<D> node0_{};             ///< position of the first node of the lattice then [m]
   View<int*> sorted_;             ///< Blocks::first of the sort; held, so that no other has its address
 };
 

@@ -299,7 +299,9 @@ BundleMotion<D, Heat> bundleMotion(State<D>& state, bool strain, bool move)
     kernel.rate = state.particles.table(fields::rate);
   if (state.particles.has(fields::level))
     kernel.level = state.particles.integer(fields::level);
+  // Particles must be inside of their blocks, and of the domain, where these are in the next step.
   kernel.grid = state.mesh.grid;
+  kernel.grid.translate(state.mesh.ahead);
   kernel.blocks = state.mesh.blocks;
   kernel.dt = state.clock.dt;
   kernel.strainTime = state.clock.strainPass.fraction * state.clock.dt;

@@ -192,7 +192,7 @@ class UnstableRuns(LeftFiles):
 def wall(lower, upper, direction):
     """Nodes that move at 0.1 m/s, and from 10 ms on at 300 m/s."""
     return {
-        "Type": "Velocity",
+        "Type": "Velocity", "Box Motion": "Fixed",
         "Lower Corner": [lower, 0.0],
         "Upper Corner": [upper, 1.0],
         "Components": "x",

@@ -24,7 +24,7 @@ struct Seen
   int remeshed = 0, divided = 0; ///< how often
   int zeros = 0;                 ///< new nodes of refined cells, of all ranks
   double error = 0.0;            ///< largest, of fields that are functions of the position
-  std::shared_ptr<const Subdomain<2>> subdomain;
+  std::shared_ptr<Subdomain<2>> subdomain;
 };
 
 Seen seen;
