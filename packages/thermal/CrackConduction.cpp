@@ -178,8 +178,9 @@ void CrackConduction<D>::ofFronts(const State<D>& state, const HeatNodes<D>& hea
     forEachBlock("rhegma::thermal::conductivityAtFronts", state.mesh.blocks, block);
   sumOverRanks(state, around.data(), 2, 0, 2);
   const View<double*> ofFront = state.cracks.frontConductance, conductance = conductance_;
-  const double thickness = state.method.thickness;
-  const bool faces = conducts_;
+  const double thickness = state.method.thickness, spacing = state.mesh.grid.spacing;
+  const View<int*> level = state.mesh.tree.nodeLevel;
+  const bool faces = conducts_, refined = state.mesh.tree.refined();
   Kokkos::parallel_for(
       "rhegma::thermal::conductanceAtFronts", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
       KOKKOS_LAMBDA(const int i) {
@@ -189,8 +190,10 @@ void CrackConduction<D>::ofFronts(const State<D>& state, const HeatNodes<D>& hea
         const int two = nodes.numLattice + i;
         const double volume = around(one, 0) + around(two, 0);
         const double k = volume > 0.0 ? (around(one, 1) + around(two, 1)) / volume : 0.0;
-        const double here =
-            C1 > 0.0 && C2 > 0.0 ? k * thickness * openingFraction(C1, C2) * ofFront(one) : 0.0;
+        // In 3D the filled part of a cell.
+        const double cell = refined ? spacing / (1 << level(one)) : spacing;
+        const double width = D == 2 ? thickness : std::fmin(volume / (cell * cell), cell);
+        const double here = C1 > 0.0 && C2 > 0.0 ? k * width * openingFraction(C1, C2) * ofFront(one) : 0.0;
         conductance(one) = here + (faces ? conductance(one) : 0.0);
       });
 }
