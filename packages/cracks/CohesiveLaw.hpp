@@ -42,9 +42,9 @@ KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, FrontLaw law)
 
 /// How far ahead of a front a node may lie that has an enriched field, with front springs [cells].
 ///
-/// In 2D s = (s0 + q (1 - c)) / c: the crack of the cells, which ends between the last node that opens and
+/// s = (s0 + q (1 - c)) / c: the crack of the cells, which ends between the last node that opens and
 /// the next, then ends at the front in the mean (FrontCell.hpp). With limited springs,
-/// s = s0 + m min(2 z, 2 - 2 z) for cracks along the cells.
+/// s = s0 + m min(2 z, 2 - 2 z) for cracks along the cells in 2D.
 ///
 /// \param steepest c: largest component of the crack's normal \param away z: distance of the node from the
 /// crack along the axis nearest to its normal [cells]

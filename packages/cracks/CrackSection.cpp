@@ -84,8 +84,8 @@ Section crackSection()
   s.boolean("Front Springs")
       .formerly("Front Ties")
       .byDefault(true)
-      .meaning("Penalty springs between the two fields of nodes less than a cell behind a front, so that the "
-               "crack on the grid ends at its front and not at the next column of nodes. Dual Field only.");
+      .meaning("Penalty springs between the two fields of nodes within a cell of a front, so that the crack "
+               "on the grid ends at its front and not at the next column of nodes. Dual Field only.");
   Section crack("crack", "A crack. You choose its name.");
   crack.realArray("Points")
       .unit("m")

@@ -98,8 +98,10 @@ struct Parts
         hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
         grows(options.growth),
         releases(grows && !isEquilibrium(scene)),
-        // Added inertia would have to be part of a mass matrix, and of the first traction of a new face.
-        limited(releases || options.nodalMass.lumpedFraction < 1.0 || options.nodalMass.terms > 0),
+        // Added inertia would have to be part of a mass matrix, and of the first traction of a new face. It
+        // is for the law of FrontCell.hpp, which needs heat to pass between the fields.
+        limited(releases || options.nodalMass.lumpedFraction < 1.0 || options.nodalMass.terms > 0 ||
+                !options.fieldsConduct),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
         startsInEquilibrium(scene.sublist("Time").get<std::string>("Initial State") == "Equilibrium"),

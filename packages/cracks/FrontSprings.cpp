@@ -6,6 +6,7 @@
 #include "cracks/Release.hpp"
 #include "material/MaterialTable.hpp"
 #include "state/Subdomain.hpp"
+#include "transfer/Motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ struct FindSpring
   NodalSprings<D> springs;
   View<double * [D + 1]> spring; ///< CrackSet::spring
   View<double*> damping;         ///< [N s/m]
-  View<double*> inertia;         ///< RelativeInertia::mass; empty where springs are limited instead
+  View<double*> inertia;         ///< NodalMotion::relativeInertia; empty where springs are limited instead
   NearestFront<D> frontOf;
   View<double*> softened; ///< energy that springs dissipate which began to soften now [J]
   StableStiffness<D> stable;
@@ -210,9 +211,9 @@ void FrontSprings<D>::fitToNodes(State<D>& state)
   dampingForce_ = View<double* [D]>("rhegma::springDampingForce", count);
   dampedInSubsteps_ = View<double*>("rhegma::dampedInSubsteps", count);
   state.cracks.spring = View<double * [D + 1]>("rhegma::springs", count);
+  state.cracks.springEnergy = View<double*>("rhegma::springEnergy", count);
   if (!limited_)
-    state.motion.relativeInertia = {View<double*>("rhegma::relativeInertia", count),
-                                    View<double* [D]>("rhegma::relativeInertiaForce", count)};
+    state.motion.relativeInertia = View<double*>("rhegma::relativeInertia", count);
 }
 
 template <int D>
@@ -231,7 +232,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
                            springs(state),
                            state.cracks.spring,
                            damping_,
-                           state.motion.relativeInertia.mass,
+                           state.motion.relativeInertia,
                            frontOf_,
                            softened,
                            StableStiffness<D>(state),
@@ -248,6 +249,9 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
   double converted = 0.0;
   parallelSumSmall("rhegma::cracks::findSprings", 0, nodes.numEnriched, find, passed_, converted);
   state.energy.fracture += converted;
+  slowRelativeMotion(state, RelativePart::Momentum);
+  if (state.method.scheme == UpdateScheme::Usf || state.method.scheme == UpdateScheme::Usavg)
+    slowRelativeMotion(state, RelativePart::Projection); // these have projected before
   if (!grows_)
     return;
   returnPendingOfLostNodes(state, surroundings.stamp);

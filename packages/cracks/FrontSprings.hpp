@@ -22,7 +22,7 @@ using ToughnessAlong = std::function<std::vector<double>(const CrackSet<D>&, int
 /// Nodes open one by one, so that without springs the crack of the cells ends up to half a cell before or
 /// behind its front. A spring between the two fields of a node that lies less than a cell behind the front
 /// lets it open by as much as it lies behind (frontSpringStiffness). In motion, inertia is added to the
-/// relative motion of the fields, with which a spring of any stiffness is stable (RelativeInertia); where
+/// relative motion of the fields, with which a spring of any stiffness is stable (slowRelativeMotion); where
 /// springs are limited, none is stiffer than its two masses allow in the step that their node takes. Two
 /// opposite forces: momentum is exact. Measured: test InclinedCracks.
 ///

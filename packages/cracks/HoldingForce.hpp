@@ -107,8 +107,8 @@ struct HoldingForce
 ///
 /// A step of velocity first and then displacement is stable if C dt / m < 2 and K dt^2 / m + 2 C dt / m < 4,
 /// K the stiffness of spring and material. With m = m0 + k dt^2 / 2 (springs::addedInertia), m0 the reduced
-/// mass, a spring of any stiffness leaves at least 3.31 of m0 / dt^2 to the material. With m = m0 and the
-/// largest k of limited springs (k dt^2 / m = 1) C dt / m is 0.586, and 1.83 is left.
+/// mass, a spring of any stiffness between two lumped masses leaves at least 3.31 m0 / dt^2 to the material.
+/// With m = m0 and the largest k of limited springs (k dt^2 / m = 1) C dt / m is 0.586, and 1.83 is left.
 /// \param stiffness k [N/m] \param inertia m [kg] \param dt of the node [s]
 KOKKOS_INLINE_FUNCTION double stableDamping(double stiffness, double inertia, double dt)
 {

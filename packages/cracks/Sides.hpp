@@ -12,8 +12,9 @@ namespace Rhegma::cracks
 {
 
 /// A node less than this fraction of a cell below a crack counts as above it, so that a crack on a row of
-/// nodes stays so while the body deforms a little.
-constexpr double sideTolerance = 0.1;
+/// nodes stays so while the body deforms a little. Not a round number: rounding would decide on the side of
+/// nodes exactly so far below a crack, and the motion of a step would change it.
+constexpr double sideTolerance = 0.097;
 
 /// A node less than this fraction of a cell behind a front counts as at the front and stays closed: so a
 /// front on a column of nodes stays there, and the crack that the cells have is neither too long nor too

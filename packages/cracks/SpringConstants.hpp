@@ -11,7 +11,7 @@ constexpr double stiffnessFraction = 0.1;
 /// stiffness finite at the front.
 constexpr double distanceOffset = 0.05;
 
-/// Least xi of a node that opens, in 2D [cells]. A limited spring is far too soft below, and the node is
+/// Least xi of a node that opens by the law of FrontCell.hpp [cells]. A limited spring is far too soft below, and the node is
 /// closed. Where no spring is limited, a node with one of this xi is as good as closed.
 constexpr double leastOfLimited = 0.05, leastOfUnlimited = 0.003;
 
@@ -34,8 +34,8 @@ constexpr double unstretched = 1e-6;
 constexpr double stableStiffness = 1.0;
 
 /// Inertia that is added to the relative motion of a node's fields, in units of its spring's stiffness times
-/// dt^2 [-]. A quarter makes any spring stable in a step in which the material is (RelativeInertia); a half
-/// leaves enough to the damping (addedInertia).
+/// dt^2 [-]. A quarter makes any spring stable in a step in which the material is (slowRelativeMotion); a
+/// half leaves enough to the damping (addedInertia).
 constexpr double addedInertia = 0.5;
 
 /// Damping of a front spring as a fraction of the critical damping of its two masses [-]: the smallest

@@ -54,6 +54,7 @@ struct StretchSpring
   View<double*> damping;         ///< [N s/m]
   NearestFront<D> frontOf;
   View<double*> excess; ///< energy that nodes over-dissipated [J]
+  View<double*> energy; ///< CrackSet::springEnergy
   double dt;
   bool byMotion; ///< the nodal motion strains the particles, not the projection
   bool early;    ///< before the forces of this step
@@ -80,13 +81,15 @@ struct StretchSpring
       more[d] = both ? sign * dt * rate[d] : -node.jump(d);
       node.jump(d) += more[d];
     }
+    energy(primary) = 0.0;
     if (!node.isReleased())
     {
       const Vector<D> stretch = node.opening();
+      energy(primary) = 0.5 * spring(primary, D) * dot(stretch, stretch);
       setForce(spring, primary,
                pullOf(spring(primary, D), stretch, sign) - (both ? damping(primary) : 0.0) * rate);
       if (counts)
-        elastic += 0.5 * spring(primary, D) * dot(stretch, stretch);
+        elastic += energy(primary);
       return;
     }
     const double pending = node.pendingEnergy(from);
@@ -239,6 +242,7 @@ void FrontSprings<D>::advance(State<D>& state)
                                  damping_,
                                  frontOf_,
                                  excess,
+                                 state.cracks.springEnergy,
                                  state.clock.strainPass.fraction * state.clock.dt,
                                  state.method.scheme == UpdateScheme::Usl,
                                  state.clock.strainPass.before};
@@ -267,7 +271,7 @@ void FrontSprings<D>::recordDamping(State<D>& state) const
   const Nodes<D> nodes = state.mesh.nodes;
   const LoadVelocity<D> velocity(state);
   const NodeSlots subcycled = state.motion.substeps.nodes;
-  const View<double*[D]> force = dampingForce_, inertia = state.motion.relativeInertia.force;
+  const View<double* [D]> force = dampingForce_;
   const View<double*> inSubsteps = dampedInSubsteps_;
   const double dt = state.clock.dt;
   double damped = 0.0;
@@ -283,8 +287,7 @@ void FrontSprings<D>::recordDamping(State<D>& state) const
           return;
         }
         for (int d = 0; d < D; ++d)
-          sum -= dt * (force(primary, d) + (inertia.extent(0) > 0 ? inertia(primary, d) : 0.0)) *
-                 (velocity(primary, d) - velocity(enriched, d));
+          sum -= dt * force(primary, d) * (velocity(primary, d) - velocity(enriched, d));
       },
       damped);
   state.energy.stabilised += damped;
@@ -294,24 +297,19 @@ template <int D>
 typename DisplacementDependentForce<D>::Work FrontSprings<D>::dampingInSubsteps() const
 {
   return [this](const State<D>& state, const NodeSlots& slots, const View<double* [D]>& velocity,
-                double duration, HalfStep half)
+                double duration)
   {
     const Nodes<D> nodes = state.mesh.nodes;
     const View<double* [D]> force = dampingForce_;
-    const View<double*> damped = dampedInSubsteps_, inertia = state.motion.relativeInertia.mass;
-    const double gains = half == HalfStep::First ? -0.5 : 0.5; // of the kinetic energy of added inertia
+    const View<double*> damped = dampedInSubsteps_;
     parallelForSmall(
         "rhegma::cracks::dampingInSubsteps", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
           const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
           if (!slots.moves(primary) || !slots.moves(enriched))
             return;
           const int a = slots.of(primary), b = slots.of(enriched);
-          const double added = inertia.extent(0) > 0 ? inertia(primary) : 0.0;
           for (int d = 0; d < D; ++d)
-          {
-            const double rate = velocity(a, d) - velocity(b, d);
-            damped(primary) += gains * added * rate * rate - duration * force(primary, d) * rate;
-          }
+            damped(primary) -= duration * force(primary, d) * (velocity(a, d) - velocity(b, d));
         });
   };
 }

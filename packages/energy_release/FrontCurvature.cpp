@@ -22,14 +22,22 @@ FrontCurvature::FrontCurvature(const FrontLine& line) : lines_(line.loop.size())
 {
   const int count = static_cast<int>(line.nodes.size());
   std::vector<double> sum(count, 0.0), pieces(count, 0.0);
+  // The ends of an open line point along the surface: its last pieces say nothing.
   for (const FrontPiece& piece : line.pieces)
     for (const int k : {piece.from, piece.to})
-    {
-      sum[k] += divergence(line.nodes[piece.from], line.nodes[piece.to]);
-      pieces[k] += 1.0;
-    }
+      if (!piece.begins && !piece.ends)
+      {
+        sum[k] += divergence(line.nodes[piece.from], line.nodes[piece.to]);
+        pieces[k] += 1.0;
+      }
   for (int k = 0; k < count; ++k)
     lines_[line.line[k]].push_back({line.arc[k], pieces[k] > 0.0 ? sum[k] / pieces[k] : 0.0});
+  for (std::vector<Node>& nodes : lines_) // an end takes the curvature next to it
+    if (nodes.size() > 2 && !(loop_[&nodes - lines_.data()] > 0.0))
+    {
+      nodes.front().curvature = nodes[1].curvature;
+      nodes.back().curvature = nodes[nodes.size() - 2].curvature;
+    }
 }
 
 double FrontCurvature::at(int onLine, double arc) const

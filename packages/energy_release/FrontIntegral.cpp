@@ -41,15 +41,6 @@ struct TubeNodes
 /// What is found at a node of the box: whether it is in the tube, the part of TubeNode.
 constexpr int tubeWidth = 9;
 
-/// Energy of the spring between the fields of a node [J], of its force and stiffness.
-KOKKOS_INLINE_FUNCTION double springEnergy(const View<double * [D + 1]>& spring, int primary)
-{
-  double square = 0.0;
-  for (int d = 0; d < D; ++d)
-    square += spring(primary, d) * spring(primary, d);
-  return spring(primary, D) > 0.0 ? 0.5 * square / spring(primary, D) : 0.0;
-}
-
 TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const ContourRadii& radii,
                     const Region<D>& region, const ConfigurationalForces& force)
 {
@@ -57,7 +48,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
   TubeNodes found{{}, BoxNodes<D>(state, region), {}};
   const BoxNodes<D> box = found.box;
   const View<double* [tubeWidth]> values("rhegma::tubeNodes", box.count());
-  const View<double * [D + 1]> spring = state.cracks.spring;
+  const View<double*> spring = state.cracks.springEnergy;
   Kokkos::parallel_for(
       "rhegma::tubeNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()), KOKKOS_LAMBDA(const int k) {
         const Vector<D> x = box.position(k);
@@ -85,7 +76,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
         for (int d = 0; d < D; ++d)
           values(k, 2) += values(k, 3 + d) * force(nodes.numLattice + i, d);
         if (spring.extent(0) > 0 && isOwnedByThisRank(nodes, nodes.parent(i)))
-          values(k, 8) = springEnergy(spring, nodes.parent(i));
+          values(k, 8) = spring(nodes.parent(i));
       });
   const auto host = onHost(values);
   found.number.assign(box.count(), -1);

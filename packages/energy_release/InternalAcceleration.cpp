@@ -3,6 +3,7 @@
 #include "energy_release/ForceOfPressure.hpp"
 #include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
+#include "transfer/Motion.hpp"
 #include "transfer/NearNodes.hpp"
 #include "transfer/ParticleViews.hpp"
 
@@ -203,12 +204,25 @@ const NodalAcceleration<D>& InternalAcceleration<D>::around(const State<D>& stat
   const NodalAcceleration<D> force = force_, acceleration = rows_;
   const View<double* [D]> pressure = pressure_;
   const bool pressed = pressure.extent(0) > 0;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<double*> added = state.motion.relativeInertia;
+  const View<int*> enriched = state.cracks.enrichedField;
+  const bool slowed = added.extent(0) > 0 && enriched.extent(0) > 0;
   for (const Region<D>& box : boxes)
     forEachNodeIn(
         "rhegma::internalAcceleration", state, box, KOKKOS_LAMBDA(const int n, const Vector<D>&) {
           const double mass = force(n, D);
+          const int primary = n < nodes.numLattice ? n : nodes.parent(n - nodes.numLattice);
+          const int other = !slowed ? -1 : n < nodes.numLattice ? enriched(n) : primary;
+          const bool pair = other >= 0 && added(primary) > 0.0 && mass > 0.0 && force(other, D) > 0.0;
           for (int i = 0; i < D; ++i)
-            acceleration(n, i) = mass > 0.0 ? (force(n, i) + (pressed ? pressure(n, i) : 0.0)) / mass : 0.0;
+          {
+            double all = force(n, i) + (pressed ? pressure(n, i) : 0.0);
+            if (pair) // as in the step: slowRelativeMotion
+              all -= takenByInertia(mass, force(other, D), all,
+                                    force(other, i) + (pressed ? pressure(other, i) : 0.0), added(primary));
+            acceleration(n, i) = mass > 0.0 ? all / mass : 0.0;
+          }
           acceleration(n, D) = mass;
         });
   return rows_;

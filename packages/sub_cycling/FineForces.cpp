@@ -4,6 +4,7 @@
 #include "sub_cycling/SlotRow.hpp"
 #include "sub_cycling/TrialStress.hpp"
 #include "transfer/Connectivity.hpp"
+#include "transfer/Motion.hpp"
 
 #include <algorithm>
 
@@ -197,6 +198,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
       });
   if (coupled)
     state.motion.coupledSlots.solve(force, acceleration, true);
+  slowRelativeMotion(state, acceleration);
   roundTrip(state, lowest);
   addParts(momentum);
   sumSlots(state, momentum);
@@ -208,10 +210,37 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
       });
   if (coupled)
     state.motion.coupledSlots.solve(momentum, acceleration, true);
+  slowRelativeMotion(state, acceleration);
   parallelForSmall<smallSlots>(
       "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           velocity(i, d) += duration * acceleration(i, d);
+      });
+}
+
+template <int D>
+void FineParticles<D>::slowRelativeMotion(const State<D>& state, const Values& acceleration) const
+{
+  const View<double*> added = state.motion.relativeInertia;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<int*> slotOf = slotOf_;
+  const View<double*> mass = mass_;
+  const View<int* [D]> held = held_;
+  parallelForSmall(
+      "rhegma::subcycling::slowRelativeMotion", added.extent(0) > 0 ? nodes.numEnriched : 0,
+      KOKKOS_LAMBDA(const int i) {
+        const int primary = nodes.parent(i), a = slotOf(primary), b = slotOf(nodes.numLattice + i);
+        if (!(added(primary) > 0.0) || a < 0 || b < 0)
+          return;
+        for (int d = 0; d < D; ++d)
+        {
+          if (held(a, d) != 0)
+            continue;
+          const double taken = takenByInertia(mass(a), mass(b), mass(a) * acceleration(a, d),
+                                              mass(b) * acceleration(b, d), added(primary));
+          acceleration(a, d) -= taken / mass(a);
+          acceleration(b, d) += taken / mass(b);
+        }
       });
 }
 

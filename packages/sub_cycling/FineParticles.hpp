@@ -127,6 +127,8 @@ public:
   void sumForces(const State<D>& state, int level, const Values& displacement, const Trial& trial);
   /// Sums the parts of each slot, in their order.
   void addParts(const Values& sum) const;
+  /// Makes the relative acceleration of the fields of nodes smaller by added inertia (slowRelativeMotion).
+  void slowRelativeMotion(const State<D>& state, const Values& acceleration) const;
   /// The acceleration of the nodes to the particles that touch a node of class `lowest` or deeper, and that
   /// of the particles, times their mass, to the nodes, in parts.
   void roundTrip(const State<D>& state, int lowest);

@@ -3,7 +3,6 @@
 #include "archive/Archive.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LaneHeat.hpp"
-#include "transfer/Motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +113,6 @@ void LocalSteps<D>::evolve(State<D>& state)
   }
   steady(state, first_ - 1, others_, mean_[first_ - 1]);
   add<D>(others_, -1.0, mean_[first_ - 1], slots);
-  resistRelativeMotion(state, loads_);
   Kokkos::deep_copy(impulse_, 0.0);
   add<D>(impulse_, state.clock.dt, loads_, slots);
   fine_.startVelocity(state, velocity_);
@@ -177,10 +175,10 @@ void LocalSteps<D>::step(const State<D>& state, int level, double length)
   addImpulse(state, level, length);
   if (level == last_)
   {
-    recordWorkOfDependentForces(state, 0.5 * length, HalfStep::First);
+    recordWorkOfDependentForces(state, 0.5 * length);
     kick(state);
     drift(length);
-    recordWorkOfDependentForces(state, 0.5 * length, HalfStep::Second);
+    recordWorkOfDependentForces(state, 0.5 * length);
     return;
   }
   step(state, level + 1, 0.5 * length);
@@ -216,7 +214,6 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
 template <int D>
 void LocalSteps<D>::kick(const State<D>& state)
 {
-  resistRelativeMotion(state, waiting_);
   fine_.accelerate(state, waitingFrom_, 1.0, waiting_, velocity_, atFirst_);
   if (atFirst_ && needsWork(state))
     addStartWork(state, waiting_, 1.0);
@@ -224,30 +221,6 @@ void LocalSteps<D>::kick(const State<D>& state)
   add<D>(impulse_, 1.0, waiting_, fine_.numSlots());
   Kokkos::deep_copy(waiting_, 0.0);
   waitingFrom_ = last_;
-}
-
-template <int D>
-void LocalSteps<D>::resistRelativeMotion(const State<D>& state, const Values& force) const
-{
-  const View<double*> added = state.motion.relativeInertia.mass;
-  const Nodes<D> nodes = state.mesh.nodes;
-  const NodeSlots slots = fine_.slots();
-  parallelForSmall(
-      "rhegma::subcycling::resistRelativeMotion", added.extent(0) > 0 ? nodes.numEnriched : 0,
-      KOKKOS_LAMBDA(const int i) {
-        const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
-        if (!(added(primary) > 0.0) || !slots.moves(primary) || !slots.moves(enriched))
-          return;
-        const int a = slots.of(primary), b = slots.of(enriched);
-        for (int d = 0; d < D; ++d)
-        {
-          const double inertia = relativeInertiaForce(nodes.sums(primary, Nodes<D>::massAt),
-                                                      nodes.sums(enriched, Nodes<D>::massAt), force(a, d),
-                                                      force(b, d), added(primary));
-          force(a, d) += inertia;
-          force(b, d) -= inertia;
-        }
-      });
 }
 
 template <int D>
@@ -266,11 +239,11 @@ void LocalSteps<D>::drift(double length)
 }
 
 template <int D>
-void LocalSteps<D>::recordWorkOfDependentForces(const State<D>& state, double duration, HalfStep half) const
+void LocalSteps<D>::recordWorkOfDependentForces(const State<D>& state, double duration) const
 {
   for (const DisplacementDependentForce<D>& dependent : state.motion.displacementDependentForces)
     if (dependent.work)
-      dependent.work(state, fine_.slots(), velocity_, duration, half);
+      dependent.work(state, fine_.slots(), velocity_, duration);
 }
 
 template <int D>

@@ -64,11 +64,8 @@ public:
   /// Applies the pending impulses to the nodes, those of several classes at once.
   void kick(const State<D>& state);
   void drift(double length);
-  /// Adds the force of added inertia to the forces or impulses on slots.
-  void resistRelativeMotion(const State<D>& state, const Values& force) const;
-  /// Lets displacement-dependent forces record their work at the present velocity. \param duration of half a
-  /// substep [s]
-  void recordWorkOfDependentForces(const State<D>& state, double duration, HalfStep half) const;
+  /// Lets displacement-dependent forces record their work at the present velocity. \param duration [s]
+  void recordWorkOfDependentForces(const State<D>& state, double duration) const;
   /// Applies the force of the whole step to nodes without fine particles.
   void finishOuterNodes();
   /// Whether the work of impulses is needed.

@@ -1,5 +1,7 @@
 #include "boundary/GridMotion.hpp"
 
+#include "state/AtRest.hpp"
+
 #include <limits>
 #include <stdexcept>
 
@@ -61,7 +63,7 @@ void prepareGridMotion(std::vector<TimedConstraint<D>>& constraints, const State
       leader = &timed;
   if (leader == nullptr)
     return;
-  if (state.method.equilibrium())
+  if (staysAtRest(state))
     throw std::invalid_argument(pathOf(*leader) + " > Box Motion: the grid moves only in dynamic analyses; "
                                                   "set it to With Material, or Time > Analysis to Dynamic");
   if (cellsChange)

@@ -227,6 +227,8 @@ struct CrackSet
   /// Springs and cohesive tractions behind fronts, of each lattice node: force on its primary field, opposite
   /// on its enriched field [N], and stiffness [N/m]. Holds for nodes with both; empty without springs.
   View<double * [D + 1]> spring;
+  /// Elastic energy of the spring of each lattice node with two fields, zero under a cohesive traction [J].
+  View<double*> springEnergy;
   std::vector<FrontAdvance<D>> advances; ///< that fronts are to make before the next step
   bool driven = false;             ///< whether driving forces of fronts are computed in the steps of a run
   DrivingContours drivingContours; ///< of the integrals that measure driving forces

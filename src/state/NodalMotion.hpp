@@ -34,13 +34,6 @@ struct Substeps
   double lateWork = 0.0;
 };
 
-/// The halves of a substep.
-enum class HalfStep
-{
-  First,
-  Second
-};
-
 /// A displacement-dependent nodal force (contact, front springs), for effects that move nodes in substeps.
 /// Their values at the start of the step are part of the nodal force before the solve. `force`,
 /// `displacement` and `velocity` have a row a slot [N, m, m/s].
@@ -55,10 +48,11 @@ struct DisplacementDependentForce
   std::function<void(const State<D>&, const NodeSlots&, const Values& displacement, const Values& velocity,
                      const Values& force)>
       change;
-  /// Records the work that the present force does at a velocity over half of a substep [s]. Called twice a
-  /// substep, with the velocities before and after it: the kinetic energy changes by that work.
-  using Work = std::function<void(const State<D>&, const NodeSlots&, const Values& velocity,
-                                  double halfOfSubstep, HalfStep half)>;
+  /// Records the work that the present force does at a velocity over a duration [s]. Called twice a substep,
+  /// with the velocities before and after it, each time for half of its length: the kinetic energy changes by
+  /// that work.
+  using Work =
+      std::function<void(const State<D>&, const NodeSlots&, const Values& velocity, double duration)>;
   Work work; ///< empty where the force keeps no record of its work
 };
 
@@ -74,20 +68,7 @@ struct CoupledSlots
   std::function<void(const Values& right, const Values& x, bool supports)> solve;
 };
 
-/// Inertia against the relative motion of the two fields of a node, for springs between them that are too
-/// stiff for the step. Springs of stiffness S between nodes of mass M are stable in a step in which the
-/// material alone is, if S dt^2 / 4 is added to M: a frequency of K + S is at most 2 / dt, as
-/// x' (K + S) x <= 4 / dt^2 x' (M + S dt^2 / 4) x wherever x' K x <= 4 / dt^2 x' M x. What is at rest does
-/// not feel it, and the momentum of the node is that of its forces. (Selective mass scaling: Olovsson,
-/// Simonsson, Unosson, Int. J. Numer. Meth. Eng. 63 (2005) 1436.)
-template <int D>
-struct RelativeInertia
-{
-  View<double*> mass;      ///< added, of each lattice node [kg]; empty where there is none
-  View<double* [D]> force; ///< on the primary field of each lattice node, in this step [N]
-};
-
-/// Prescribed motion, displacement-dependent forces and coupled masses of nodes.
+/// Prescribed motion, displacement-dependent forces, coupled masses and added inertia of nodes.
 template <int D>
 struct NodalMotion
 {
@@ -98,7 +79,9 @@ struct NodalMotion
   std::vector<std::shared_ptr<StepForce<D>>> stepForces; ///< the same in equilibrium (StepForce.hpp)
   CoupledSlots<D> coupledSlots;                          ///< empty where all masses are lumped
   Substeps substeps;                                     ///< of this step
-  RelativeInertia<D> relativeInertia;                    ///< of nodes with two fields
+  /// Inertia added to the relative motion of the two fields of each lattice node [kg] (slowRelativeMotion);
+  /// empty where there is none.
+  View<double*> relativeInertia;
 };
 
 } // namespace Rhegma

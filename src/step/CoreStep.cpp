@@ -82,6 +82,7 @@ void toParticles(State<D>& s, UpdateScheme scheme)
   {
     sumOverRanks(s, SharedSums::Projection);
     finishProjection(s);
+    slowRelativeMotion(s, RelativePart::Projection);
   }
   if (scheme == UpdateScheme::Usf)
     strainAndMove(s, StrainVelocity::Projection, false, true);
@@ -134,7 +135,7 @@ Effect<D> makeCore(const State<D>& state, const std::shared_ptr<equilibrium::Las
             [](State<D>& s)
             {
               sumOverRanks(s, SharedSums::Force);
-              resistRelativeMotion(s);
+              slowRelativeMotion(s, RelativePart::Force);
               solveLumped(s);
             });
   Quantities gathered = {quantity::particleVelocity};

@@ -6,26 +6,28 @@ namespace Rhegma
 {
 
 template <int D>
-void resistRelativeMotion(State<D>& state)
+void slowRelativeMotion(State<D>& state, RelativePart part)
 {
-  const View<double*> added = state.motion.relativeInertia.mass;
+  const View<double*> added = state.motion.relativeInertia;
   if (added.extent(0) == 0)
     return;
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodeSlots subcycled = state.motion.substeps.nodes;
-  const View<double* [D]> inertia = state.motion.relativeInertia.force;
+  const bool velocity = part == RelativePart::Projection;
+  const int at = part == RelativePart::Force ? Nodes<D>::forceAt : Nodes<D>::momentumAt;
   parallelForSmall(
-      "rhegma::resistRelativeMotion", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
+      "rhegma::slowRelativeMotion", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
         const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
+        if (!(added(primary) > 0.0))
+          return;
         const double a = nodes.sums(primary, Nodes<D>::massAt), b = nodes.sums(enriched, Nodes<D>::massAt);
-        const bool acts = added(primary) > 0.0 && !(subcycled.moves(primary) && subcycled.moves(enriched));
         for (int d = 0; d < D; ++d)
         {
-          double& force = nodes.sums(primary, Nodes<D>::forceAt + d);
-          double& other = nodes.sums(enriched, Nodes<D>::forceAt + d);
-          inertia(primary, d) = acts ? relativeInertiaForce(a, b, force, other, added(primary)) : 0.0;
-          force += inertia(primary, d);
-          other -= inertia(primary, d);
+          double& value = velocity ? nodes.projection(primary, d) : nodes.sums(primary, at + d);
+          double& other = velocity ? nodes.projection(enriched, d) : nodes.sums(enriched, at + d);
+          const double unit = velocity ? a : 1.0, otherUnit = velocity ? b : 1.0;
+          const double taken = takenByInertia(a, b, unit * value, otherUnit * other, added(primary));
+          value -= taken / unit;
+          other += taken / otherUnit;
         }
       });
 }
@@ -50,8 +52,8 @@ void solveLumped(State<D>& state)
       });
 }
 
-template void resistRelativeMotion(State<2>&);
-template void resistRelativeMotion(State<3>&);
+template void slowRelativeMotion(State<2>&, RelativePart);
+template void slowRelativeMotion(State<3>&, RelativePart);
 template void solveLumped(State<2>&);
 template void solveLumped(State<3>&);
 

@@ -16,7 +16,7 @@ from .interpreter import SYSTEM_PYTHON
 CHILD = os.path.join(os.path.dirname(os.path.realpath(__file__)), "vtk_child.py")
 INSTALL = ("Pictures in 3D need VTK for Python and a virtual display; on Debian or Ubuntu: apt-get install python3-vtk9 xvfb "
            "(python3-paraview has VTK, too).")
-LONGEST = 600  # s for a picture, and 20 s for a display
+LONGEST = 600  # s for a picture
 
 
 class Piece:

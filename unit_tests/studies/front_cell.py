@@ -31,7 +31,7 @@ NAMES = ["stiffness", "range", "lag", "lagTurned"]
 ANGLES = [0, 4, 15, 30, 45]
 RADIUS = 7  # of the patch in cells
 REMOTE, REMOTE_HEAT = 0.012, 0.0  # excess energy of bilinear cells far from the front, which is no lag [cells]
-SIDE_TOLERANCE, BAND = 0.1, 3.0  # packages/cracks/Sides.hpp, CrackGeometry.hpp
+SIDE_TOLERANCE, BAND = 0.097, 3.0  # packages/cracks/Sides.hpp, CrackGeometry.hpp
 LEAST_DISTANCE = {True: 0.05, False: 0.003}  # with limited springs, without: packages/cracks/SpringConstants.hpp
 CFL = 0.4
 
@@ -93,7 +93,7 @@ class NewLaw:
 
     def __init__(self, constants, moving=False, conductance=None):
         self.__dict__.update(dict(zip(NAMES, constants)))
-        self.beyond = 2.0  # nodes that the crack passes at z have one field from there on
+        self.beyond = 2.0  # z from which no particle gives a node a second field
         if conductance is not None:
             self.stiffness = conductance
         self.least = LEAST_DISTANCE[moving]

@@ -1,6 +1,7 @@
 #include "../cracks/CubeScene.hpp"
 #include "Pi.hpp"
 
+#include "energy_release/FrontCurvature.hpp"
 #include "energy_release/FrontTube.hpp"
 
 using namespace Rhegma;
@@ -70,6 +71,37 @@ TEST(FrontLines, LeaveTheSurfaceOutOfTheirCurvature)
   const double aside = pi / 32.0, found = radiusOfCurvature(line, cell);
   EXPECT_GT(found, radius / (1.0 + 2.0 * radius * aside / least));
   EXPECT_LT(found, radius * (1.0 + 1e-9));
+}
+
+/// Of a circle 1 / R everywhere, around its whole line; of an arc that ends at surfaces too, whose ends point
+/// along them: the corners of its polygon are not at its ends.
+TEST(FrontLines, HaveTheCurvatureOfTheirCircle)
+{
+  const double radius = 2.5e-3;
+  Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
+  setCrack(scene, regularPolygon({8.1e-3, 8.3e-3, 5.2e-3}, radius, 32));
+  const auto circle = start<3>(scene);
+  const FrontLine closed = lineOf(circle->state().cracks.fronts.at(0));
+  ASSERT_GT(closed.loop.at(0), 0.0);
+  const FrontCurvature ofCircle(closed);
+  for (int k = 0; k < 50;
+       ++k) // a chord of angle t: the directions differ by 2 sin(t / 2) over 2 R sin(t / 2)
+    EXPECT_NEAR(ofCircle.at(0, k / 50.0 * closed.loop[0]), 1.0 / radius, 1e-6 / radius);
+
+  const double large = 7e-3;
+  setCrack(scene, regularPolygon({8.1e-3, -3.1e-3, 5.2e-3}, large, 32));
+  const auto cut = start<3>(scene);
+  const FrontLine arc = lineOf(cut->state().cracks.fronts.at(0));
+  ASSERT_EQ(arc.loop, std::vector<double>{0.0});
+  const FrontCurvature ofArc(arc);
+  for (int k = 1; k < 20; ++k)
+  {
+    // A front node next to a cut piece points up to half a corner to the side.
+    const double found = ofArc.at(0, k / 20.0 * arc.length);
+    EXPECT_GT(found, 0.5 / large);
+    EXPECT_LT(found, 1.5 / large);
+  }
+  EXPECT_EQ(ofArc.at(0, -1.0), ofArc.at(0, 0.0));
 }
 
 /// Half a circle that ends at a surface which leans by 50 degrees, as half a penny crack in an axle: behind
