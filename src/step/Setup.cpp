@@ -290,9 +290,10 @@ void makeBoxes(State<D>& state)
       });
 }
 
-/// Below this fraction of a particle the parts that a crack makes of it are joined with others at rest, where
-/// light nodes need no short steps.
-constexpr double joinedAtRest = 0.05;
+/// Below this fraction of a particle the parts that a crack makes of it are joined with others. With a half,
+/// as at the edges of bodies, cells beside the crack had fewer particles than nodes, whose forces then moved
+/// particles to and fro for the whole run.
+constexpr double joinedAtCracks = 0.05;
 
 /// Particles near cracks sit evenly in the cells as long as they stay in them, that is at rest. Elsewhere the
 /// lattice of a body, which has no parts at its edges, integrates constant strain exactly at any place.
@@ -300,9 +301,10 @@ template <int D>
 SeedRules<D> rulesOf(const State<D>& state, const RulesOfSeeds<D>& rules)
 {
   SeedRules<D> all = rules ? rules(state) : SeedRules<D>{};
+  if (all.cuts.ofBox)
+    all.joinedBelowAtCuts = joinedAtCracks;
   if (staysAtRest(state) && all.cuts.ofBox)
   {
-    all.joinedBelowAtCuts = joinedAtRest;
     all.node.emplace();
     for (int d = 0; d < D; ++d)
       (*all.node)[d] = state.mesh.grid.lower[d];
