@@ -101,7 +101,7 @@ struct Parts
         // Added inertia would have to be part of a mass matrix, and of the first traction of a new face. It
         // is for the law of FrontCell.hpp, which needs heat to pass between the fields.
         limited(releases || options.nodalMass.lumpedFraction < 1.0 || options.nodalMass.terms > 0 ||
-                !options.fieldsConduct),
+                !options.fieldsConduct || (touching && !isEquilibrium(scene))),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
         startsInEquilibrium(scene.sublist("Time").get<std::string>("Initial State") == "Equilibrium"),
@@ -111,7 +111,9 @@ struct Parts
         springs(releases, limited),
         growth(mirrors)
   {
-    surroundings.law.ofCells = !releases && options.fieldsConduct;
+    // Where faces touch in motion, the contact of nodes near a front would store energy next to their
+    // springs.
+    surroundings.law.ofCells = !releases && options.fieldsConduct && (!touching || isEquilibrium(scene));
   }
 };
 

@@ -220,6 +220,8 @@ template <int D>
 void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
 {
   fitToNodes(state);
+  if (!state.method.mechanics) // nothing stretches
+    return;
   readMaterials(state);
   const Nodes<D> nodes = state.mesh.nodes;
   if (grows_)
