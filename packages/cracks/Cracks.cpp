@@ -78,9 +78,10 @@ struct Parts
   bool joins;    ///< cracks may end on others
   bool touching; ///< contact keeps faces apart
   bool startsInEquilibrium;
-  int pieces;    ///< of a cell, for edges of surfaces
-  int levels;    ///< of finer cells at fronts
-  bool adaptive; ///< cells are refined after this effect has started
+  bool startsUnloaded; ///< not in an equilibrium, whose particles must be those of the run
+  int pieces;          ///< of a cell, for edges of surfaces
+  int levels;          ///< of finer cells at fronts
+  bool adaptive;       ///< cells are refined after this effect has started
   Surroundings surroundings;
   Ghosts ghosts;
   CrackMotion<D> motion;
@@ -101,10 +102,11 @@ struct Parts
         // Added inertia would have to be part of a mass matrix, and of the first traction of a new face. It
         // is for the law of FrontCell.hpp, which needs heat to pass between the fields.
         limited(releases || options.nodalMass.lumpedFraction < 1.0 || options.nodalMass.terms > 0 ||
-                !options.fieldsConduct || (touching && !isEquilibrium(scene))),
+                !options.fieldsConduct || (options.contact && !isEquilibrium(scene))),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
         startsInEquilibrium(scene.sublist("Time").get<std::string>("Initial State") == "Equilibrium"),
+        startsUnloaded(scene.sublist("Time").get<std::string>("Initial State") == "Unloaded"),
         pieces(piecesOfACell(options)),
         levels(options.frontLevels),
         adaptive(options.adaptive),
@@ -150,14 +152,23 @@ std::pair<double, double> sizesOf(const Parts<D>& parts, const State<D>& state)
   return {cell / parts.pieces, std::ldexp(cell, -parts.levels)};
 }
 
-/// Where the cracks divide particles: where the law of springs was derived so, at rest or with that of
-/// FrontCell.hpp at any angle. Nowhere if a crack is wrong, which is said where they are read again.
+/// Whether cracks divide particles: where the law of springs was derived so, at rest or with that of
+/// FrontCell.hpp at any angle; not where a run of motion follows from an equilibrium, perhaps one without
+/// cracks, whose particles must be the same.
+template <int D>
+bool dividesParticles(const Parts<D>& parts, const State<D>& state)
+{
+  const bool inMotion = parts.hasSprings && parts.surroundings.law.ofCells && !parts.limited;
+  return staysAtRest(state) ||
+         (inMotion && parts.startsUnloaded && state.method.analysis != Analysis::Preload);
+}
+
+/// Where the cracks divide particles. Nowhere if a crack is wrong, which is said where they are read again.
 template <int D>
 Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
 {
   Geometry::Cuts<D> cuts;
-  if (parts.bodies == nullptr ||
-      !(staysAtRest(state) || (parts.hasSprings && parts.surroundings.law.ofCells && !parts.limited)))
+  if (parts.bodies == nullptr || !dividesParticles(parts, state))
     return cuts;
   std::vector<std::string> warnings;
   const auto [edge, front] = sizesOf(parts, state);
@@ -174,7 +185,10 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
-  parts->surroundings.law.unlimited = staysAtRest(state) || !parts->limited;
+  FrontLaw& law = parts->surroundings.law;
+  law.unlimited = staysAtRest(state) || !parts->limited;
+  if (state.method.analysis == Analysis::Preload && parts->touching) // as in the motion that follows
+    law = {};
   if (parts->hasSprings && state.method.equilibrium())
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->formulation == Formulation::BrokenCell && state.method.equilibrium())

@@ -291,7 +291,7 @@ void makeBoxes(State<D>& state)
 }
 
 /// Below this fraction of a particle the parts that a crack makes of it are joined with others. With a half,
-/// as at the edges of bodies, cells beside the crack had fewer particles than nodes, whose forces then moved
+/// as at the edges of bodies, cells next to the crack had fewer particles than nodes, whose forces then moved
 /// particles to and fro for the whole run.
 constexpr double joinedAtCracks = 0.05;
 
