@@ -57,7 +57,9 @@ class OddCracks(ProgramTest):
     def test_crack_shorter_than_a_cell(self):
         for formulation in FORMULATIONS:
             with self.subTest(formulation=formulation):
-                self.reports(cracked([0.51, 0.52, 0.53, 0.52], formulation), "extends over", "separates nothing")
+                # With front springs, nodes open a quarter of a cell ahead of both fronts.
+                held = [] if formulation == "Dual Field" else ["separates nothing"]
+                self.reports(cracked([0.51, 0.52, 0.53, 0.52], formulation), "extends over", *held)
 
     def test_faces_without_particles_that_stick(self):
         for formulation in FORMULATIONS:
@@ -66,7 +68,8 @@ class OddCracks(ProgramTest):
                 self.reports(scene, "extends over", "separates nothing")
 
     def test_crack_beyond_the_last_particles(self):
-        self.reports(cracked([0.0, 0.002, 0.5, 0.002]), "a surface of the body is 2 mm away", "separates nothing")
+        # The part between the crack and the edge is a 25th of a particle, too small to be one of its own.
+        self.reports(cracked([0.0, 0.001, 0.5, 0.001]), "a surface of the body is 1 mm away", "separates nothing")
 
     def test_crack_that_leaves_a_bridge_thinner_than_a_cell(self):
         self.reports(cracked([0.03, 0.5, 0.97, 0.5]), "0.03, 0.5", "0.97, 0.5")
