@@ -68,8 +68,15 @@ class OddCracks(ProgramTest):
                 self.reports(scene, "extends over", "separates nothing")
 
     def test_crack_beyond_the_last_particles(self):
-        # The part between the crack and the edge is a 25th of a particle, too small to be one of its own.
-        self.reports(cracked([0.0, 0.001, 0.5, 0.001]), "a surface of the body is 1 mm away", "separates nothing")
+        whole = cracked([0.0, 0.002, 0.5, 0.002]).set("Cracks > Front Springs", False)  # else it divides particles
+        self.reports(whole, "a surface of the body is 2 mm away", "separates nothing")
+
+    def test_crack_through_the_last_particles(self):
+        scene = cracked([0.0, 0.002, 0.5, 0.002])
+        answer = rhegma(self.write("scene.xml", scene.text()), "--quiet")
+        self.assertEqual(answer.status, 0, answer)
+        self.assertIn("is cut in 2 pieces", answer.messages)
+        self.assertIn("its faces overlap", answer.messages)
 
     def test_crack_that_leaves_a_bridge_thinner_than_a_cell(self):
         self.reports(cracked([0.03, 0.5, 0.97, 0.5]), "0.03, 0.5", "0.97, 0.5")
