@@ -11,8 +11,8 @@ constexpr double stiffnessFraction = 0.1;
 /// stiffness finite at the front.
 constexpr double distanceOffset = 0.05;
 
-/// Least xi of a node that opens by the law of FrontCell.hpp [cells]. A limited spring is far too soft below, and the node is
-/// closed. Where no spring is limited, a node with one of this xi is as good as closed.
+/// Least xi of a node that opens by the law of FrontCell.hpp [cells]. A limited spring is far too soft below,
+/// and the node is closed. Where no spring is limited, a node with one of this xi is as good as closed.
 constexpr double leastOfLimited = 0.05, leastOfUnlimited = 0.003;
 
 /// Where nodes open, except along the cells in 2D [cells]: crack closure wants a node at a front along the

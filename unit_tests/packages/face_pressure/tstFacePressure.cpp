@@ -24,8 +24,8 @@ constexpr double cell = 5e-4;
 
 } // namespace
 
-/// Both faces get p times the length of the crack: the nodes at the front, and those that are ahead of it by less
-/// than the lag, have two fields.
+/// Both faces get p times the length of the crack: the nodes at the front, and those that are ahead of it by
+/// less than the lag, have two fields.
 TEST(FacePressure, PushesFacesApartInBalance)
 {
   Rhegma::Run<2> run(*scene({"Domain:Cell Size=5e-4"}).list);
