@@ -29,9 +29,8 @@ struct Surroundings
   View<double* [4]> reach;      ///< of each crack: its ends along the two axes of blocks [cells]
   int stamp = 0;
   int generation = 0; ///< of the nodes
-  /// That of FrontCell.hpp is not where fronts may grow, nor where faces are loaded or touch: its nodes
-  /// ahead of the front are joined by springs alone, and would be faces to whatever else acts on these. Nor
-  /// where heat cannot pass between the fields of a node.
+  /// That of FrontCell.hpp is not where fronts may grow in motion, nor where faces touch in motion, nor where
+  /// heat cannot pass between the fields of a node.
   FrontLaw law;
 };
 
