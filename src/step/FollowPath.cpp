@@ -185,7 +185,7 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
   clock.dt = length;
   if (!canAdvance(state))
     return;
-  LoadFactorSearch search;
+  LoadFactorSearch search(clock.factor.end);
   double factor = extrapolated(growth.path);
   bool solved = true;
   int reduced = 0; // trials one after another with hardly a change of the factor
