@@ -66,11 +66,7 @@ double meanOverStep(const State<D>& state, const TimeFunction& history)
   const bool isStatic = state.method.analysis == Analysis::Static || hasFactor;
   const double from = isStatic ? 0.0 : state.clock.time;
   const double length = isStatic ? state.clock.finalTime : state.clock.dt;
-  constexpr int pieces = 256; // by the middle of each: exact for ramps, and good for functions with corners
-  double sum = 0.0;
-  for (int k = 0; k < pieces; ++k)
-    sum += history(from + length * (k + 0.5) / pieces);
-  const double mean = sum / pieces;
+  const double mean = history.mean(from, from + length);
   if (!hasFactor)
     return mean;
   return (state.clock.factor.end - state.clock.factor.begin) * state.clock.finalTime / state.clock.dt * mean;

@@ -1,5 +1,6 @@
 #include "scene/TimeFunction.hpp"
 
+#include "base/AdaptiveMean.hpp"
 #include "base/Numbers.hpp"
 #include "base/PairTable.hpp"
 
@@ -81,6 +82,13 @@ const std::vector<double>& TimeFunction::corners() const { return m_form->table.
 double TimeFunction::overStep(double from, double to) const
 {
   return m_form->table.empty() || !(to > from) ? (*this)(0.5 * (from + to)) : m_form->table.mean(from, to);
+}
+
+double TimeFunction::mean(double from, double to) const
+{
+  if (!(to > from))
+    return (*this)(from);
+  return m_form->table.empty() ? adaptiveMean(*this, from, to) : m_form->table.mean(from, to);
 }
 
 std::optional<std::string> messageIfNotFinite(const std::string& given, double end)

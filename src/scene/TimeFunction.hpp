@@ -32,6 +32,10 @@ public:
   /// value in the middle. \param from \param to begin and end of the step [s]
   double overStep(double from, double to) const;
 
+  /// Mean over a time in which an expression changes much: exact for a table, to 1e-8 for an expression
+  /// (AdaptiveMean.hpp). \param from \param to begin and end [s]
+  double mean(double from, double to) const;
+
 private:
   struct Form;
   explicit TimeFunction(std::shared_ptr<const Form> form);

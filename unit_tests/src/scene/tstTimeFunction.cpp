@@ -115,3 +115,13 @@ TEST(TimeFunction, RefusesBadTables)
   expectRefused("0:nan", "not finite");
   expectRefused("0:0:0", "pair");
 }
+
+/// A support that moves by a velocity of time moves as far in one step of equilibrium as in the steps of a
+/// motion.
+TEST(TimeFunction, MeanOfAShortPulse)
+{
+  const auto pulse = TimeFunction::parse("t < 2e-5 ? 1 - cos(2*pi*t/2e-5) : 0");
+  EXPECT_NEAR(1e-3 * pulse.mean(0.0, 1e-3), 2e-5, 2e-5 * 1e-7);
+  const auto table = TimeFunction::parse("0:0, 1e-5:2, 2e-5:0");
+  EXPECT_NEAR(1e-3 * table.mean(0.0, 1e-3), 2e-5, 2e-5 * 1e-12);
+}
