@@ -74,15 +74,15 @@ KOKKOS_INLINE_FUNCTION double frontBond(double behind, double away, double steep
 /// Stiffness of the spring between the two fields of a node near a front [N/m]. By the law of
 /// FrontCell.hpp
 ///
-///     k = a E' b (l - xi) / xi,   xi = behind + s,   l = l0 / c,
+///     k = a (1 + b max(0, 1 - 2 z)) E' w (l - xi) / xi,   xi = behind + s,   l = l0 / c,
 ///
 /// zero from xi = l on, s of splitAhead and the other constants from the near field in the cells of a front
-/// (FrontCell.hpp). It holds for all nodes with two fields: b falls to zero where the crack leaves the cells
-/// of a node. Elsewhere
+/// (FrontCell.hpp); b is zero for limited springs. It holds for all nodes with two fields: w falls to zero
+/// where the crack leaves the cells of a node. Elsewhere
 ///
-///     k = 0.1 E' b (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05,   zero from z = 1 on.
+///     k = 0.1 E' w (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05,   zero from z = 1 on.
 ///
-/// \param modulus E' of fracture mechanics [Pa] \param width b: thickness times openingFraction (2D), filled
+/// \param modulus E' of fracture mechanics [Pa] \param width w: thickness times openingFraction (2D), filled
 /// part of a cell (3D) [m] \param behind distance behind the front, negative ahead [cells] \param away,
 /// steepest: see splitAhead
 template <int D>
@@ -96,7 +96,10 @@ KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width,
                ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away)
                : 0.0;
   }
-  const double factor = law.unlimited ? frontCell::unlimited::stiffness : frontCell::limited::stiffness;
+  const double factor = law.unlimited
+                            ? frontCell::unlimited::stiffness *
+                                  (1.0 + frontCell::unlimited::onCrack * std::fmax(0.0, 1.0 - 2.0 * away))
+                            : frontCell::limited::stiffness;
   return factor * modulus * width * frontBond<D>(behind, away, steepest, law);
 }
 

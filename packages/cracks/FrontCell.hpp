@@ -9,10 +9,12 @@ namespace Rhegma::cracks::frontCell
 namespace unlimited
 {
 
-constexpr double stiffness = 0.23;  ///< a: fraction of E' times the thickness [-]
-constexpr double range = 1.02;      ///< l0: where springs end, for a crack along the cells [cells]
-constexpr double lag = 0.253;       ///< s0: by how much nodes open ahead of the front [cells]
-constexpr double lagTurned = 0.324; ///< q: times 1 - c, added to s0 at an angle to the cells [cells]
+constexpr double stiffness = 0.218;  ///< a: fraction of E' times the thickness [-]
+constexpr double range = 1;      ///< l0: where springs end, for a crack along the cells [cells]
+constexpr double lag = 0.248;       ///< s0: by how much nodes open ahead of the front [cells]
+constexpr double lagTurned = 0.312; ///< q: times 1 - c, added to s0 at an angle to the cells [cells]
+/// b: by how much springs of nodes on the crack are stiffer than those half a cell or more beside it [-]
+constexpr double onCrack = 0.174;
 
 } // namespace unlimited
 
@@ -27,6 +29,6 @@ constexpr double stiffness = 0.22, range = 0.99, lag = 0.21, lagMidCell = 0.032;
 
 /// Conductance of heat between the fields where a is a stiffness: fraction of the conductivity times the
 /// width [-], from the same patch with the temperature of an insulating crack on its rim.
-constexpr double conductance = 0.594;
+constexpr double conductance = 0.606;
 
 } // namespace Rhegma::cracks::frontCell

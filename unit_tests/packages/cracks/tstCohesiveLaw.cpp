@@ -137,11 +137,14 @@ TEST(CohesiveLaw, WithoutLimitsOneLawHoldsEverywhere)
   EXPECT_GT(frontSpringStiffness<2>(1.0, 1.0, -ahead, 0.0, 0.8, law), 50.0);
   for (const double behind : {-0.2, 0.0, 0.5})
   {
-    const double stiffness = frontSpringStiffness<2>(1.0, 1.0, behind, 0.0, 0.8, law);
+    const double stiffness = frontSpringStiffness<2>(1.0, 1.0, behind, 0.5, 0.8, law);
     EXPECT_GT(stiffness, 0.0);
-    for (const double away : {0.5, 0.99, 1.01, 1.5})
+    for (const double away : {0.99, 1.01, 1.5})
       EXPECT_EQ(frontSpringStiffness<2>(1.0, 1.0, behind, away, 0.8, law), stiffness);
     EXPECT_EQ(frontSpringStiffness<3>(1.0, 1.0, behind, 0.5, 0.8, law), stiffness);
+    const double more = frontCell::unlimited::onCrack * stiffness;
+    EXPECT_DOUBLE_EQ(frontSpringStiffness<2>(1.0, 1.0, behind, 0.0, 0.8, law), stiffness + more);
+    EXPECT_DOUBLE_EQ(frontSpringStiffness<2>(1.0, 1.0, behind, 0.25, 0.8, law), stiffness + 0.5 * more);
   }
 }
 
