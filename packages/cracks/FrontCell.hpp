@@ -9,11 +9,11 @@ namespace Rhegma::cracks::frontCell
 namespace unlimited
 {
 
-constexpr double stiffness = 0.218;  ///< a: fraction of E' times the thickness [-]
-constexpr double range = 1;      ///< l0: where springs end, for a crack along the cells [cells]
+constexpr double stiffness = 0.218; ///< a: fraction of E' times the thickness [-]
+constexpr double range = 1.0;       ///< l0: where springs end, for a crack along the cells [cells]
 constexpr double lag = 0.248;       ///< s0: by how much nodes open ahead of the front [cells]
 constexpr double lagTurned = 0.312; ///< q: times 1 - c, added to s0 at an angle to the cells [cells]
-/// b: by how much springs of nodes on the crack are stiffer than those half a cell or more beside it [-]
+/// b: by how much springs of nodes on the crack are stiffer than those half a cell or more away from it [-]
 constexpr double onCrack = 0.174;
 
 } // namespace unlimited

@@ -11,6 +11,7 @@
 #include "transfer/Scatter.hpp"
 #include "transfer/Stencils.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 #include <stdexcept>
@@ -85,7 +86,7 @@ StepReport solveOnce(State<D>& state, Account<D>& account, const LastStep& last,
   account.system = step->system();
   step->onIteration(last.onIteration);
   const int most = last.onlyLoads ? 0 : last.trial ? 1 : mostIterations;
-  return step->solve(state, account.largestForces, most);
+  return step->solve(state, account.largestForces, most, last.enough);
 }
 
 /// Why pieces that have come free have no equilibrium; empty if they have one.
@@ -180,7 +181,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
     report = solveOnce(state, account, last, Boxes::AsTheyAre, solved);
   const NewtonStep<D>& step = *solved;
   last.converged = report.converged;
-  last.iterations = static_cast<int>(report.residuals.size()) - 1;
+  last.iterations = std::max(0, static_cast<int>(report.residuals.size()) - 1);
   last.residuals = report.residuals;
   last.unknowns = step.unknowns();
   last.negativeEigenvalues = report.negativeEigenvalues;

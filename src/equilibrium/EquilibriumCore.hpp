@@ -18,6 +18,8 @@ struct LastStep
   bool freePiecesAreNew = false; ///< whether all pieces that are free were held or joined when the run began
   bool trial = false;            ///< set by the loop: one iteration is done, to learn what it costs
   bool onlyLoads = false;        ///< of a trial: no iteration is done, to learn whether the loads balance
+  /// Set by the loop: forces out of balance, as a fraction of all, that need no iteration.
+  double enough = 0.0;
   /// Set by the loop: gets number and residual of an iteration before it, as NewtonStep::onIteration.
   std::function<void(int, double)> onIteration;
   bool converged = false;

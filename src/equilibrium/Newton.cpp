@@ -346,7 +346,7 @@ double NewtonStep<D>::takeLoads(const State<D>& state)
 }
 
 template <int D>
-StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int most)
+StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int most, double enoughAtStart)
 {
   StepReport report;
   report.forces = largestForces;
@@ -374,8 +374,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     if (onIteration_)
       onIteration_(k, report.residuals.back());
     const bool falls = k == 0 || report.residuals[k] < 0.5 * report.residuals[k - 1];
-    report.converged =
-        !moved && (now <= forceTolerance * forces || (k == most && !falls && isRounding(state, now, forces)));
+    report.converged = !moved && (now <= std::max(forceTolerance, k == 0 ? enoughAtStart : 0.0) * forces ||
+                                  (k == most && !falls && isRounding(state, now, forces)));
     if (report.converged || k == most || (!keeps && !assemble(state)))
       break;
     for (int i = 0; i < n; ++i)

@@ -86,8 +86,9 @@ public:
   /// Finds the displacement under the nodal forces of the state. \return how; `displacement` then holds it
   /// \param largestForces of earlier steps [N]: residuals are fractions of the largest forces of the run
   /// \param most iterations after which the step counts as failed; 0: only the loads are looked at, without
-  /// works
-  StepReport solve(const State<D>& state, double largestForces, int most = mostIterations);
+  /// works \param enoughAtStart fraction of the forces that may be out of balance before the first iteration
+  StepReport solve(const State<D>& state, double largestForces, int most = mostIterations,
+                   double enoughAtStart = 0.0);
 
   /// Makes solve() call a function before each iteration. \param iteration gets its number, from 0, and the
   /// residual as a fraction of the forces

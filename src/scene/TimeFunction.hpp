@@ -32,8 +32,8 @@ public:
   /// value in the middle. \param from \param to begin and end of the step [s]
   double overStep(double from, double to) const;
 
-  /// Mean over a time in which an expression changes much: exact for a table, to 1e-8 for an expression
-  /// (AdaptiveMean.hpp). \param from \param to begin and end [s]
+  /// Mean over a time in which an expression changes much: exact for a table, and as exact as
+  /// AdaptiveMean.hpp says for an expression. \param from \param to begin and end [s]
   double mean(double from, double to) const;
 
 private:

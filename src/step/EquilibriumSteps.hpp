@@ -62,6 +62,8 @@ private:
   void takeWhole(Plan<D>& plan, State<D>& state, double until);
   /// Solves for an increment of at most the remaining time, a shorter one where that fails.
   void solve(Plan<D>& plan, State<D>& state, double left);
+  /// EquilibriumCalls::settle.
+  bool settleWhereNeeded(Plan<D>& plan, State<D>& state) const;
   /// Solves once more without a new load, from the configuration that the last step has led to, so that the
   /// end does not depend on the cells that the particles were in before. Where that fails nothing changes.
   void settleInPlace(const EquilibriumCalls& calls, State<D>& state);

@@ -185,7 +185,7 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
   clock.dt = length;
   if (!canAdvance(state))
     return;
-  LoadFactorSearch search(clock.factor.end);
+  LoadFactorSearch search;
   double factor = extrapolated(growth.path);
   bool solved = true;
   int reduced = 0; // trials one after another with hardly a change of the factor
@@ -208,6 +208,8 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
     if (std::fabs(work[0]) > roundingOfWork * work[1])
       now.displacement += 2.0 * work[0] / (clock.factor.begin + clock.factor.end);
     search.record(clock.factor.end, growth.drive);
+    if (search.found() && state.failure.empty() && calls.settle())
+      search.record(clock.factor.end, growth.drive);
     if (k == 0 && growth.path.empty() && state.failure.empty())
     {
       state.failure = failureOfStrain(state, search.proportional());
@@ -243,21 +245,20 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
     calls.solve();
     if (!last.converged)
     {
-      state.failure = "no equilibrium is found after the crack has grown under the loads of t = " +
-                      readableTime(state.clock.time) +
-                      ": they may exceed what the remaining ligament can bear";
+      state.failure =
+          "no equilibrium is found after the crack has grown under the loads of t = " + readableTime(now) +
+          ": they may exceed what the remaining ligament can bear";
       return;
     }
     accept(state, calls,
            [&]
            {
              return "the crack has grown by " + formatShort(growth.area - areaBefore) +
-                    " m2 under the loads of t = " + readableTime(state.clock.time) +
+                    " m2 under the loads of t = " + readableTime(now) +
                     ", and what is left of the body does not bear them (" + state.failure +
                     "): the body breaks at these loads, or between them and those of the load step before";
            });
-    growth.path.push_back(
-        {state.clock.time, 0.0, 0.0, growth.area, growth.release / before - 1.0, from, reached});
+    growth.path.push_back({now, 0.0, 0.0, growth.area, growth.release / before - 1.0, from, reached});
   }
 }
 

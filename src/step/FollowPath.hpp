@@ -16,6 +16,9 @@ struct EquilibriumCalls
       between; ///< the stage BetweenSteps: fronts advance if EquilibriumGrowth::advance is set
   std::function<void()> solve;  ///< the stages up to Solve
   std::function<void()> accept; ///< the stages from AfterSolve on: the particles follow
+  /// Restores equilibrium where the particles lie now, without new loads. \return whether it had to: the
+  /// motion of the last solution left more out of balance than G notices
+  std::function<bool()> settle;
 };
 
 /// Advances the cracks by an increment, except in the first step, and finds the factor of the loads with

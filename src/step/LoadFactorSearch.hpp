@@ -8,24 +8,16 @@ namespace Rhegma
 {
 
 /// Finds the factor with which G/Gc is one. Its root s is in proportion to the factor in a linear body, so
-/// that the second equilibrium is nearly the answer, and a third there confirms it; others take a few more by
-/// secants.
+/// that the second equilibrium is the answer; others take a few more by secants.
 class LoadFactorSearch
 {
 public:
-  /// \param start the factor of the equilibrium in which particles lie: 0 if they are not loaded yet
-  explicit LoadFactorSearch(double start = 0.0) { last_.factor = start; }
-
   /// Of s. It doubles with each equilibrium beyond the usual ones, up to the loosest: where particles cross
   /// cells, G jumps by more than the tolerance.
   static constexpr double tolerance = 1e-5, loosest = 1e-3;
   static constexpr int usual = 6;
   /// Largest change of the factor at a time: beyond it no straight line is trusted.
   static constexpr double most = 20.0;
-  /// Largest change of the factor, relative to it, in the equilibrium that is the answer. Particles move
-  /// through the cells with it, so that what G is found from is no longer quite in equilibrium: after a change
-  /// of three quarters of the load, G was 0.7 % low.
-  static constexpr double near = 0.05;
 
   /// An equilibrium. \param factor of the loads, positive \param drive G/Gc, not negative
   void record(double factor, double drive)
@@ -38,8 +30,7 @@ public:
   bool found() const
   {
     const double now = std::ldexp(tolerance, std::max(0, count_ - usual));
-    return count_ > 0 && std::fabs(last_.s - 1.0) <= std::min(now, loosest) &&
-           std::fabs(last_.factor - before_.factor) <= near * last_.factor;
+    return count_ > 0 && std::fabs(last_.s - 1.0) <= std::min(now, loosest);
   }
 
   /// The factor with which G/Gc is one where bodies are linear; infinite where there is no G. Call after

@@ -265,7 +265,7 @@ def read_conductance():
 def write_constants(constants, conductance):
     text = open(HEADER).read()
     for name, value in list(zip(NAMES, constants)) + [("conductance", conductance)]:
-        text = re.sub(r"(double %s = )[-0-9.e]+;" % name, lambda m: "%s%.3g;" % (m.group(1), value), text, count=1)
+        text = re.sub(r"(double %s = )[-0-9.e]+;" % name, lambda m: "%s%s;" % (m.group(1), float("%.3g" % value)), text, count=1)
     open(HEADER, "w").write(text)
 
 
