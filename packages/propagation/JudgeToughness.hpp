@@ -7,7 +7,7 @@
 #include "plausibility/CrackExtent.hpp"
 #include "plausibility/LoadEstimate.hpp"
 #include "propagation/Options.hpp"
-#include "propagation/RayleighSpeed.hpp"
+#include "material/RayleighSpeed.hpp"
 
 #include <algorithm>
 #include <cmath>

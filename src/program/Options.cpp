@@ -92,6 +92,11 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
       options.action = Options::Action::New;
       options.section = namesAfter(arguments, k, 1);
     }
+    else if (a == "--materials" || a == "--materials-markdown")
+    {
+      options.action = a == "--materials" ? Options::Action::Materials : Options::Action::MaterialsMarkdown;
+      options.section = namesAfter(arguments, k, a == "--materials" ? arguments.size() : 0);
+    }
     else if (a == "--version")
       options.action = Options::Action::Version;
     else if (a == "--help" || a == "-h")
@@ -130,7 +135,8 @@ std::string usage()
          "start "
          "from: dcb, plate, quench, burning or 3d-part;\n                        --output FILE: write it to "
          "a "
-         "file\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
+         "file\nrhegma --materials [NAME]       the library of materials with its sources; of one "
+         "material: XML to paste\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
          "--kokkos-num-threads=N (OpenMP back end).\nExit: 0 finished, 1 the scene is wrong, 2 the run "
          "failed, 3 a defect of the program,\n      4 finished, but a value of the scene's Reference section "
          "is outside its tolerance,\n        or --strict and a warning during the run (1: before it).\n";
