@@ -3,18 +3,14 @@
 #include "base/Numbers.hpp"
 #include "base/PairTable.hpp"
 #include "base/ShortNumber.hpp"
-#include "material/MaterialTable.hpp"
-#include "material/RayleighSpeed.hpp"
 #include "plan/EffectSchema.hpp"
 #include "program/Options.hpp"
-#include "scene/FillFromLibrary.hpp"
+#include "scene/DerivedConstants.hpp"
 #include "scene/MaterialLibrary.hpp"
 #include "scene/NearestName.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <optional>
 #include <vector>
 
 namespace Rhegma::program
@@ -22,41 +18,6 @@ namespace Rhegma::program
 
 namespace
 {
-
-/// What follows from the constants of a material.
-struct Derived
-{
-  Elasticity elasticity;
-  double density, longitudinal, shear, rayleigh; ///< [kg/m3], [m/s]
-  std::optional<double> toughness, intensity;    ///< at rest [J/m2], K_Ic in plane strain [Pa m^0.5]
-};
-
-/// The toughness at rest of a number or a table.
-double atRest(const std::string& toughness)
-{
-  if (!PairTable::isMeant(toughness))
-    return parseReal(toughness).value_or(std::nan(""));
-  return PairTable(toughness, {"a speed and an energy", "speeds", " m/s", "", ""})(0.0);
-}
-
-Derived derive(const LibraryMaterial& material)
-{
-  Teuchos::ParameterList scene;
-  scene.sublist("Materials").sublist(material.name).set("Material From Library", material.name);
-  std::vector<SceneError> errors;
-  fillFromLibrary(scene, effectSchema(), errors);
-  const Properties p =
-      makeProperties(scene.sublist("Materials").sublist(material.name), material.name, Plane::Solid);
-  Derived d{elasticity(p), p.density, 0.0, 0.0, rayleighSpeed(p), {}, {}};
-  d.longitudinal = std::sqrt(d.elasticity.constrainedModulus / p.density);
-  d.shear = std::sqrt(d.elasticity.shear / p.density);
-  if (const LibraryConstant* toughness = material.find("Toughness"))
-  {
-    d.toughness = atRest(toughness->value);
-    d.intensity = std::sqrt(d.elasticity.effectiveModulus * *d.toughness);
-  }
-  return d;
-}
 
 /// Four digits, without an exponent for large numbers.
 std::string fourDigits(double value)
@@ -66,7 +27,7 @@ std::string fourDigits(double value)
 }
 
 /// The number of a measured quantity that follows from the constants, in its unit.
-std::string derivedText(const Derived& d, const std::string& quantity)
+std::string derivedText(const DerivedConstants& d, const std::string& quantity)
 {
   if (quantity == "Longitudinal Wave Speed")
     return fourDigits(d.longitudinal);
@@ -150,7 +111,7 @@ std::string materialsAsText()
       "(listed at the end).\n\n";
   for (const LibraryMaterial& material : materialLibrary().materials)
   {
-    const Derived derived = derive(material);
+    const DerivedConstants derived = deriveConstants(material, effectSchema());
     text += material.name + ": " + material.title + "\n    Laws: " + Rhegma::asText(material.laws, ", ") +
             ". Valid for " + material.temperature + "; rate: " + material.rate + ".\n" +
             (material.note.empty() ? "" : "    " + material.note + "\n");
@@ -197,14 +158,14 @@ std::string materialsAsMarkdown()
       "|:--|:--|--:|--:|--:|--:|--:|--:|--:|:--|\n";
   for (const LibraryMaterial& material : materialLibrary().materials)
   {
-    const Derived d = derive(material);
+    const DerivedConstants d = deriveConstants(material, effectSchema());
     const LibraryConstant* yield = material.find("Yield Stress");
     const LibraryConstant* toughness = material.find("Toughness");
     const bool bySpeed = toughness != nullptr && PairTable::isMeant(toughness->value);
     text += "| " + material.name + " | " + Rhegma::asText(material.laws, ", ") + " | " +
-            fourDigits(d.density) + " | " + fourDigits(1e-9 * d.elasticity.young) + " | " +
-            fourDigits(d.elasticity.poisson) + " | " + (yield == nullptr ? "" : yield->value) + " | " +
-            fourDigits(d.longitudinal) + ", " + fourDigits(d.shear) + ", " + fourDigits(d.rayleigh) + " | " +
+            fourDigits(d.density) + " | " + fourDigits(1e-9 * d.young) + " | " + fourDigits(d.poisson) +
+            " | " + (yield == nullptr ? "" : yield->value) + " | " + fourDigits(d.longitudinal) + ", " +
+            fourDigits(d.shear) + ", " + fourDigits(d.rayleigh) + " | " +
             (d.toughness ? fourDigits(*d.toughness) : "") + (bySpeed ? ", by speed" : "") + " | " +
             (d.intensity ? fourDigits(1e-6 * *d.intensity) : "") + " | " + material.temperature + " |\n";
   }

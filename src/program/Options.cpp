@@ -2,6 +2,10 @@
 
 #include <Kokkos_Macros.hpp>
 
+#include <limits>
+#include <map>
+#include <optional>
+
 namespace Rhegma::program
 {
 
@@ -48,6 +52,28 @@ std::string namesAfter(const std::vector<std::string>& arguments, std::size_t& k
   return names;
 }
 
+/// An option that prints a part of what the program knows, without a scene.
+struct Printing
+{
+  Options::Action action;
+  std::size_t names; ///< most arguments that name the part
+};
+
+std::optional<Printing> printingOf(const std::string& option)
+{
+  using Action = Options::Action;
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  static const std::map<std::string, Printing> all = {
+      {"--describe", {Action::Describe, any}},
+      {"--describe-markdown", {Action::DescribeMarkdown, 0}},
+      {"--materials", {Action::Materials, any}},
+      {"--materials-markdown", {Action::MaterialsMarkdown, 0}},
+      {"--new", {Action::New, 1}},
+  };
+  const auto found = all.find(option);
+  return found == all.end() ? std::nullopt : std::optional<Printing>(found->second);
+}
+
 } // namespace
 
 Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos)
@@ -82,20 +108,10 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
       options.action = Options::Action::PrintPlan;
-    else if (a == "--describe" || a == "--describe-markdown")
+    else if (const auto print = printingOf(a))
     {
-      options.action = a == "--describe" ? Options::Action::Describe : Options::Action::DescribeMarkdown;
-      options.section = namesAfter(arguments, k, a == "--describe" ? arguments.size() : 0);
-    }
-    else if (a == "--new")
-    {
-      options.action = Options::Action::New;
-      options.section = namesAfter(arguments, k, 1);
-    }
-    else if (a == "--materials" || a == "--materials-markdown")
-    {
-      options.action = a == "--materials" ? Options::Action::Materials : Options::Action::MaterialsMarkdown;
-      options.section = namesAfter(arguments, k, a == "--materials" ? arguments.size() : 0);
+      options.action = print->action;
+      options.section = namesAfter(arguments, k, print->names);
     }
     else if (a == "--version")
       options.action = Options::Action::Version;

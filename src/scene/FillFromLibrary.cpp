@@ -2,6 +2,7 @@
 
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 #include "scene/MaterialLibrary.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/Validation.hpp"
@@ -196,7 +197,7 @@ std::string valueText(const LibraryUse::Value& value)
   const auto* number = valueIf<double>(value.entry);
   const auto* text = valueIf<std::string>(value.entry);
   return value.name + " = " +
-         (number != nullptr ? formatReal(*number)
+         (number != nullptr ? formatShort(*number)
           : text != nullptr ? *text
                             : "") +
          (value.unit.empty() ? "" : " " + value.unit);
