@@ -20,16 +20,16 @@ Teuchos::ParameterList sceneOf(const std::string& material)
   Teuchos::ParameterList scene("Rhegma");
   auto& domain = scene.sublist("Domain");
   domain.set("Dimension", 2);
-  domain.set("Lower Corner", Teuchos::Array<double>{0.0, 0.0});
-  domain.set("Upper Corner", Teuchos::Array<double>{1.0, 1.0});
+  domain.set("Lower Corner", Teuchos::Array<double>(Teuchos::tuple(0.0, 0.0)));
+  domain.set("Upper Corner", Teuchos::Array<double>(Teuchos::tuple(1.0, 1.0)));
   domain.set("Cell Size", 0.1);
   scene.sublist("Time").set("Final Time", 1.0);
   scene.sublist("Materials").sublist("Solid").set("Material From Library", material);
   auto& body = scene.sublist("Bodies").sublist("Block");
   body.set("Material", "Solid");
   body.set("Shape", "Box");
-  body.set("Lower Corner", Teuchos::Array<double>{0.2, 0.2});
-  body.set("Upper Corner", Teuchos::Array<double>{0.8, 0.8});
+  body.set("Lower Corner", Teuchos::Array<double>(Teuchos::tuple(0.2, 0.2)));
+  body.set("Upper Corner", Teuchos::Array<double>(Teuchos::tuple(0.8, 0.8)));
   return scene;
 }
 
