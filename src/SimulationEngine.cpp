@@ -7,6 +7,7 @@
 #include "output/BodyReport.hpp"
 #include "output/CoreRow.hpp"
 #include "output/FieldWriter.hpp"
+#include "output/LibraryReport.hpp"
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
 #include "state/EnergySums.hpp"
@@ -111,6 +112,7 @@ public:
     summary["largest_energy_supplied"] = watch.supplied();
     coreReport(state, summary);
     bodyReport(state, summary, mostBodies);
+    reportLibrary(*scene_, effectSchema(), summary);
     for (const Effect<D>& effect : run_->plan().effects)
       if (effect.report)
         effect.report(state, summary);

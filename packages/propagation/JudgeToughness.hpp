@@ -4,10 +4,10 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "material/RayleighSpeed.hpp"
 #include "plausibility/CrackExtent.hpp"
 #include "plausibility/LoadEstimate.hpp"
 #include "propagation/Options.hpp"
-#include "propagation/RayleighSpeed.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "base/Numbers.hpp"
 #include "base/PointText.hpp"
 #include "base/ShortNumber.hpp"
+#include "material/RayleighSpeed.hpp"
 #include "plan/LoadOverStep.hpp"
 #include "plausibility/Judges.hpp"
-#include "propagation/RayleighSpeed.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 

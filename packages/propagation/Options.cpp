@@ -1,8 +1,8 @@
 #include "propagation/Options.hpp"
 
 #include "base/Numbers.hpp"
+#include "material/RayleighSpeed.hpp"
 #include "plan/LastStage.hpp"
-#include "propagation/RayleighSpeed.hpp"
 #include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
@@ -134,6 +134,9 @@ Section propagationSection()
                "increment: a number, an "
                "expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
                "500:200\". With Thermal the expression may contain the temperature T [K].");
+  s.fromLibrary("Toughness From Library")
+      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
+               "absent (docs/materials.md).");
   s.real("Initiation Toughness")
       .unit("J/m2")
       .positive()

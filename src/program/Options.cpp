@@ -2,6 +2,10 @@
 
 #include <Kokkos_Macros.hpp>
 
+#include <limits>
+#include <map>
+#include <optional>
+
 namespace Rhegma::program
 {
 
@@ -48,6 +52,28 @@ std::string namesAfter(const std::vector<std::string>& arguments, std::size_t& k
   return names;
 }
 
+/// An option that prints a part of what the program knows, without a scene.
+struct Printing
+{
+  Options::Action action;
+  std::size_t names; ///< most arguments that name the part
+};
+
+std::optional<Printing> printingOf(const std::string& option)
+{
+  using Action = Options::Action;
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  static const std::map<std::string, Printing> all = {
+      {"--describe", {Action::Describe, any}},
+      {"--describe-markdown", {Action::DescribeMarkdown, 0}},
+      {"--materials", {Action::Materials, any}},
+      {"--materials-markdown", {Action::MaterialsMarkdown, 0}},
+      {"--new", {Action::New, 1}},
+  };
+  const auto found = all.find(option);
+  return found == all.end() ? std::nullopt : std::optional<Printing>(found->second);
+}
+
 } // namespace
 
 Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos)
@@ -82,15 +108,10 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
       options.action = Options::Action::PrintPlan;
-    else if (a == "--describe" || a == "--describe-markdown")
+    else if (const auto print = printingOf(a))
     {
-      options.action = a == "--describe" ? Options::Action::Describe : Options::Action::DescribeMarkdown;
-      options.section = namesAfter(arguments, k, a == "--describe" ? arguments.size() : 0);
-    }
-    else if (a == "--new")
-    {
-      options.action = Options::Action::New;
-      options.section = namesAfter(arguments, k, 1);
+      options.action = print->action;
+      options.section = namesAfter(arguments, k, print->names);
     }
     else if (a == "--version")
       options.action = Options::Action::Version;
@@ -130,7 +151,8 @@ std::string usage()
          "start "
          "from: dcb, plate, quench, burning or 3d-part;\n                        --output FILE: write it to "
          "a "
-         "file\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
+         "file\nrhegma --materials [NAME]       the library of materials with its sources; of one "
+         "material: XML to paste\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "
          "--kokkos-num-threads=N (OpenMP back end).\nExit: 0 finished, 1 the scene is wrong, 2 the run "
          "failed, 3 a defect of the program,\n      4 finished, but a value of the scene's Reference section "
          "is outside its tolerance,\n        or --strict and a warning during the run (1: before it).\n";

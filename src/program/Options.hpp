@@ -31,13 +31,15 @@ struct Options
     Describe,
     DescribeMarkdown,
     New,
+    Materials,
+    MaterialsMarkdown,
     Version,
     Help
   };
   Action action = Action::Run;
   std::string scene;
   std::string output;  ///< folder; empty: next to the scene; of --new a file, empty: standard output
-  std::string section; ///< of --describe, or the template of --new
+  std::string section; ///< of --describe, the template of --new, or the material of --materials
   std::string restart; ///< checkpoint to continue from; empty: start of the scene
   std::vector<std::string> overrides;
   bool quiet = false;

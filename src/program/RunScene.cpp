@@ -18,10 +18,12 @@
 #include "program/CheckText.hpp"
 #include "program/Forecast.hpp"
 #include "program/Intervals.hpp"
+#include "program/MaterialsText.hpp"
 #include "program/Production.hpp"
 #include "program/RunEnd.hpp"
 #include "program/Templates.hpp"
 #include "program/Twice.hpp"
+#include "scene/FillFromLibrary.hpp"
 #include "scene/ReadFile.hpp"
 #include "scene/Scene.hpp"
 
@@ -281,7 +283,7 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
       << std::flush;
   if (options.quiet)
     return exitFinished;
-  out << bodiesAsText(summary, *scene) << loadsAsText(*scene);
+  out << bodiesAsText(summary, *scene) << loadsAsText(*scene) << libraryUsesAsText(*scene, effectSchema());
   const Ranks ranks(world());
   const Forecast forecast = makeForecast(simulation, *scene, ranks, setup);
   if (!forecast.rates.failure.empty())
@@ -305,7 +307,7 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     onFirstRank<std::invalid_argument>(ranks, [&] { refuseFolderInUse(folder); });
   if (options.action == Options::Action::Run && !options.quiet && options.restart.empty())
   {
-    out << sizeAsText(*scene) << std::flush;
+    out << sizeAsText(*scene) << libraryUsesAsText(*scene, effectSchema()) << std::flush;
     printCostOfAccuracy(options, *scene, ranks, nullptr, start, out);
   }
   Simulation simulation(world(), scene, !options.twice);
@@ -378,6 +380,10 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
   }
   else if (options.action == Action::New)
     return writeTemplate(options, out, err);
+  else if (options.action == Action::Materials)
+    out << (options.section.empty() ? materialsAsText() : materialAsXml(options.section));
+  else if (options.action == Action::MaterialsMarkdown)
+    out << materialsAsMarkdown();
   else
   {
     const double start = processorSeconds();

@@ -171,6 +171,10 @@ Section materials()
 {
   Section material("material", "A material.");
   material.chosenBy("Model").meaning("Constitutive law.");
+  material.fromLibrary("Material From Library")
+      .meaning("Name of a material of the library, such as PMMA, whose constants stand for the parameters "
+               "that are not given here (docs/materials.md). rhegma --materials lists them. Heat constants "
+               "are used with the section Thermal.");
   heat(material);
   addLaws(material, Laws{});
   material.variant(rigid());

@@ -4,6 +4,7 @@
 #include "scene/Accuracy.hpp"
 #include "scene/ConvertUnits.hpp"
 #include "scene/CrossChecks.hpp"
+#include "scene/FillFromLibrary.hpp"
 #include "scene/Overrides.hpp"
 #include "scene/ReadFile.hpp"
 #include "scene/ReadXml.hpp"
@@ -24,6 +25,7 @@ namespace
 void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, std::vector<SceneError>& errors)
 {
   list.setName(schema.root().name);
+  fillFromLibrary(list, schema, errors);
   convertUnits(list, schema, errors);
   chooseCells(list, schema, errors);
   Validation(dimensionOf(list), errors).check(list, schema.root(), "");
@@ -83,6 +85,7 @@ SceneResult readSceneText(const std::string& xml, const std::vector<std::string>
   result.list = parseXml(xml, schema.root().name, result.errors);
   if (result.list.is_null())
     return result;
+  addLibraryLaws(*result.list, schema);
   for (const auto& text : overrides)
     applyOverride(*result.list, text, schema, result.errors);
   validateInPlace(*result.list, schema, result.errors);

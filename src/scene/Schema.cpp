@@ -133,6 +133,12 @@ Section& Section::namedByUser(Section section)
   return *this;
 }
 
+ParameterBuilder Section::fromLibrary(const std::string& parameter)
+{
+  libraryKey = parameter;
+  return text(parameter).notEmpty().optional();
+}
+
 ParameterBuilder Section::chosenBy(const std::string& parameter)
 {
   key = parameter;

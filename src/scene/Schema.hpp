@@ -210,6 +210,9 @@ struct Section
       kept; ///< that a restart must not change; only those of top-level sections are used
   std::vector<std::string> provides; ///< capabilities (scene/Compatibility.hpp)
   std::string namesOf; ///< section whose list names the user-named lists must have; empty: any name
+  /// The parameter that names a material of the library, whose constants stand for parameters that a list
+  /// does not have (scene/FillFromLibrary.hpp); empty: there is none.
+  std::string libraryKey;
   /// Parameters of earlier versions, and where they are in the scene now.
   std::map<std::string, std::string> moved;
 
@@ -236,6 +239,8 @@ struct Section
   Section& subsection(Section section);
   /// Every further sublist is named by the user and has the content of `section`.
   Section& namedByUser(Section section);
+  /// Adds a parameter that names a material of the library, whose constants stand for absent parameters.
+  ParameterBuilder fromLibrary(const std::string& parameter);
   /// Adds a parameter that chooses a variant. Add it before the variants.
   ParameterBuilder chosenBy(const std::string& parameter);
   Section& variant(Section section);

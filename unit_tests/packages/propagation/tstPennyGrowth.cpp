@@ -2,9 +2,9 @@
 
 #include "Pi.hpp"
 #include "cracks/Opening.hpp"
+#include "material/RayleighSpeed.hpp"
 #include "output/CoreRow.hpp"
 #include "packages/propagation/DrivenFronts.hpp"
-#include "propagation/RayleighSpeed.hpp"
 #include "src/step/ElasticBox.hpp"
 #include "state/EnergySums.hpp"
 #include "transfer/FacePoints.hpp"
@@ -260,8 +260,7 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   EXPECT_GT(entry["last_advance"].get<double>(), entry["initiated"].get<double>());
   for (const char* name : {"increments", "initiated", "last_advance", "settled_speed", "speed_limit"})
     EXPECT_EQ(entry[name], ended[name]) << name;
-  EXPECT_NEAR(entry["speed_limit"].get<double>(), propagation::rayleighSpeed(state.materials.properties[0]),
-              1e-9);
+  EXPECT_NEAR(entry["speed_limit"].get<double>(), rayleighSpeed(state.materials.properties[0]), 1e-9);
 }
 
 /// A crack like a C, whose arms grow towards each other: a front that meets itself. It stops before they are

@@ -2,10 +2,10 @@
 
 #include "Pi.hpp"
 #include "material/MaterialTable.hpp"
+#include "material/RayleighSpeed.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
 #include "propagation/Options.hpp"
-#include "propagation/RayleighSpeed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "propagation/RayleighSpeed.hpp"
+#include "material/RayleighSpeed.hpp"
 
 #include "material/MaterialTable.hpp"
 
 #include <cmath>
 
-namespace Rhegma::propagation
+namespace Rhegma
 {
 
 double rayleighSpeed(const Properties& material)
@@ -24,4 +24,4 @@ double rayleighSpeed(const Properties& material)
   return std::sqrt(0.5 * (low + high) * shear);
 }
 
-} // namespace Rhegma::propagation
+} // namespace Rhegma

@@ -3,7 +3,7 @@
 
 #include "material/Law.hpp"
 
-namespace Rhegma::propagation
+namespace Rhegma
 {
 
 /// Speed of waves along a free surface at small strain [m/s], which no crack under tension passes: the root
@@ -15,4 +15,4 @@ namespace Rhegma::propagation
 /// Source: Freund, Dynamic Fracture Mechanics, Cambridge 1990, section 2.4.
 double rayleighSpeed(const Properties& material);
 
-} // namespace Rhegma::propagation
+} // namespace Rhegma
