@@ -64,7 +64,7 @@ public:
   /// Whether a system of so many rows is too large for direct solutions.
   static bool isLarge(int rows);
 
-  /// What solved the last system, in words for the summary.
+  /// What solved the last system, as the summary says it.
   const char* method() const;
 
 private:

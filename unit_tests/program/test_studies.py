@@ -135,7 +135,7 @@ class Studies(ProgramTest):
             self.near(row["front"]["G_J"], -0.0066)
         self.near(lumped["front"]["G_closure_lumped"], full["front"]["G_closure_lumped"] / REFERENCE - 1.0)
 
-    def test_static_J_is_the_same_for_every_mass_matrix(self):
+    def test_static_J_of_every_mass_matrix(self):
         """At rest K u = f, whatever the mass, but springs of coupled masses are limited by the step (docs/theory.md): within 0.1 points of
         each other at 4 cells an arm, and 0.25 points below the lumped mass."""
         rows = self.study(self.write("equal.xml", EQUAL))

@@ -141,7 +141,7 @@ TEST(Equilibrium, PatchInRefinedCells3D) { testPatch<3>("GIMP", 0.0, 1e-7, 1); }
 TEST(Equilibrium, PatchOfTurnedBoxes) { testPatch<2>("GIMP", 45.0, 1.5e-2); }
 TEST(Equilibrium, PatchOfTurnedBoxesIn3D) { testPatch<3>("GIMP", 45.0, 1.5e-2); }
 
-/// Particles of linear functions on rows of nodes have no weight, but slopes at the nodes beside them.
+/// Particles of linear functions on rows of nodes have no weight, but slopes at the nodes next to them.
 TEST(Equilibrium, PatchOfParticlesOnNodes)
 {
   for (const double offset : {0.25, 0.75})
