@@ -12,6 +12,7 @@
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <set>
 #include <stdexcept>
@@ -60,6 +61,17 @@ void toMotion(const NewtonStep<D>& step, State<D>& state)
           nodes.sums(n, Nodes<D>::forceAt + d) = reaction(D * r + d);
         }
       });
+}
+
+/// Largest displacement of a node along an axis [smallest cells].
+template <int D>
+double largestMotion(const NewtonStep<D>& step, const State<D>& state)
+{
+  const Values& u = step.displacement();
+  double largest = 0.0;
+  for (std::size_t k = 0; k < u.extent(0); ++k)
+    largest = std::max(largest, std::fabs(u(k)));
+  return state.ranks.max(largest) / state.mesh.smallestSpacing();
 }
 
 /// What the effect stores between steps, for its report and for the next step.
@@ -207,6 +219,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   }
   account.largestForces = report.forces;
   toMotion(step, state);
+  last.motion = largestMotion(step, state);
   last.workOfSupports = step.workOfSupports();
   state.energy.externalWork += last.workOfSupports;
   // Bodies that begin with stress out of balance, such as a misfit of temperatures, begin with the energy of

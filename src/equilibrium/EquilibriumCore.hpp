@@ -31,6 +31,7 @@ struct LastStep
   std::string reason;          ///< what keeps the step from equilibrium, where that is known; else empty
   double matrixBytes = 0.0;
   double workOfSupports = 0.0; ///< over the step, this rank's part [J]
+  double motion = 0.0;         ///< largest displacement of a node over the step [smallest cells]
 };
 
 /// The calls of a step of equilibrium: the nodes' displacement over the step is solved for by Newton's method

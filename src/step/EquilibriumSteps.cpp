@@ -29,8 +29,9 @@ constexpr double shortStep = 1e-9;
 constexpr double forcesAtRest = 1e-6, leastGain = 0.8;
 constexpr int mostRounds = 12;
 
-/// Forces out of balance, as a fraction of all, that are left after a load step: G is then within 0.05 %
-/// of that in equilibrium (StepsWithinARun).
+/// Forces out of balance, as a fraction of all, that are left after a load step: G is then within 0.1 % of
+/// that in equilibrium (test_steps_within_a_run.py). They are no larger than the displacement of the step in
+/// cells, by which the functions of the nodes change at the particles: 0.4 of it in an edge crack.
 constexpr double enoughForG = 1e-3;
 
 template <int D>
@@ -168,6 +169,8 @@ void EquilibriumSteps<D>::withoutNewLoads(State<D>& state, const std::function<v
 template <int D>
 bool EquilibriumSteps<D>::settleWhereNeeded(Plan<D>& plan, State<D>& state) const
 {
+  if (last_->motion <= enoughForG)
+    return false;
   const EquilibriumCalls stages = calls(plan, state);
   state.clock.factor.begin = state.clock.factor.end;
   const bool wasInPlace = std::exchange(last_->inPlace, true);
