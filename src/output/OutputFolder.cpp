@@ -106,7 +106,9 @@ bool isOfRun(const std::string& path, const std::string& name, const std::string
     return true;
   if (name == "history.csv")
     return beginsLikeAHistory(text);
-  if (name == "fields.h5")
+  if (name == "fronts.csv")
+    return startsWith(text, "time,crack,front,node,s,");
+  if (name == "fields.h5" || name == "fronts.h5")
     return startsWith(text, "\x89HDF\r\n") && holdsFrames(path);
   if (name == "checkpoint.h5")
     return startsWith(text, "\x89RHEGMA");
@@ -146,8 +148,9 @@ void removeFrom(const std::string& folder, const std::string& name)
 
 const std::vector<std::string>& resultNames()
 {
-  static const std::vector<std::string> names = {"summary.json", "history.csv",   "fields.xdmf",
-                                                 "fields.h5",    "checkpoint.h5", "manifest.json"};
+  static const std::vector<std::string> names = {"summary.json",  "history.csv",  "fields.xdmf",
+                                                 "fields.h5",     "fronts.csv",   "fronts.h5",
+                                                 "checkpoint.h5", "manifest.json"};
   return names;
 }
 

@@ -83,15 +83,23 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
     progress_.stopsAtRest(end->energyRatio, end->drift, end->notBefore);
   observe();
   if (continued_)
-    takeUpFields();
+    takeUpFiles();
 }
 
-void Production::takeUpFields()
+void Production::takeUpFiles()
 {
-  const std::string data = folder_ + "/fields.h5";
-  std::string why, aside;
-  if (!scene_.sublist("Output").get<bool>("Fields") || simulation_.continueFields(folder_, &why))
-    return;
+  std::string why;
+  if (scene_.sublist("Output").get<bool>("Fields") && !simulation_.continueFields(folder_, &why))
+    setFileAside("fields.h5", "fields", why);
+  if ((writesFronts(scene_, "With Fields") || writesFronts(scene_, "With History")) &&
+      !simulation_.continueFronts(folder_, &why))
+    setFileAside("fronts.h5", "values along fronts", why);
+}
+
+void Production::setFileAside(const std::string& name, const std::string& content, const std::string& why)
+{
+  const std::string data = folder_ + "/" + name;
+  std::string aside;
   onFirstRank<OutputError>(ranks_,
                            [&]
                            {
@@ -100,12 +108,12 @@ void Production::takeUpFields()
                                aside = setAside(data);
                            });
   aside = ranks_.firstText(aside);
-  warnings_.push_back(aside.empty()
-                          ? "there is no " + data +
-                                " with the fields of the run up to the checkpoint; new fields are written "
-                                "from here on"
-                          : data + " does not hold the fields of the run up to the checkpoint: " + why +
-                                "; it is renamed to " + aside + ", and new fields are written from here on");
+  warnings_.push_back(aside.empty() ? "there is no " + data + " with the " + content +
+                                          " of the run up to the checkpoint; new " + content +
+                                          " are written from here on"
+                                    : data + " does not hold the " + content +
+                                          " of the run up to the checkpoint: " + why + "; it is renamed to " +
+                                          aside + ", and new " + content + " are written from here on");
 }
 
 void Production::observe()
@@ -116,6 +124,8 @@ void Production::observe()
                             try
                             {
                               history_.write(time, row);
+                              if (writesFronts(scene_, "With History"))
+                                simulation_.writeFronts(folder_);
                               if (lock_ && manifest_.isDue())
                               {
                                 history_.flush();
@@ -257,7 +267,7 @@ bool Production::retry(const RunError& failure)
   retries_.setStepFraction(simulation_.stepFraction());
   checkpoints_.afterGoingBack();
   continued_ = true;
-  takeUpFields();
+  takeUpFiles();
   warnings_.push_back(retries_.asText());
   return true;
 }
@@ -286,13 +296,21 @@ RunEnd Production::end(const std::string& failure) const
   return outOfSteps ? RunEnd::CutOff : RunEnd::Finished;
 }
 
+void Production::writeFrame()
+{
+  if (!scene_.sublist("Output").get<bool>("Fields"))
+    return;
+  simulation_.writeFields(folder_);
+  if (writesFronts(scene_, "With Fields"))
+    simulation_.writeFronts(folder_);
+}
+
 void Production::advanceFromFieldToField()
 {
   const Teuchos::ParameterList& output = scene_.sublist("Output");
-  const bool fields = output.get<bool>("Fields");
   const double interval = fieldInterval(scene_);
-  if (fields && output.isParameter("Field Interval") && simulation_.time() == 0.0)
-    simulation_.writeFields(folder_);
+  if (output.isParameter("Field Interval") && simulation_.time() == 0.0)
+    writeFrame();
   // A run that continues may have stopped between a step and its fields; existing fields are not written
   // again.
   bool pending = continued_;
@@ -305,8 +323,7 @@ void Production::advanceFromFieldToField()
     {
       pending = false;
       simulation_.advance(std::min(static_cast<double>(k) * interval, finalTime_));
-      if (fields)
-        simulation_.writeFields(folder_);
+      writeFrame();
     }
   }
   catch (const StopRequested&) // within a step: the state is not whole
@@ -316,8 +333,8 @@ void Production::advanceFromFieldToField()
   catch (const RunError&)
   {
     // A stopped run writes its last fields; an unstable step leaves no valid result.
-    if (fields && stopRequested_)
-      simulation_.writeFields(folder_);
+    if (stopRequested_)
+      writeFrame();
     throw;
   }
 }
@@ -359,6 +376,8 @@ bool Production::stopIfRequested(double time, long step)
 void Production::stopBySignal(double time, long step)
 {
   onFirstRank<OutputError>(ranks_, [&] { history_.write(time, simulation_.observe()); });
+  if (writesFronts(scene_, "With History"))
+    simulation_.writeFronts(folder_);
   throw RunError(stoppedBySignal + signalName_ + " at t = " + readableTime(time) + ", step " +
                  std::to_string(step) + toGoOn_);
 }

@@ -58,7 +58,12 @@ public:
 
 private:
   void observe();
-  void takeUpFields();
+  void takeUpFiles();
+  /// Renames a file that can't be continued, and warns. \param name of the file \param content what it holds
+  /// \param why it can't
+  void setFileAside(const std::string& name, const std::string& content, const std::string& why);
+  /// Writes the fields and, with them, the values along fronts, as far as the scene asks for them.
+  void writeFrame();
   void advanceFromFieldToField();
   /// \return why the run failed, with how it continues; empty if it did not
   std::string advanceToEnd();
