@@ -110,6 +110,8 @@ bool isOfRun(const std::string& path, const std::string& name, const std::string
     return startsWith(text, "time,crack,front,node,s,");
   if (name == "fields.h5" || name == "fronts.h5")
     return startsWith(text, "\x89HDF\r\n") && holdsFrames(path);
+  if (name == "watch.html")
+    return text.find("<!-- a run of rhegma -->") != std::string::npos;
   if (name == "checkpoint.h5")
     return startsWith(text, "\x89RHEGMA");
   if (name == "run.lock")
@@ -148,9 +150,9 @@ void removeFrom(const std::string& folder, const std::string& name)
 
 const std::vector<std::string>& resultNames()
 {
-  static const std::vector<std::string> names = {"summary.json",  "history.csv",  "fields.xdmf",
-                                                 "fields.h5",     "fronts.csv",   "fronts.h5",
-                                                 "checkpoint.h5", "manifest.json"};
+  static const std::vector<std::string> names = {"summary.json", "history.csv",   "fields.xdmf",
+                                                 "fields.h5",    "fronts.csv",    "watch.html",
+                                                 "fronts.h5",    "checkpoint.h5", "manifest.json"};
   return names;
 }
 
@@ -196,8 +198,9 @@ void removeOldSummary(const std::string& folder)
 {
   removeFrom(folder, "summary.json");
   removeFrom(folder, "manifest.json");
+  removeFrom(folder, "watch.html");
   // The files that are written to such a name first.
-  for (const char* name : {"summary.json", "manifest.json", "fields.xdmf", "checkpoint.h5"})
+  for (const char* name : {"summary.json", "manifest.json", "fields.xdmf", "checkpoint.h5", "watch.html"})
     removeFrom(folder, std::string(name) + ".part");
 }
 

@@ -31,6 +31,8 @@ void refuseMisfits(const Options& options)
   if (options.action == Options::Action::New && !options.scene.empty())
     throw UsageError("--new takes one template; leave \"" + options.scene +
                      "\" out, or put names with blanks in quotes");
+  if (options.watch && options.action != Options::Action::Run)
+    throw UsageError("--watch keeps a page of a run; leave it out, or run the scene");
   const bool needsScene = options.action == Options::Action::Run ||
                           options.action == Options::Action::Check ||
                           options.action == Options::Action::PrintPlan;
@@ -78,6 +80,8 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
       options.twice = true;
     else if (a == "--strict")
       options.strict = true;
+    else if (a == "--watch")
+      options.watch = true;
     else if (a == "--check")
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
@@ -117,9 +121,12 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
 std::string usage()
 {
   return "rhegma SCENE.xml [--output DIR] [--set 'Section:Sub:Parameter=value']... [--restart FILE] "
-         "[--quiet] [--strict]\n                        run a scene; results go to DIR (default: SCENE.out "
+         "[--quiet] [--strict] [--watch]\n                        run a scene; results go to DIR (default: "
+         "SCENE.out "
          "next to the scene);\n                        --restart: continue from a checkpoint.h5 of the same "
-         "scene; --strict: warnings are errors\nrhegma SCENE.xml --twice        run it as it is and with "
+         "scene; --strict: warnings are errors;\n                        --watch: keep DIR/watch.html, a "
+         "page "
+         "of the run for a browser\nrhegma SCENE.xml --twice        run it as it is and with "
          "cells of half the size, and print how much the results change\nrhegma SCENE.xml --check        "
          "check the scene, list every error, forecast the cost, and stop\nrhegma SCENE.xml --print-plan   "
          "list the effects, fields and stages of the scene\nrhegma --describe [Section]     every parameter: "

@@ -7,11 +7,11 @@
 #include "parallel/FirstRank.hpp"
 #include "plan/KnownEffects.hpp"
 #include "plan/LastStage.hpp"
+#include "program/ContinueOutput.hpp"
 #include "program/Intervals.hpp"
 #include "step/Run.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <new>
 #include <optional>
 #include <unistd.h>
@@ -79,8 +79,15 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       continued_(earlier.exists()),
       warnings_(earlier.warnings())
 {
-  if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
-    progress_.stopsAtRest(end->energyRatio, end->drift, end->notBefore);
+  const RunOptions run = declaredOptions(scene);
+  if (run.endAtRest)
+    progress_.stopsAtRest(run.endAtRest->energyRatio, run.endAtRest->drift, run.endAtRest->notBefore);
+  progress_.setToughness(run.initiationToughness);
+  if (options.watch && ranks.rank() == 0)
+  {
+    progress_.follow();
+    watch_ = std::make_unique<WatchPage>(folder_, options.scene, progress_);
+  }
   observe();
   if (continued_)
     takeUpFiles();
@@ -88,32 +95,8 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
 
 void Production::takeUpFiles()
 {
-  std::string why;
-  if (scene_.sublist("Output").get<bool>("Fields") && !simulation_.continueFields(folder_, &why))
-    setFileAside("fields.h5", "fields", why);
-  if ((writesFronts(scene_, "With Fields") || writesFronts(scene_, "With History")) &&
-      !simulation_.continueFronts(folder_, &why))
-    setFileAside("fronts.h5", "values along fronts", why);
-}
-
-void Production::setFileAside(const std::string& name, const std::string& content, const std::string& why)
-{
-  const std::string data = folder_ + "/" + name;
-  std::string aside;
-  onFirstRank<OutputError>(ranks_,
-                           [&]
-                           {
-                             std::error_code none;
-                             if (std::filesystem::exists(data, none))
-                               aside = setAside(data);
-                           });
-  aside = ranks_.firstText(aside);
-  warnings_.push_back(aside.empty() ? "there is no " + data + " with the " + content +
-                                          " of the run up to the checkpoint; new " + content +
-                                          " are written from here on"
-                                    : data + " does not hold the " + content +
-                                          " of the run up to the checkpoint: " + why + "; it is renamed to " +
-                                          aside + ", and new " + content + " are written from here on");
+  const std::vector<std::string> found = continueOutput(scene_, simulation_, folder_, ranks_);
+  warnings_.insert(warnings_.end(), found.begin(), found.end());
 }
 
 void Production::observe()
@@ -137,16 +120,25 @@ void Production::observe()
                               unwritten_ = error.what();
                             }
                             progress_.sample(time, row);
+                            if (watch_)
+                              watch_->sample(time, row);
                             checkpoints_.afterSample();
                             if (unwritten_.empty())
                               unwritten_ = history_.whyLost();
                           });
-  simulation_.onIteration([this](int iteration, double residual)
-                          { progress_.iteration(simulation_.steps() + 1, iteration, residual); });
+  simulation_.onIteration(
+      [this](int iteration, double residual)
+      {
+        progress_.iteration(simulation_.steps() + 1, iteration, residual);
+        if (watch_)
+          watch_->update();
+      });
   simulation_.onStep(
       [this](double time, long step)
       {
         progress_.step(time, step);
+        if (watch_)
+          watch_->update();
         const bool byClock = stopIfRequested(time, step);
         checkpoints_.afterStep(byClock);
       });
@@ -161,6 +153,8 @@ std::string Production::runToEnd()
   else
     closeHistory(failure);
   progress_.finish();
+  if (watch_ && !folderLost_)
+    watch_->finish(failure);
   return ranks_.firstText(failure);
 }
 
