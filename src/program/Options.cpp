@@ -50,6 +50,16 @@ std::string namesAfter(const std::vector<std::string>& arguments, std::size_t& k
   return names;
 }
 
+/// The option that an argument switches on, or null.
+bool* flagOf(const std::string& argument, Options& options)
+{
+  return argument == "--quiet"    ? &options.quiet
+         : argument == "--twice"  ? &options.twice
+         : argument == "--strict" ? &options.strict
+         : argument == "--watch"  ? &options.watch
+                                  : nullptr;
+}
+
 } // namespace
 
 Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos)
@@ -74,14 +84,8 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     }
     else if (a == "--set")
       options.overrides.push_back(valueOf(k));
-    else if (a == "--quiet")
-      options.quiet = true;
-    else if (a == "--twice")
-      options.twice = true;
-    else if (a == "--strict")
-      options.strict = true;
-    else if (a == "--watch")
-      options.watch = true;
+    else if (bool* const flag = flagOf(a, options))
+      *flag = true;
     else if (a == "--check")
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
