@@ -44,7 +44,7 @@ struct ParticleStress
 };
 
 /// Elastic energy of a particle per undeformed volume [J/m3]: the sum over particles of this times their
-/// undeformed volume is the strain energy of the history.
+/// undeformed volume is the strain energy of the history, but for that of front springs.
 template <int D>
 KOKKOS_INLINE_FUNCTION double energyDensity(const ParticleEnergy<D>& energy, int p)
 {

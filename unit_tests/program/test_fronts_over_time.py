@@ -24,6 +24,7 @@ import numpy  # noqa: E402
 from program import PATIENCE, SOURCE, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT, ROUND_OFF, WITH_SPRINGS  # noqa: E402
 from restart_case import RestartTest, scene  # noqa: E402
+from test_full_disk import files_up_to  # noqa: E402
 
 sys.path.insert(0, os.path.join(SOURCE, "tools"))
 from rhegma_tools.front_series import read_series  # noqa: E402
@@ -171,6 +172,25 @@ class FrontsOverTime(RestartTest):
             for one_sample, other in zip(mine, theirs):
                 numpy.testing.assert_allclose(getattr(other, column), getattr(one_sample, column), rtol=0, atol=WITH_SPRINGS * largest,
                                               err_msg=f"{column} at {other.time}")
+
+    def test_a_full_disk_stops_the_run_and_it_goes_on(self):
+        """Files may not grow beyond a size that fronts.h5 reaches; the history and the checkpoint are smaller."""
+        values = ["Output:Front Values=With History", "Output:Fields=false"]
+        whole, folder = self.path("whole"), self.path("out")
+        self.run_penny(whole, *values)
+        limit = 220_000
+        self.assertGreater(os.path.getsize(os.path.join(whole, "fronts.h5")), limit)
+        for name in ("history.csv", "fronts.csv"):
+            self.assertLess(os.path.getsize(os.path.join(whole, name)), limit)
+        none = "Output:Checkpoint Interval=1"
+        answer = rhegma(PENNY, "--output", folder, "--quiet", *changed(*values, none), preexec=files_up_to(limit))
+        self.assertEqual(answer.status, 2, answer)
+        self.assertIn("fronts.h5", answer.messages)
+        self.assertIn("can't be written", answer.messages)
+        self.assertEqual(len([fault for fault in check_folder(folder).faults if "not all could be written" not in fault]), 0)
+        written = self.tables(folder)
+        self.assertGreater(len(written), 10)
+        self.assertLess(len(written), len(self.tables(whole)))
 
     def test_damaged_files_are_set_aside(self):
         values = ["Output:Front Values=With History", "Output:Fields=false"]
