@@ -118,6 +118,13 @@ bool Simulation::continueFields(const std::string& folder, std::string* why)
     *why = reason;
   return reason.empty();
 }
+bool Simulation::continueFronts(const std::string& folder, std::string* why)
+{
+  const std::string reason = engine_->continueFronts(folder);
+  if (why != nullptr)
+    *why = reason;
+  return reason.empty();
+}
 double Simulation::stepFraction() const { return engine_->stepFraction(); }
 double Simulation::stableTimeStep() const { return engine_->stableTimeStep(); }
 void Simulation::advance(double time) { engine_->advance(time); }
@@ -171,5 +178,6 @@ std::string Simulation::plan() const { return engine_->plan(); }
 std::map<std::string, double> Simulation::stageSeconds() const { return engine_->stageSeconds(); }
 nlohmann::json Simulation::report(std::size_t mostBodies) const { return engine_->report(mostBodies); }
 void Simulation::writeFields(const std::string& folder) { engine_->writeFields(folder); }
+void Simulation::writeFronts(const std::string& folder) { engine_->writeFronts(folder); }
 
 } // namespace Rhegma

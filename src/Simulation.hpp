@@ -177,6 +177,12 @@ public:
   /// \param folder of the output
   /// \param why is set to the reason, with the frames that are damaged or missing
   bool continueFields(const std::string& folder, std::string* why = nullptr);
+  /// Writes G, K and speed at the nodes of crack fronts in 3D, as last sampled, to fronts.h5 and fronts.csv
+  /// in the folder. Does nothing where the last step was not sampled or no such front is measured. Errors as
+  /// of writeFields().
+  void writeFronts(const std::string& folder);
+  /// The same as continueFields() for fronts.h5 and fronts.csv.
+  bool continueFronts(const std::string& folder, std::string* why = nullptr);
   /// Wall time since construction plus that of the restored run [s].
   double wallSeconds() const;
 

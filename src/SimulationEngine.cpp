@@ -1,5 +1,6 @@
 #include "SimulationEngine.hpp"
 
+#include "ContinuedFiles.hpp"
 #include "archive/BroadcastRecord.hpp"
 #include "base/FoldMessages.hpp"
 #include "base/OutputError.hpp"
@@ -7,6 +8,7 @@
 #include "output/BodyReport.hpp"
 #include "output/CoreRow.hpp"
 #include "output/FieldWriter.hpp"
+#include "output/FrontFiles.hpp"
 #include "output/LibraryReport.hpp"
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
@@ -25,6 +27,13 @@ namespace Rhegma
 
 /// Warnings of one kind are folded where there are more; of many kinds, none is lost.
 constexpr std::size_t mostWarnings = 100;
+
+/// The fields that a scene asks for. \param scene validated
+static RequestedFields requestedFields(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& output = scene.sublist("Output");
+  return {output.get<bool>("Principal Stress"), output.get<bool>("Energy Density")};
+}
 
 template <int D>
 class Simulation::EngineOf : public Simulation::Engine
@@ -141,26 +150,32 @@ public:
                           "/fields.h5 does not hold the fields of the run up to the checkpoint: " + why);
     if (!writer_)
       writer_ = std::make_unique<FieldWriter<D>>(folder, run_->state().ranks);
-    writer_->write(run_->state());
+    writer_->write(run_->state(), requestedFields(*scene_));
   }
 
   std::string continueFields(const std::string& folder) override
   {
-    if (fieldsBefore_.empty())
-      return {};
-    std::string why;
-    Archive archive = Archive::loading(fieldsBefore_, ranks());
-    const Archive::Group group(archive, "fields");
-    try
-    {
-      writer_ = std::make_unique<FieldWriter<D>>(folder, archive);
-    }
-    catch (const OutputError& error)
-    {
-      why = error.what();
-    }
-    fieldsBefore_.clear();
-    return why;
+    return continueFiles(folder, ranks(), "fields", fieldsBefore_, writer_);
+  }
+
+  void writeFronts(const std::string& folder) override
+  {
+    const State<D>& state = run_->state();
+    if (state.sample.fronts.empty() || state.sample.step != state.clock.step)
+      return;
+    if (!fronts_ && !frontsBefore_.empty())
+      if (const std::string why = continueFronts(folder);
+          !why.empty() && asFirstRank(ranks(), std::filesystem::exists(folder + "/fronts.h5")))
+        throw OutputError(folder +
+                          "/fronts.h5 does not hold the fronts of the run up to the checkpoint: " + why);
+    if (!fronts_)
+      fronts_ = std::make_unique<FrontFiles>(folder, state.ranks);
+    fronts_->write(state.clock.time, state.sample.fronts);
+  }
+
+  std::string continueFronts(const std::string& folder) override
+  {
+    return continueFiles(folder, ranks(), "fronts", frontsBefore_, fronts_);
   }
 
   std::vector<std::string> effects() const override { return run_->effectNames(); }
@@ -176,6 +191,8 @@ public:
   {
     if (writer_)
       writer_->sync();
+    if (fronts_)
+      fronts_->sync();
   }
 
   bool sound() const override { return run_->energyWatch().sound(); }
@@ -200,13 +217,8 @@ public:
     serialize(*run_, next_, Engine::last, archive);
     double wall = wallSeconds();
     archive("wall_seconds", wall);
-    if (writer_)
-    {
-      const Archive::Group group(archive, "fields");
-      writer_->serialize(archive);
-    }
-    else
-      record.insert(fieldsBefore_.begin(), fieldsBefore_.end());
+    saveFiles(archive, record, "fields", fieldsBefore_, writer_);
+    saveFiles(archive, record, "fronts", frontsBefore_, fronts_);
     return record;
   }
 
@@ -252,10 +264,9 @@ public:
     earlierSeconds_ = wall;
     timer_.reset();
     writer_.reset();
-    fieldsBefore_.clear();
-    for (const auto& [path, table] : record)
-      if (path.rfind("fields/", 0) == 0)
-        fieldsBefore_[path] = table;
+    fronts_.reset();
+    fieldsBefore_ = partOf(record, "fields/");
+    frontsBefore_ = partOf(record, "fronts/");
     return notes;
   }
 
@@ -362,7 +373,9 @@ private:
   std::unique_ptr<Run<D>> run_;
   std::set<std::string> balance_; ///< columns of the energy balance from effects
   std::unique_ptr<FieldWriter<D>> writer_;
+  std::unique_ptr<FrontFiles> fronts_;
   Record fieldsBefore_; ///< state of the fields in a checkpoint, until they are continued
+  Record frontsBefore_; ///< the same of the values along fronts
   double next_ = 0.0;
   double earlierSeconds_ = 0.0;
   Kokkos::Timer timer_;

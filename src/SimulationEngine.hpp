@@ -44,6 +44,9 @@ public:
   virtual void writeFields(const std::string& folder) = 0;
   /// \return why the fields can't be continued; empty: they can, or there were none
   virtual std::string continueFields(const std::string& folder) = 0;
+  virtual void writeFronts(const std::string& folder) = 0;
+  /// \return as continueFields(), of the values along fronts
+  virtual std::string continueFronts(const std::string& folder) = 0;
   virtual std::vector<std::string> effects() const = 0;
   virtual void syncFields() const = 0;
   virtual bool sound() const = 0;

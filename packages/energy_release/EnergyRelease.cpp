@@ -18,6 +18,7 @@
 #include "energy_release/LoadsInRing.hpp"
 #include "energy_release/NegativeRelease.hpp"
 #include "energy_release/ReadOptions.hpp"
+#include "energy_release/RecordFrontValues.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <cmath>
@@ -220,6 +221,7 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples, Sample
     s.addTo(state.sample.row, columnName(state, s.front), options);
   }
   samples.largest.add(samples.last, samples.time);
+  recordFrontValues(state, samples.last, options);
 }
 
 /// The errors of the last samples; reports of one step estimate them once.
@@ -345,7 +347,10 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   {
     serialize(state, options, *samples, archive);
     if (archive.loads())
+    {
       *work = SampleWork<D>(); // of other particles
+      recordFrontValues(state, samples->last, options);
+    }
     const Archive::Group group(archive, "driving forces");
     driving->serialize(archive);
   };

@@ -1,5 +1,7 @@
 #include "measure/Measure.hpp"
 
+#include "base/ReadList.hpp"
+#include "measure/Extremes.hpp"
 #include "measure/FrontShape.hpp"
 #include "measure/SideEnergy.hpp"
 #include "measure/StressAlternation.hpp"
@@ -15,11 +17,28 @@ namespace Rhegma::measure
 namespace
 {
 
+Section extremes()
+{
+  Section entry("extreme", "Largest and smallest value of a field of the particles. You choose its name.");
+  entry.choice("Field", measurableFields())
+      .meaning(
+          "Principal Stress: the largest principal Cauchy stress, in 2D including that across the plane "
+          "[Pa]. Von Mises Stress [Pa]. Energy Density: elastic energy per undeformed volume [J/m3]. Speed "
+          "[m/s]. Displacement: its magnitude [m].");
+  entry.text("Body").notEmpty().optional().meaning(
+      "Only the particles of this body count. Default: all bodies.");
+  Section s("Extremes",
+            "Largest and smallest values of fields over time, and where they are. They are in history.csv as "
+            "NAME.largest, NAME.largest_x, NAME.smallest, NAME.smallest_x and so on, and in summary.json.");
+  s.namedByUser(entry);
+  return s;
+}
+
 Section section()
 {
-  Section s(
-      "Measure",
-      "Additional results in summary.json that only few scenes need, such as those that verify a method.");
+  Section s("Measure", "Additional results in summary.json and history.csv that only few scenes need, such "
+                       "as those that verify "
+                       "a method.");
   Section sides("Side Energy", "Energy on each side of each crack: reflected, transmitted and dissipated.");
   sides.real("Part").above(0.0).atMost(1.0).byDefault(1.0).onlyIn(2).meaning(
       "Fraction of the length of each crack, around its middle. Only material next to it is included. 1: the "
@@ -32,11 +51,13 @@ Section section()
   Section stress("Stress Alternation",
                  "Part of the stress of each body that changes from particle to particle within the cells.");
   s.subsection(stress);
+  s.subsection(extremes());
   for (const char* const ofCracks : {"Measure > Side Energy", "Measure > Front Shape"})
     s.refuse({when::present(ofCracks), when::absent("Cracks")},
              "there is no crack to measure at; add a section Cracks or remove this section");
-  s.refuse({when::present("Measure > Stress Alternation"), when::is("Thermal", "Mechanics", {"false"})},
-           "without mechanics there is no stress; remove one of the two");
+  for (const char* const ofStress : {"Measure > Stress Alternation", "Measure > Extremes"})
+    s.refuse({when::present(ofStress), when::is("Thermal", "Mechanics", {"false"})},
+             "without mechanics there is no stress; remove one of the two");
   return s;
 }
 
@@ -121,6 +142,76 @@ void reportStress(const State<D>& state, nlohmann::json& summary)
   }
 }
 
+/// A request for the extremes of a field.
+struct Watched
+{
+  std::string name, field;
+  int body = -1; ///< -1: all
+};
+
+/// Reads the requests. Throws std::invalid_argument where a body does not exist.
+template <int D>
+std::vector<Watched> readExtremes(const State<D>& state, const Teuchos::ParameterList& list)
+{
+  std::vector<Watched> all;
+  for (const std::string& name : sublistNames(list))
+  {
+    const Teuchos::ParameterList& entry = list.sublist(name);
+    Watched watched{name, entry.get<std::string>("Field"), -1};
+    if (entry.isParameter("Body"))
+    {
+      const std::string body = entry.get<std::string>("Body");
+      watched.body = findBody(state, body);
+      if (watched.body < 0)
+        throw std::invalid_argument("Measure > Extremes > " + name + " > Body: there is no body " + body);
+    }
+    all.push_back(watched);
+  }
+  return all;
+}
+
+/// Calls add(name, extreme) for the largest and the smallest value of a field. Collective.
+template <int D, class Add>
+void forBoth(const State<D>& state, const Watched& watched, const Add& add)
+{
+  const Extremes<D> found = extremesOf(state, watched.field, watched.body);
+  add("largest", found.largest);
+  add("smallest", found.smallest);
+}
+
+/// Measures the fields and adds their columns to the sample.
+template <int D>
+void sampleExtremes(State<D>& state, const std::vector<Watched>& watched)
+{
+  if (!state.clock.observing)
+    return;
+  for (const Watched& w : watched)
+    forBoth(state, w,
+            [&](const std::string& what, const Extreme<D>& extreme)
+            {
+              const std::string column = w.name + "." + what;
+              state.sample.row.emplace_back(column, extreme.value);
+              for (int d = 0; d < D; ++d)
+                state.sample.row.emplace_back(column + "_" + "xyz"[d], extreme.where[d]);
+            });
+}
+
+template <int D>
+void reportExtremes(const State<D>& state, const std::vector<Watched>& watched, nlohmann::json& summary)
+{
+  for (const Watched& w : watched)
+  {
+    nlohmann::json& entry = summary["extremes"][w.name];
+    entry["field"] = w.field;
+    forBoth(state, w,
+            [&](const std::string& what, const Extreme<D>& extreme)
+            {
+              entry[what] = extreme.value;
+              entry[what + "_position"] = std::vector<double>(extreme.where.c, extreme.where.c + D);
+            });
+  }
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -133,10 +224,16 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const bool measuresShapes = D == 3 && list.isSublist("Front Shape");
   const auto sides = std::make_shared<Sides<D>>();
   const auto circles = std::make_shared<std::vector<Circle>>();
+  const auto watched = std::make_shared<std::vector<Watched>>();
   Effect<D> effect;
   effect.name = "Measure";
-  effect.atStart = [=](State<D>& state)
+  if (list.isSublist("Extremes"))
+    effect.call(Stage::Observe, "extremes of fields", {quantity::particleStress, quantity::particleVelocity},
+                {}, {}, [watched](State<D>& state) { sampleExtremes(state, *watched); });
+  effect.atStart = [=, requests = list.isSublist("Extremes") ? list.sublist("Extremes")
+                                                             : Teuchos::ParameterList()](State<D>& state)
   {
+    *watched = readExtremes(state, requests);
     if (measuresSides)
       begin(state, part, *sides);
     if constexpr (D == 3)
@@ -146,6 +243,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     reportSides(state, *sides, summary);
+    reportExtremes(state, *watched, summary);
     if (measuresStress && state.clock.step > 0) // before, particles have no nodes
       reportStress(state, summary);
     if constexpr (D == 3)

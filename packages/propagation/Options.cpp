@@ -230,11 +230,29 @@ DirectionRule readDirection(const Teuchos::ParameterList& list)
                                             : DirectionRule::HoopStress;
 }
 
+/// Toughness at which fronts initiate, unless it depends on temperature [J/m2].
+std::optional<double> initiationToughness(const Teuchos::ParameterList& list)
+{
+  if (list.isParameter("Initiation Toughness"))
+    return list.get<double>("Initiation Toughness");
+  const std::string text = list.get<std::string>("Toughness");
+  try
+  {
+    if (!Toughness::namesTemperature(text))
+      return Toughness::parse(text)(0.0);
+  }
+  catch (const std::invalid_argument&) // which the checks of the scene report
+  {
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run)
 {
   run.growth = true;
+  run.initiationToughness = initiationToughness(list);
   run.loadFactor =
       list.isType<std::string>("Load Control") && list.get<std::string>("Load Control") == "Load Factor";
   if (!list.isParameter("Release Contour")) // in 3D

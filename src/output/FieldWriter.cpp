@@ -105,12 +105,12 @@ template <int D>
 FieldWriter<D>& FieldWriter<D>::operator=(FieldWriter&&) noexcept = default;
 
 template <int D>
-void FieldWriter<D>::write(const State<D>& state)
+void FieldWriter<D>::write(const State<D>& state, const RequestedFields& requested)
 {
   if (state.clock.time == lastTime_)
     return;
   lastTime_ = state.clock.time;
-  files_->write(partOfAll(state.ranks, makeSnapshot(state)), state.ranks);
+  files_->write(partOfAll(state.ranks, makeSnapshot(state, requested)), state.ranks);
 }
 
 template class FieldWriter<2>;

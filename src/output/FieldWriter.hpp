@@ -1,7 +1,7 @@
 #pragma once
 /// fields.h5 and fields.xdmf: particles, leaves and cracks in time, for ParaView.
 
-#include "state/State.hpp"
+#include "output/Snapshot.hpp"
 
 #include <memory>
 #include <string>
@@ -18,7 +18,8 @@ class Archive;
 ///     [Pa];
 ///                 von_mises (n) [Pa]; mass (n) [kg]; edge (n) first undeformed edge [m]; deformation (n,9) F
 ///                 row by row; edges (n,9) undeformed edge vectors one after another [m]; body, material (n)
-///                 int; the fields of effects under their names with _ for spaces
+///                 int; the fields of effects under their names with _ for spaces; on request
+///                 principal_stress (n) [Pa], energy_density (n) [J/m3]
 ///     leaves/     points (m,3), cells (k,4 or 8): the cells that hold particles
 ///     cracks/     points (v,3) midway between the faces, opening (v,3) from face -1 to face +1 [m],
 ///                 cells (s,2 or 3), crack (s) number of the crack of each cell; only where there are cracks
@@ -41,7 +42,8 @@ public:
   FieldWriter& operator=(FieldWriter&&) noexcept;
 
   /// Adds the current fields. A time that was just written is not written again.
-  void write(const State<D>& state);
+  /// \param requested fields that only some runs write
+  void write(const State<D>& state, const RequestedFields& requested = {});
 
   /// Saves the times of the files.
   void serialize(Archive& archive);

@@ -2,6 +2,7 @@
 
 #include "base/OutputError.hpp"
 #include "files/Sync.hpp"
+#include "output/CsvText.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -21,25 +22,6 @@ namespace
 
 constexpr int mostHeldRows = 16;
 constexpr std::chrono::seconds longestHeld{1};
-
-/// 17 digits represent a double exactly.
-std::string digits(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
-/// A name as a field of a row: in quotes where it holds what separates fields (RFC 4180).
-std::string quoted(const std::string& name)
-{
-  if (name.find_first_of(",\"\r\n") == std::string::npos)
-    return name;
-  std::string text = "\"";
-  for (const char c : name)
-    text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
-}
 
 unsigned long checksum(unsigned long before, const char* text, std::size_t length)
 {

@@ -106,8 +106,12 @@ bool isOfRun(const std::string& path, const std::string& name, const std::string
     return true;
   if (name == "history.csv")
     return beginsLikeAHistory(text);
-  if (name == "fields.h5")
+  if (name == "fronts.csv")
+    return startsWith(text, "time,crack,front,node,s,");
+  if (name == "fields.h5" || name == "fronts.h5")
     return startsWith(text, "\x89HDF\r\n") && holdsFrames(path);
+  if (name == "watch.html")
+    return text.find("<!-- a run of rhegma -->") != std::string::npos;
   if (name == "checkpoint.h5")
     return startsWith(text, "\x89RHEGMA");
   if (name == "run.lock")
@@ -147,7 +151,8 @@ void removeFrom(const std::string& folder, const std::string& name)
 const std::vector<std::string>& resultNames()
 {
   static const std::vector<std::string> names = {"summary.json", "history.csv",   "fields.xdmf",
-                                                 "fields.h5",    "checkpoint.h5", "manifest.json"};
+                                                 "fields.h5",    "fronts.csv",    "watch.html",
+                                                 "fronts.h5",    "checkpoint.h5", "manifest.json"};
   return names;
 }
 
@@ -193,8 +198,9 @@ void removeOldSummary(const std::string& folder)
 {
   removeFrom(folder, "summary.json");
   removeFrom(folder, "manifest.json");
+  removeFrom(folder, "watch.html");
   // The files that are written to such a name first.
-  for (const char* name : {"summary.json", "manifest.json", "fields.xdmf", "checkpoint.h5"})
+  for (const char* name : {"summary.json", "manifest.json", "fields.xdmf", "checkpoint.h5", "watch.html"})
     removeFrom(folder, std::string(name) + ".part");
 }
 

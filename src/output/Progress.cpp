@@ -1,5 +1,7 @@
 #include "output/Progress.hpp"
 
+#include "output/SampleFigures.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -22,11 +24,6 @@ constexpr double secondsOfIteration = 2.0, secondsOfIterationInFile = 30.0;
 double wallClock()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-bool endsWith(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 std::string duration(double seconds)
@@ -64,13 +61,8 @@ void Progress::sample(double time, const Row& row)
 {
   if (rest_ && time >= notBefore_)
     rest_->sample(time, row);
-  for (const auto& column : row)
-    if (endsWith(column.first, ".G_J"))
-    {
-      hasG_ = true;
-      g_ = column.second;
-      return;
-    }
+  release_ = largestRelease(row);
+  residual_ = residualFraction(row);
 }
 
 void Progress::followPace(double now)
@@ -97,26 +89,33 @@ std::string Progress::timeLeft() const
                         : ", at most " + duration(toEnd) + " left";
 }
 
-std::string Progress::line(double done, bool running) const
+std::string Progress::text(bool running) const
 {
-  char head[64];
-  std::snprintf(head, sizeof head, "%3d %%", static_cast<int>(100.0 * done + 1.0e-9));
-  std::string text = head;
+  char part[64];
+  std::snprintf(part, sizeof part, "%3d %%", static_cast<int>(100.0 * done() + 1.0e-9));
+  std::string text = part;
   if (running)
     text += timeLeft();
   text += ", step " + std::to_string(step_);
-  if (hasG_)
+  if (release_)
   {
-    char g[48];
-    std::snprintf(g, sizeof g, ", G %.5g J/m2", g_);
-    text += g;
+    if (toughness_)
+      std::snprintf(part, sizeof part, ", G/Gc %.3g", *release_ / *toughness_);
+    else
+      std::snprintf(part, sizeof part, ", G %.5g J/m2", *release_);
+    text += part;
+  }
+  if (residual_)
+  {
+    std::snprintf(part, sizeof part, ", residual %.2g %%", 100.0 * std::fabs(*residual_));
+    text += part;
   }
   return text;
 }
 
 void Progress::print(bool running)
 {
-  write(line(finalTime_ > 0.0 ? time_ / finalTime_ : 1.0, running));
+  write(text(running));
   stale_ = false;
 }
 
@@ -151,7 +150,7 @@ void Progress::iteration(long step, int iteration, double residual)
 
 void Progress::step(double time, long step)
 {
-  if (stream_ == nullptr)
+  if (stream_ == nullptr && !followed_)
     return;
   if (!begun_)
   {
@@ -167,6 +166,8 @@ void Progress::step(double time, long step)
   step_ = step;
   stale_ = true;
   followPace(now);
+  if (stream_ == nullptr)
+    return;
   if (terminal_)
   {
     if (now - lastPrint_ < secondsBetweenPrints)

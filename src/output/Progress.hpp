@@ -14,8 +14,9 @@ namespace Rhegma
 {
 
 /// On a terminal one line that is overwritten a few times a second; elsewhere a line in the first seconds and
-/// one each tenth of the run. Percent done, time left, step, and G of the first crack front where samples
-/// have it. Time left is by the pace of the last quarter to half of the run so far.
+/// one each tenth of the run. Percent done, time left, step, and of the last sample the largest G of the
+/// fronts, over their toughness where that is known, and the residual of the energy balance. Time left is by
+/// the pace of the last quarter to half of the run so far.
 class Progress
 {
 public:
@@ -35,7 +36,20 @@ public:
     notBefore_ = notBefore;
   }
 
-  /// A new sample of the history; the first column that ends in .G_J is shown. \param time [s]
+  /// Shows G over the toughness at which fronts initiate [J/m2], where they grow.
+  void setToughness(std::optional<double> toughness) { toughness_ = toughness; }
+
+  /// Follows the pace of the run though nothing is printed, for text().
+  void follow() { followed_ = true; }
+
+  /// What the line says now. \param running whether time is left
+  std::string text(bool running = true) const;
+
+  double finalTime() const { return finalTime_; } ///< of the scene [s]
+  /// Fraction of the run that is done.
+  double done() const { return finalTime_ > 0.0 ? time_ / finalTime_ : 1.0; }
+
+  /// A new sample of the history. \param time [s]
   void sample(double time, const Row& row);
 
   /// A step has been taken. \param time [s]
@@ -50,7 +64,6 @@ public:
   void finish();
 
 private:
-  std::string line(double done, bool running) const;
   std::string timeLeft() const;
   void followPace(double now);
   void print(bool running);
@@ -75,8 +88,9 @@ private:
   bool begun_ = false;
   double time_ = 0.0;
   long step_ = 0;
-  bool hasG_ = false;
-  double g_ = 0.0; ///< [J/m2]
+  bool followed_ = false;
+  std::optional<double> toughness_, release_; ///< of initiation, and the largest of the last sample [J/m2]
+  std::optional<double> residual_;            ///< of the last sample, over the largest energy
   double lastPrint_;
   double lastIteration_; ///< when an iteration was printed, or the last step was taken
   int lastTenth_ = 0;

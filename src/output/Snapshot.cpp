@@ -1,7 +1,7 @@
 #include "output/Snapshot.hpp"
 
-#include "material/Tensors.hpp"
 #include "output/CellMesh.hpp"
+#include "state/ParticleStress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,29 +45,20 @@ DataSet numbers(const std::string& name, const HostView& values)
   return set;
 }
 
-/// Cauchy stress xx yy zz xy yz xz [Pa], sigma = tau / J, and in a seventh column its von Mises stress.
+/// Cauchy stress xx yy zz xy yz xz [Pa], and in a seventh column its von Mises stress.
 template <int D>
-View<double* [7]> cauchyStress(const FieldTable& particles)
+View<double* [7]> stressOf(const FieldTable& particles)
 {
-  const auto F = particles.real<gradientSize<D>>(fields::deformation);
-  const auto tau = particles.real<symmetricSize<D>>(fields::stress);
+  const ParticleStress<D> of(particles);
   View<double* [7]> stress("rhegma::cauchyStress", particles.size());
   Kokkos::parallel_for(
       "rhegma::cauchyStress", Kokkos::RangePolicy<ExecSpace>(0, particles.size()),
       KOKKOS_LAMBDA(const int p) {
-        const double inverse = 1.0 / determinant<D>(&F(p, 0));
-        double s[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-        for (int i = 0; i < 3; ++i)
-          s[i] = inverse * tau(p, normalIndex<D>(i));
-        for (int i = shearBegin<D>; i < shearEnd<D>; ++i)
-          s[3 + i - shearBegin<D>] = inverse * tau(p, i);
+        double s[6];
+        of.cauchy(p, s);
         for (int i = 0; i < 6; ++i)
           stress(p, i) = s[i];
-        const double xy = s[0] - s[1];
-        const double yz = s[1] - s[2];
-        const double zx = s[2] - s[0];
-        const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-        stress(p, 6) = std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * shear);
+        stress(p, 6) = vonMisesStress(s);
       });
   return stress;
 }
@@ -85,6 +76,29 @@ void addStress(const View<double* [7]>& device, OutputMesh& mesh)
   }
   mesh.data.push_back(std::move(stress));
   mesh.data.push_back(std::move(vonMises));
+}
+
+/// A number a particle, computed by value(p) on the device.
+template <int D, class Value>
+DataSet derived(const std::string& name, const State<D>& state, const Value& value)
+{
+  View<double*> values("rhegma::" + name, state.particles.size());
+  Kokkos::parallel_for(
+      "rhegma::" + name, Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) { values(p) = value(p); });
+  const auto host = onHost(values);
+  return {name, Role::OnPoints, 1, false, std::vector<double>(host.data(), host.data() + host.size()), {}};
+}
+
+/// Fields that are written on request.
+template <int D>
+void addRequested(const State<D>& state, const RequestedFields& fields, OutputMesh& mesh)
+{
+  if (fields.principalStress)
+    mesh.data.push_back(
+        derived("principal_stress", state, PrincipalStressOf<D>{ParticleStress<D>(state.particles)}));
+  if (fields.energyDensity)
+    mesh.data.push_back(derived("energy_density", state, EnergyDensityOf<D>{ParticleEnergy<D>(state)}));
 }
 
 /// F row by row, nine columns.
@@ -140,7 +154,7 @@ bool isCoreField(const std::string& name)
 }
 
 template <int D>
-OutputMesh particleMesh(const State<D>& state)
+OutputMesh particleMesh(const State<D>& state, const RequestedFields& requested)
 {
   const FieldTable& particles = state.particles;
   const std::size_t n = particles.size();
@@ -165,7 +179,10 @@ OutputMesh particleMesh(const State<D>& state)
     mesh.data.push_back(
         padded<D>("velocity", Role::OnPoints, onHost(particles.real<D>(fields::velocity)), n));
   if (state.method.mechanics)
-    addStress(cauchyStress<D>(particles), mesh);
+  {
+    addStress(stressOf<D>(particles), mesh);
+    addRequested(state, requested, mesh);
+  }
   mesh.data.push_back(table("mass", onHost(particles.table(fields::mass))));
   mesh.data.push_back(std::move(firstEdge));
   mesh.data.push_back(deformationGradients<D>(particles));
@@ -216,18 +233,18 @@ OutputMesh crackMesh(const CrackSet<D>& set)
 } // namespace
 
 template <int D>
-Snapshot makeSnapshot(const State<D>& state)
+Snapshot makeSnapshot(const State<D>& state, const RequestedFields& requested)
 {
   Snapshot snapshot;
   snapshot.time = state.clock.time;
-  snapshot.meshes.push_back(particleMesh(state));
+  snapshot.meshes.push_back(particleMesh(state, requested));
   snapshot.meshes.push_back(cellMesh(state));
   if (!state.cracks.empty())
     snapshot.meshes.push_back(crackMesh<D>(state.cracks));
   return snapshot;
 }
 
-template Snapshot makeSnapshot(const State<2>&);
-template Snapshot makeSnapshot(const State<3>&);
+template Snapshot makeSnapshot(const State<2>&, const RequestedFields&);
+template Snapshot makeSnapshot(const State<3>&, const RequestedFields&);
 
 } // namespace Rhegma

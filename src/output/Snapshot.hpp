@@ -50,9 +50,16 @@ struct Snapshot
   std::vector<OutputMesh> meshes;
 };
 
+/// Fields of particles that are written on request; a run without mechanics has none of them.
+struct RequestedFields
+{
+  bool principalStress = false; ///< largest principal Cauchy stress [Pa]
+  bool energyDensity = false;   ///< elastic energy per undeformed volume [J/m3]
+};
+
 /// Particles, leaves and, where there are any, cracks as they are now; FieldWriter.hpp lists the tables.
 template <int D>
-Snapshot makeSnapshot(const State<D>& state);
+Snapshot makeSnapshot(const State<D>& state, const RequestedFields& requested = {});
 
 /// The meshes of a rank as parts of those of all, in the order of the ranks: cells name points of the whole.
 /// Cells at borders between ranks, and their points, may occur twice. Data that all ranks have are written by

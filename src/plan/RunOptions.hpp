@@ -54,8 +54,11 @@ struct RunOptions
   std::set<std::string> pressedCracks; ///< with a given pressure
   /// These pressures as functions of time [Pa], by their paths in the scene.
   std::map<std::string, std::string> facePressures;
-  bool burning = false;     ///< faces burn, and their gas presses on them
-  bool growth = false;      ///< cracks may grow
+  bool burning = false; ///< faces burn, and their gas presses on them
+  bool growth = false;  ///< cracks may grow
+  /// Energy release rate at which fronts that may grow initiate [J/m2]; none where there are none, or where
+  /// it depends on temperature.
+  std::optional<double> initiationToughness;
   bool loadFactor = false;  ///< in equilibrium, under loads whose factor is found from their growth
   DrivingContours contours; ///< contours for the driving forces of growing cracks, given in 2D
   NodalMass nodalMass;

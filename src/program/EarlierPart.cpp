@@ -73,8 +73,9 @@ void EarlierPart::bring() const
   removeOldResults(folder_);
   if (soFar_.bytes > 0)
     copy(source_ + "/history.csv", folder_ + "/history.csv");
-  if (isThere(source_ + "/fields.h5"))
-    copy(source_ + "/fields.h5", folder_ + "/fields.h5");
+  for (const char* name : {"/fields.h5", "/fronts.h5", "/fronts.csv"})
+    if (isThere(source_ + name))
+      copy(source_ + name, folder_ + name);
 }
 
 } // namespace Rhegma::program

@@ -22,8 +22,8 @@ public:
   bool exists() const { return exists_; }
   const HistorySoFar& history() const { return soFar_; }
 
-  /// Copies history.csv and fields.h5 to the folder and removes other files of an older run there. Throws
-  /// OutputError when they can't be written.
+  /// Copies history.csv, fields.h5, fronts.h5 and fronts.csv to the folder and removes other files of an
+  /// older run there. Throws OutputError when they can't be written.
   void bring() const;
 
   /// Warnings for the user.

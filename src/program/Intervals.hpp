@@ -3,6 +3,8 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <string>
+
 namespace Rhegma::program
 {
 
@@ -20,6 +22,14 @@ inline double fieldInterval(const Teuchos::ParameterList& scene)
   const Teuchos::ParameterList& output = scene.sublist("Output");
   return output.isParameter("Field Interval") ? output.get<double>("Field Interval")
                                               : scene.sublist("Time").get<double>("Final Time");
+}
+
+/// Whether the values along fronts are written at the times of the fields, or of rows of the history.
+/// \param scene validated \param times "With Fields" or "With History"
+inline bool writesFronts(const Teuchos::ParameterList& scene, const char* times)
+{
+  const Teuchos::ParameterList& output = scene.sublist("Output");
+  return output.isParameter("Front Values") && output.get<std::string>("Front Values") == times;
 }
 
 /// Time between two checkpoints [s]; 0: none by simulated time. \param scene validated

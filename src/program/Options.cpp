@@ -35,6 +35,8 @@ void refuseMisfits(const Options& options)
   if (options.action == Options::Action::New && !options.scene.empty())
     throw UsageError("--new takes one template; leave \"" + options.scene +
                      "\" out, or put names with blanks in quotes");
+  if (options.watch && options.action != Options::Action::Run)
+    throw UsageError("--watch keeps a page of a run; leave it out, or run the scene");
   const bool needsScene = options.action == Options::Action::Run ||
                           options.action == Options::Action::Check ||
                           options.action == Options::Action::PrintPlan;
@@ -74,6 +76,16 @@ std::optional<Printing> printingOf(const std::string& option)
   return found == all.end() ? std::nullopt : std::optional<Printing>(found->second);
 }
 
+/// The option that an argument switches on, or null.
+bool* flagOf(const std::string& argument, Options& options)
+{
+  return argument == "--quiet"    ? &options.quiet
+         : argument == "--twice"  ? &options.twice
+         : argument == "--strict" ? &options.strict
+         : argument == "--watch"  ? &options.watch
+                                  : nullptr;
+}
+
 } // namespace
 
 Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos)
@@ -98,12 +110,8 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     }
     else if (a == "--set")
       options.overrides.push_back(valueOf(k));
-    else if (a == "--quiet")
-      options.quiet = true;
-    else if (a == "--twice")
-      options.twice = true;
-    else if (a == "--strict")
-      options.strict = true;
+    else if (bool* const flag = flagOf(a, options))
+      *flag = true;
     else if (a == "--check")
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
@@ -138,9 +146,12 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
 std::string usage()
 {
   return "rhegma SCENE.xml [--output DIR] [--set 'Section:Sub:Parameter=value']... [--restart FILE] "
-         "[--quiet] [--strict]\n                        run a scene; results go to DIR (default: SCENE.out "
+         "[--quiet] [--strict] [--watch]\n                        run a scene; results go to DIR (default: "
+         "SCENE.out "
          "next to the scene);\n                        --restart: continue from a checkpoint.h5 of the same "
-         "scene; --strict: warnings are errors\nrhegma SCENE.xml --twice        run it as it is and with "
+         "scene; --strict: warnings are errors;\n                        --watch: keep DIR/watch.html, a "
+         "page "
+         "of the run for a browser\nrhegma SCENE.xml --twice        run it as it is and with "
          "cells of half the size, and print how much the results change\nrhegma SCENE.xml --check        "
          "check the scene, list every error, forecast the cost, and stop\nrhegma SCENE.xml --print-plan   "
          "list the effects, fields and stages of the scene\nrhegma --describe [Section]     every parameter: "

@@ -45,6 +45,7 @@ struct Options
   bool quiet = false;
   bool twice = false;  ///< run as it is and with cells of half the size
   bool strict = false; ///< warnings are errors
+  bool watch = false;  ///< keep a page of the run in its folder
 };
 
 /// Reads the arguments after the program's name. Those that are Kokkos' own (--kokkos-...) are put aside,

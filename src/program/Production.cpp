@@ -7,11 +7,11 @@
 #include "parallel/FirstRank.hpp"
 #include "plan/KnownEffects.hpp"
 #include "plan/LastStage.hpp"
+#include "program/ContinueOutput.hpp"
 #include "program/Intervals.hpp"
 #include "step/Run.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <new>
 #include <optional>
 #include <unistd.h>
@@ -79,33 +79,24 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       continued_(earlier.exists()),
       warnings_(earlier.warnings())
 {
-  if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
-    progress_.stopsAtRest(end->energyRatio, end->drift, end->notBefore);
+  const RunOptions run = declaredOptions(scene);
+  if (run.endAtRest)
+    progress_.stopsAtRest(run.endAtRest->energyRatio, run.endAtRest->drift, run.endAtRest->notBefore);
+  progress_.setToughness(run.initiationToughness);
+  if (options.watch && ranks.rank() == 0)
+  {
+    progress_.follow();
+    watch_ = std::make_unique<WatchPage>(folder_, options.scene, progress_);
+  }
   observe();
   if (continued_)
-    takeUpFields();
+    takeUpFiles();
 }
 
-void Production::takeUpFields()
+void Production::takeUpFiles()
 {
-  const std::string data = folder_ + "/fields.h5";
-  std::string why, aside;
-  if (!scene_.sublist("Output").get<bool>("Fields") || simulation_.continueFields(folder_, &why))
-    return;
-  onFirstRank<OutputError>(ranks_,
-                           [&]
-                           {
-                             std::error_code none;
-                             if (std::filesystem::exists(data, none))
-                               aside = setAside(data);
-                           });
-  aside = ranks_.firstText(aside);
-  warnings_.push_back(aside.empty()
-                          ? "there is no " + data +
-                                " with the fields of the run up to the checkpoint; new fields are written "
-                                "from here on"
-                          : data + " does not hold the fields of the run up to the checkpoint: " + why +
-                                "; it is renamed to " + aside + ", and new fields are written from here on");
+  const std::vector<std::string> found = continueOutput(scene_, simulation_, folder_, ranks_);
+  warnings_.insert(warnings_.end(), found.begin(), found.end());
 }
 
 void Production::observe()
@@ -116,6 +107,8 @@ void Production::observe()
                             try
                             {
                               history_.write(time, row);
+                              if (writesFronts(scene_, "With History"))
+                                simulation_.writeFronts(folder_);
                               if (lock_ && manifest_.isDue())
                               {
                                 history_.flush();
@@ -127,16 +120,25 @@ void Production::observe()
                               unwritten_ = error.what();
                             }
                             progress_.sample(time, row);
+                            if (watch_)
+                              watch_->sample(time, row);
                             checkpoints_.afterSample();
                             if (unwritten_.empty())
                               unwritten_ = history_.whyLost();
                           });
-  simulation_.onIteration([this](int iteration, double residual)
-                          { progress_.iteration(simulation_.steps() + 1, iteration, residual); });
+  simulation_.onIteration(
+      [this](int iteration, double residual)
+      {
+        progress_.iteration(simulation_.steps() + 1, iteration, residual);
+        if (watch_)
+          watch_->update();
+      });
   simulation_.onStep(
       [this](double time, long step)
       {
         progress_.step(time, step);
+        if (watch_)
+          watch_->update();
         const bool byClock = stopIfRequested(time, step);
         checkpoints_.afterStep(byClock);
       });
@@ -151,6 +153,8 @@ std::string Production::runToEnd()
   else
     closeHistory(failure);
   progress_.finish();
+  if (watch_ && !folderLost_)
+    watch_->finish(failure);
   return ranks_.firstText(failure);
 }
 
@@ -257,7 +261,7 @@ bool Production::retry(const RunError& failure)
   retries_.setStepFraction(simulation_.stepFraction());
   checkpoints_.afterGoingBack();
   continued_ = true;
-  takeUpFields();
+  takeUpFiles();
   warnings_.push_back(retries_.asText());
   return true;
 }
@@ -286,13 +290,21 @@ RunEnd Production::end(const std::string& failure) const
   return outOfSteps ? RunEnd::CutOff : RunEnd::Finished;
 }
 
+void Production::writeFrame()
+{
+  if (!scene_.sublist("Output").get<bool>("Fields"))
+    return;
+  simulation_.writeFields(folder_);
+  if (writesFronts(scene_, "With Fields"))
+    simulation_.writeFronts(folder_);
+}
+
 void Production::advanceFromFieldToField()
 {
   const Teuchos::ParameterList& output = scene_.sublist("Output");
-  const bool fields = output.get<bool>("Fields");
   const double interval = fieldInterval(scene_);
-  if (fields && output.isParameter("Field Interval") && simulation_.time() == 0.0)
-    simulation_.writeFields(folder_);
+  if (output.isParameter("Field Interval") && simulation_.time() == 0.0)
+    writeFrame();
   // A run that continues may have stopped between a step and its fields; existing fields are not written
   // again.
   bool pending = continued_;
@@ -305,8 +317,7 @@ void Production::advanceFromFieldToField()
     {
       pending = false;
       simulation_.advance(std::min(static_cast<double>(k) * interval, finalTime_));
-      if (fields)
-        simulation_.writeFields(folder_);
+      writeFrame();
     }
   }
   catch (const StopRequested&) // within a step: the state is not whole
@@ -316,8 +327,8 @@ void Production::advanceFromFieldToField()
   catch (const RunError&)
   {
     // A stopped run writes its last fields; an unstable step leaves no valid result.
-    if (fields && stopRequested_)
-      simulation_.writeFields(folder_);
+    if (stopRequested_)
+      writeFrame();
     throw;
   }
 }
@@ -359,6 +370,8 @@ bool Production::stopIfRequested(double time, long step)
 void Production::stopBySignal(double time, long step)
 {
   onFirstRank<OutputError>(ranks_, [&] { history_.write(time, simulation_.observe()); });
+  if (writesFronts(scene_, "With History"))
+    simulation_.writeFronts(folder_);
   throw RunError(stoppedBySignal + signalName_ + " at t = " + readableTime(time) + ", step " +
                  std::to_string(step) + toGoOn_);
 }

@@ -6,6 +6,7 @@
 #include "output/Manifest.hpp"
 #include "output/Progress.hpp"
 #include "output/RunLock.hpp"
+#include "output/WatchPage.hpp"
 #include "parallel/Ranks.hpp"
 #include "program/Checkpoints.hpp"
 #include "program/EarlierPart.hpp"
@@ -58,7 +59,10 @@ public:
 
 private:
   void observe();
-  void takeUpFields();
+  /// Continues the files of the run before its checkpoint.
+  void takeUpFiles();
+  /// Writes the fields and, with them, the values along fronts, as far as the scene asks for them.
+  void writeFrame();
   void advanceFromFieldToField();
   /// \return why the run failed, with how it continues; empty if it did not
   std::string advanceToEnd();
@@ -92,11 +96,12 @@ private:
   Manifest manifest_;             ///< of the first rank
   History history_;
   Progress progress_;
-  std::string unwritten_;      ///< why the history could not be written
-  bool folderLost_ = false;    ///< another run has taken the folder; the same on all ranks
-  bool stopRequested_ = false; ///< a signal to some rank has ended the run
-  std::string signalName_;     ///< of the signal that has stopped the run
-  std::string toGoOn_;         ///< how a run that a signal has stopped continues
+  std::unique_ptr<WatchPage> watch_; ///< of the first rank, if it is asked for
+  std::string unwritten_;            ///< why the history could not be written
+  bool folderLost_ = false;          ///< another run has taken the folder; the same on all ranks
+  bool stopRequested_ = false;       ///< a signal to some rank has ended the run
+  std::string signalName_;           ///< of the signal that has stopped the run
+  std::string toGoOn_;               ///< how a run that a signal has stopped continues
   Checkpoints checkpoints_;
   Retries retries_;
   bool continued_;

@@ -212,6 +212,21 @@ Section output()
       .optional("fields at the end only")
       .meaning("Time between two outputs of the fields (fields.h5, fields.xdmf).");
   s.boolean("Fields").byDefault(true).meaning("Whether fields.h5 and fields.xdmf are written.");
+  s.boolean("Principal Stress")
+      .byDefault(false)
+      .meaning(
+          "Whether the fields have the largest principal Cauchy stress of each particle, principal_stress, "
+          "in 2D including that across the plane [Pa].");
+  s.boolean("Energy Density")
+      .byDefault(false)
+      .meaning("Whether the fields have the elastic energy of each particle per undeformed volume, "
+               "energy_density [J/m3].");
+  s.choice("Front Values", {"With Fields", "With History", "None"})
+      .onlyIn(3)
+      .byDefault("With Fields")
+      .meaning(
+          "When G, K and speed at all nodes of crack fronts are written to fronts.h5 and fronts.csv: at the "
+          "times of the fields, at each row of history.csv, or never. Needs Energy Release.");
   s.boolean("Checkpoints")
       .byDefault(true)
       .meaning("Whether checkpoint.h5 is written for --restart: at the intervals below, and when a signal or "

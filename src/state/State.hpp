@@ -6,6 +6,7 @@
 #include "state/Clock.hpp"
 #include "state/CrackSet.hpp"
 #include "state/EnergyBalance.hpp"
+#include "state/FrontValues.hpp"
 #include "state/Mesh.hpp"
 #include "state/Method.hpp"
 #include "state/NodalMotion.hpp"
@@ -53,10 +54,11 @@ using HistoryRow = std::vector<std::pair<std::string, double>>;
 template <int D>
 struct Sample
 {
-  EnergyBalance energy; ///< of all ranks
-  Vector<D> momentum;   ///< of all particles [N s]
-  HistoryRow row;       ///< filled by the Observe stage
-  long step = 0;        ///< at whose end it was taken; 0: before the first step
+  EnergyBalance energy;            ///< of all ranks
+  Vector<D> momentum;              ///< of all particles [N s]
+  HistoryRow row;                  ///< filled by the Observe stage
+  std::vector<FrontValues> fronts; ///< of 3D, where an effect measures them
+  long step = 0;                   ///< at whose end it was taken; 0: before the first step
 };
 
 /// The state of a run. What belongs to one effect alone is kept by that effect.

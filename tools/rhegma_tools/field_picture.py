@@ -325,7 +325,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         (bool(values.min() < norm.vmin), bool(values.max() > norm.vmax))
     ]
     bar = figure.colorbar(particles, ax=list(axes.flat), extend=extend, shrink=0.9, aspect=28, pad=0.02)
-    bar.set_label(f"{label_of(stress)} [{stress_unit}]")
+    bar.set_label(label_of(stress) + (f" [{stress_unit}]" if stress_unit else ""))
     bar.outline.set_linewidth(0.6)
     style.save(figure, path)
     return magnification, stress_unit

@@ -4,9 +4,10 @@ import numpy as np
 
 from . import style
 
-NAMES = {"principal": "largest principal stress", "mises": "von Mises stress", "temperature": "temperature"}
+NAMES = {"principal": "largest principal stress", "mises": "von Mises stress", "temperature": "temperature",
+         "principal_stress": "largest principal stress", "energy_density": "elastic energy density"}
 UNITS = {"principal": "Pa", "mises": "Pa", "von_mises": "Pa", "stress": "Pa", "velocity": "m/s", "displacement": "m", "position": "m",
-         "temperature": "K", "mass": "kg", "edge": "m", "edges": "m"}
+         "temperature": "K", "mass": "kg", "principal_stress": "Pa", "energy_density": "J/m³", "edge": "m", "edges": "m"}
 VECTOR, TENSOR = ("x", "y", "z"), ("xx", "yy", "zz", "xy", "yz", "xz")
 MATRIX = tuple(one + other for one in VECTOR for other in VECTOR)
 

@@ -10,7 +10,7 @@ from .front_table import front_table
 from .history import read_history
 from .html_text import Markup, data_block, element, folded, markup, picture, table
 from .interpreter import Problem
-from .report_pictures import field_pictures, film, front_pictures, history_pictures, seconds
+from .report_pictures import field_pictures, film, front_maps, front_pictures, history_pictures, seconds
 from .summary import read_summary
 from .report_verdict import so_far, verdict
 from .style import COLOURS
@@ -233,7 +233,7 @@ def page_of(run):
     """The page as text."""
     pictures = [] if run.fields is None else run.draw(field_pictures, run.run, run.summary, run.title)
     plots = [] if run.history is None else run.draw(history_pictures, run.history, run.summary, run.title)
-    along = run.draw(front_pictures, run.summary)
+    along = run.draw(front_pictures, run.summary) + run.draw(front_maps, run.run, run.summary, run.title)
     if run.fields is None and not any("fields.h5" in problem for problem in run.problems):
         run.problems.append("The run wrote no fields (Output > Fields), so there are no pictures of the body.")
     body = [head_of(run), answer_part(run)]

@@ -7,7 +7,9 @@ from .cell_picture import draw_cells
 from .field_picture import choose_view, draw_fields
 from .fields import read_fields
 from .film_frames import draw_film
+from .front_map import draw_maps, plain
 from .front_picture import draw_surface, panels_along
+from .front_series import read_series
 from .history_picture import panels_of
 from .interpreter import Problem
 from .path_picture import curves, draw_factor, draw_force, is_path
@@ -163,6 +165,19 @@ def history_pictures(history, summary, title):
 def front_pictures(summary):
     """G and K along the fronts of a run in 3D, at its end."""
     return [panel_picture(draw) for draw in panels_along(summary)]
+
+
+def front_maps(folder, summary, title):
+    """Maps of G, K and speed along the fronts of a run in 3D over time; none where they are known at less than two times."""
+    target = io.BytesIO()
+    drawn = [plain(label) for label in draw_maps(read_series(folder), summary, title, target)]
+    if not drawn:
+        return []
+    what = ", ".join(drawn)
+    toughness = " Gc is the initiation toughness." if drawn[0].startswith("G / Gc") else ""
+    return [Shown("png", target.getvalue(), f"{title}: maps of {what} along the fronts, arc length against time",
+                  f"{what} along the fronts over time: arc length to the right, time upwards, a row of rectangles a sample.{toughness} A front grows where "
+                  f"its row gets longer; several lines of one front are drawn one after the other; grey has no value. Numbers are in fronts.csv.")]
 
 
 def film(folder, most_bytes, problems):

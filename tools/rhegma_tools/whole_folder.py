@@ -172,27 +172,27 @@ def read_apart(path):
         process.join()
 
 
-def check_frames(folder, guide, found):
-    """Reads all frames. guide: names of those that fields.xdmf lists, or None. Times of those that are whole [s]."""
-    path = os.path.join(folder, "fields.h5")
+def check_frames(folder, guide, found, name="fields.h5", what="frame"):
+    """Reads all frames of a file. guide: names of those that fields.xdmf lists, or None. Times of those that are whole [s]."""
+    path = os.path.join(folder, name)
     if not os.path.exists(path):
         if guide:
             found.faults.append(f"{path} is missing, though fields.xdmf lists {len(guide)} frames of it.")
         return []
     names, times, damaged, why = read_apart(path)
     if why:
-        found.faults.append(f"{path} can't be read by HDF5 ({why}); its frames are lost or their names are damaged.")
+        found.faults.append(f"{path} can't be read by HDF5 ({why}); its {what}s are lost or their names are damaged.")
         return []
     last = max([int(name[1:]) for name in names] + [int(name[1:]) for name in guide or []], default=-1)
     missing = [f"t{k:05d}" for k in range(last + 1) if f"t{k:05d}" not in names]
-    for faults, what in ((damaged, "damaged"), (missing, "missing")):
+    for faults, state in ((damaged, "damaged"), (missing, "missing")):
         if faults:
             shown = ", ".join(faults[:10]) + (f" and {len(faults) - 10} more" if len(faults) > 10 else "")
-            found.faults.append(f"{path}: {what}: {shown}, of {last + 1} frames.")
+            found.faults.append(f"{path}: {state}: {shown}, of {last + 1} {what}s.")
     if any(later <= earlier for earlier, later in zip(times, times[1:])):
-        found.faults.append(f"{path}: the times of its frames do not grow.")
+        found.faults.append(f"{path}: the times of its {what}s do not grow.")
     if not damaged and not missing:
-        found.notes.append(f"{path}: {len(names)} whole frame{'' if len(names) == 1 else 's'}.")
+        found.notes.append(f"{path}: {len(names)} whole {what}{'' if len(names) == 1 else 's'}.")
     return times
 
 
@@ -238,6 +238,32 @@ def check_history(folder, manifest, found):
             found.notes.append(f"{path}: {later} of its {max(len(rows), 1)} lines have no checksum yet.")
     found.notes.append(f"{path}: {len(times)} rows.")
     return times
+
+
+def check_fronts(folder, manifest, found):
+    """Values along fronts: both files have the same samples, but for the last one of a run that was cut off while it wrote."""
+    samples = check_frames(folder, None, found, "fronts.h5", "sample")
+    path = os.path.join(folder, "fronts.csv")
+    if not os.path.exists(path):
+        if samples:
+            found.faults.append(f"{path} is missing, though fronts.h5 has {len(samples)} samples.")
+        return
+    text = read_bytes(path)
+    whole = text[: text.rfind(b"\n") + 1]
+    try:
+        rows = list(csv.reader(io.StringIO(whole.decode(), newline="")))
+        times = sorted({float(row[0]) for row in rows[1:]})
+        if any(len(row) != len(rows[0]) for row in rows):
+            raise ValueError("rows of different lengths")
+    except (ValueError, IndexError, UnicodeDecodeError) as error:
+        found.faults.append(f"{path} can't be read as a table ({error}).")
+        return
+    ended = manifest.get("ended", False)
+    if whole != text and ended:
+        found.faults.append(f"{path}: its last row is cut off.")
+    if times != samples and (ended or times != samples[:-1]):
+        found.faults.append(f"{folder}: fronts.csv has {len(times)} samples and fronts.h5 has {len(samples)} whole ones, or their times differ.")
+    found.notes.append(f"{path}: {max(len(rows) - 1, 0)} rows.")
 
 
 def check_summary(folder, manifest, found):
@@ -314,7 +340,7 @@ def check_listed(folder, manifest, found):
         if not os.path.exists(path):
             if entry["bytes"]:
                 found.faults.append(f"{path} is missing, but the run wrote it.")
-        elif name == "fields.h5":  # with checksums of its own
+        elif name in ("fields.h5", "fronts.h5"):  # with checksums of their own
             check_size(path, entry["bytes"], found)
         elif name != "history.csv" and "crc32" in entry:
             check_text(path, entry, True, found)
@@ -360,6 +386,7 @@ def check_folder(folder):
     read(check_scene, folder, manifest)
     read(check_checkpoint, folder)
     frames = read(check_frames, folder, read(check_guide, folder), failed=[])
+    read(check_fronts, folder, manifest)
     rows = read(check_history, folder, manifest)
     summary = read(check_summary, folder, manifest)
     read(compare_times, folder, rows, frames, summary)

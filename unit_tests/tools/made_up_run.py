@@ -35,6 +35,26 @@ def write_fields(folder, times):
                     group.create_dataset(f"{name}/{field}", data=values)
 
 
+def write_fronts(folder, samples):
+    """fronts.h5 and fronts.csv. samples: [(time, {"CRACK.N": {"s": ..., "G": ...}})]; columns that are not given are zero"""
+    names = ("s", "G", "K_I", "K_II", "K_III", "speed")
+    rows = []
+    with h5py.File(os.path.join(folder, "fronts.h5"), "w") as file:
+        for i, (time, fronts) in enumerate(samples):
+            group = file.create_group(f"t{i:05d}")
+            group.attrs["time"] = time
+            for name, given in fronts.items():
+                s = np.asarray(given["s"], dtype=float)
+                table = {column: np.asarray(given.get(column, 0 * s), dtype=float) for column in names}
+                position = given.get("position", np.c_[s, 0 * s, 0 * s])
+                for column, values in (*table.items(), ("position", position), ("line", given.get("line", np.zeros(len(s), int)))):
+                    group.create_dataset(f"{name}/{column}", data=values)
+                crack, _, number = name.rpartition(".")
+                rows += [[time, crack, number, k, s[k], *position[k], *(table[column][k] for column in names[1:])] for k in range(len(s))]
+    with open(os.path.join(folder, "fronts.csv"), "w", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([["time", "crack", "front", "node", "s", "x", "y", "z", *names[1:]], *rows])
+
+
 def particles(start, displacement, stress, edge, body=None):
     """All particle fields from starting positions, displacements, stresses (n, 6) and the edge; boxes are undeformed. 2D
     where all start at z = 0."""

@@ -8,8 +8,9 @@ from tool import ToolTest, picture_size, run  # first, as it finds the Python fo
 
 import made_up_run
 import numpy as np
+from PIL import Image
 
-from rhegma_tools import cell_picture, path_picture
+from rhegma_tools import cell_picture, path_picture, quantity
 from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.field_picture import choose_view, close_up, colour_scale, crack_segments, drawn_fronts, in_slice
@@ -30,6 +31,25 @@ class Plot(ToolTest):
             width, height = picture_size(self.path(name))
             self.assertGreater(width, 900)
             self.assertGreater(height, 500)
+
+    def test_draws_any_field(self):
+        """Dark on the left and bright on the right, as the field is."""
+        start = made_up_run.lattice((np.arange(20) + 0.5) * 0.01, (np.arange(8) + 0.5) * 0.01)
+        start = np.c_[start, np.zeros(len(start))]
+        particles = made_up_run.particles(start, 0 * start, np.zeros((len(start), 6)), 0.01)
+        particles["energy_density"] = np.where(start[:, 0] > 0.1, 5000.0, 0.0)
+        made_up_run.write_fields(self.folder, [(1.0, {"particles": particles})])
+        status, output, messages = run("rhegma-plot", self.folder, "--field", "energy_density")
+        self.assertEqual((status, messages), (0, ""))
+        picture = np.asarray(Image.open(self.path("fields.png")).convert("RGB")).astype(int)
+        dark, bright = (np.abs(picture - colour).sum(axis=2) < 12 for colour in ([68, 1, 84], [253, 231, 36]))
+        dark, bright = (np.flatnonzero(mask.sum(axis=0) > 100) for mask in (dark, bright))
+        self.assertGreater(len(dark), 100)
+        self.assertLess(dark.mean(), bright.mean())
+        read = read_fields(self.folder, None, "energy_density")
+        self.assertEqual(quantity.unit_of("energy_density", read.values("energy_density")), (1e-3, "kJ/m³"))
+        self.assertEqual(quantity.label_of("principal_stress"), "largest principal stress")
+        self.assert_fails(run("rhegma-plot", self.folder, "--field", "colour"), "no field colour", "energy_density")
 
     def test_draws_a_slice_of_3d(self):
         made_up_run.penny(self.folder)

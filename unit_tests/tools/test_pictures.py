@@ -9,6 +9,7 @@ sys.dont_write_bytecode = True
 import unittest  # noqa: E402
 
 from film_tests import *  # noqa: E402,F401,F403
+from front_map_tests import *  # noqa: E402,F401,F403
 from scene_tests import *  # noqa: E402,F401,F403
 from spatial_tests import *  # noqa: E402,F401,F403
 

@@ -48,6 +48,37 @@ TEST(Progress, PlainLinesEachTenth)
                        "100 %, step 100, G 12.5 J/m2\n");
 }
 
+/// Of all fronts the largest G, over the toughness where fronts grow, and the residual over the largest
+/// energy.
+TEST(Progress, ShowsTheLargestReleaseAndTheResidual)
+{
+  std::ostringstream out;
+  Hand hand;
+  Progress progress(&out, 2.0, false, hand.clock());
+  const Progress::Row row = {{"external_work", 4.0}, {"residual", -0.01}, {"A.0.G_J", 6.0}, {"B.0.G_J", 8.0}};
+  progress.sample(1.0, row);
+  hand.now += 1.0;
+  progress.step(1.0, 1);
+  progress.setToughness(10.0);
+  progress.step(2.0, 2);
+  EXPECT_EQ(out.str(), " 50 %, 1 s left, step 1, G 8 J/m2, residual 0.25 %\n"
+                       "100 %, step 2, G/Gc 0.8, residual 0.25 %\n");
+}
+
+/// Without a stream nothing is printed; what the line would say is known on request only.
+TEST(Progress, IsFollowedWithoutAStream)
+{
+  Hand hand;
+  Progress progress(nullptr, 2.0, false, hand.clock()), followed(nullptr, 2.0, false, hand.clock());
+  followed.follow();
+  hand.now += 1.0;
+  progress.step(1.0, 1);
+  followed.step(1.0, 1);
+  EXPECT_EQ(progress.done(), 0.0);
+  EXPECT_EQ(followed.done(), 0.5);
+  EXPECT_EQ(followed.text(), " 50 %, 1 s left, step 1");
+}
+
 TEST(Progress, OneLineOnATerminal)
 {
   std::ostringstream out;

@@ -34,6 +34,14 @@ std::string mistake(const std::vector<std::string>& arguments)
 
 } // namespace
 
+TEST(Options, KeepsAPageOnRequest)
+{
+  EXPECT_FALSE(read({"scene.xml"}).watch);
+  EXPECT_TRUE(read({"scene.xml", "--watch"}).watch);
+  EXPECT_NE(mistake({"scene.xml", "--watch", "--check"}).find("--watch keeps a page of a run"),
+            std::string::npos);
+}
+
 TEST(Options, RunsASceneByDefault)
 {
   const Options options = read({"dcb.xml"});
