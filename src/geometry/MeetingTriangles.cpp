@@ -20,6 +20,7 @@ struct Face
   Corners corner;
   Vector<3> normal;
   bool flat;
+  bool atFlat; ///< a face without height has one of its corners
 };
 
 /// Whether x, in the plane of a face, is in it.
@@ -34,7 +35,7 @@ bool contains(const Face& face, const Vector<3>& x, double slack)
   return true;
 }
 
-/// Whether a line in the plane of two convex figures parts them: along the edges of both.
+/// Whether a segment in the plane of a face meets it: no line along the edges of the two parts them.
 bool meetInPlane(const Vector<3>& p, const Vector<3>& q, const Face& face, double slack)
 {
   for (int i = 0; i < 4; ++i)
@@ -54,15 +55,16 @@ bool meetInPlane(const Vector<3>& p, const Vector<3>& q, const Face& face, doubl
   return true;
 }
 
-/// Whether the segment from p to q meets a face.
-bool meets(const Vector<3>& p, const Vector<3>& q, const Face& face, double slack)
+/// Whether the segment from p to q meets a face. \param slack of the distance from its plane \param inPlane
+/// of the distance from its edges; below zero they have to overlap by as much
+bool meets(const Vector<3>& p, const Vector<3>& q, const Face& face, double slack, double inPlane)
 {
   const double first = dot(face.normal, p - face.corner[0]), last = dot(face.normal, q - face.corner[0]);
   if ((first > slack && last > slack) || (first < -slack && last < -slack))
     return false;
   if (std::abs(first) <= slack && std::abs(last) <= slack)
-    return meetInPlane(p, q, face, slack);
-  return contains(face, p + std::clamp(first / (first - last), 0.0, 1.0) * (q - p), slack);
+    return meetInPlane(p, q, face, inPlane);
+  return contains(face, p + std::clamp(first / (first - last), 0.0, 1.0) * (q - p), inPlane);
 }
 
 /// Whether all corners of one face but those that are common are on one side of the other.
@@ -101,6 +103,7 @@ public:
         face.normal = (1.0 / size) * normal;
       faces_.push_back(face);
     }
+    markNeighboursOfFlat(resolution);
   }
 
   /// Calls visit(t, u) for pairs that meet, until it returns false.
@@ -130,6 +133,19 @@ public:
   }
 
 private:
+  /// Of a face without height the neighbours touch, or overlap by rounding.
+  void markNeighboursOfFlat(double resolution)
+  {
+    overlap_ = 2.0 * resolution;
+    std::vector<char> isAtFlat(surface_.points.size(), 0);
+    for (std::size_t t = 0; t < faces_.size(); ++t)
+      for (const int point : surface_.items[t])
+        isAtFlat[point] |= faces_[t].flat ? 1 : 0;
+    for (std::size_t t = 0; t < faces_.size(); ++t)
+      for (const int point : surface_.items[t])
+        faces_[t].atFlat = faces_[t].atFlat || isAtFlat[point] != 0;
+  }
+
   bool meet(int t, int u) const
   {
     unsigned ofT = 0, ofU = 0; // common corners
@@ -165,10 +181,12 @@ private:
   /// Whether an edge of a without a common corner meets b.
   bool sidesMeet(const Face& a, unsigned common, const Face& b) const
   {
+    const double inPlane = a.atFlat && b.atFlat ? -overlap_ : slack_;
     for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
-      if ((common >> i & 1u) == 0 && (common >> j & 1u) == 0 && meets(a.corner[i], a.corner[j], b, slack_))
+      if ((common >> i & 1u) == 0 && (common >> j & 1u) == 0 &&
+          meets(a.corner[i], a.corner[j], b, slack_, inPlane))
         return true;
     }
     return false;
@@ -177,6 +195,7 @@ private:
   const Simplices<3>& surface_;
   SimplexTree<3> tree_;
   double slack_;
+  double overlap_ = 0.0; ///< that is rounding next to faces without height
   std::vector<Face> faces_;
 };
 

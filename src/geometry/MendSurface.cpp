@@ -32,6 +32,14 @@ struct OpenEdges
   double shortest = std::numeric_limits<double>::infinity();
 };
 
+/// Whether each edge belongs to two triangles.
+bool isClosed(const Simplices<3>& surface)
+{
+  bool found = true;
+  HalfEdges(surface.items).forEachEdge([&](const HalfEdge*, int count) { found = found && count == 2; });
+  return found;
+}
+
 OpenEdges openEdgesOf(const Simplices<3>& surface)
 {
   OpenEdges open;
@@ -167,12 +175,13 @@ std::pair<int, Vector<3>> dropRepeated(Simplices<3>& surface)
   return found;
 }
 
-void noteMerged(const MergedPoints& merged, std::vector<std::string>& notes)
+/// Points that the single precision of files does not tell apart are no mistake.
+void noteMerged(const MergedPoints& merged, MendedSurface<3>& mended)
 {
-  if (merged.pairs > 0)
-    notes.push_back(counted(merged.pairs, "pair") + " of points up to " + formatReal(merged.farthest) +
-                    " apart, such as at " + placeInFile(merged.at) + ", " +
-                    (merged.pairs == 1 ? "was" : "were") + " merged");
+  if (merged.pairs > 0 && merged.farthest > mended.resolution)
+    mended.notes.push_back(counted(merged.pairs, "pair") + " of points up to " + formatReal(merged.farthest) +
+                           " apart, such as at " + placeInFile(merged.at) + ", " +
+                           (merged.pairs == 1 ? "was" : "were") + " merged");
 }
 
 void noteDropped(int count, const std::string& what, std::vector<std::string>& notes)
@@ -196,7 +205,7 @@ void closeByRounding(MendedSurface<3>& mended, double largest)
   if (pairs.pairs == 0 || !openEdgesOf(merged).edges.empty())
     refuseOpen(mended.surface, open);
   mended.surface = std::move(merged);
-  noteMerged(pairs, mended.notes);
+  noteMerged(pairs, mended);
 }
 
 } // namespace
@@ -211,18 +220,21 @@ MendedSurface<3> mendSurface(const SurfaceMesh& mesh)
       largest = std::max(largest, std::abs(x[d]));
   mended.resolution = inSinglePrecision * largest;
   int collapsed = dropCollapsed(surface);
-  noteMerged(mergeShortEdges(surface, mended.resolution), mended.notes);
+  mergeShortEdges(surface, mended.resolution);
   collapsed += dropCollapsed(surface);
   noteDropped(collapsed, "without area", mended.notes);
   if (surface.items.empty())
     throw std::invalid_argument("no triangle has an area above the rounding of single precision");
-  const auto [repeated, at] = dropRepeated(surface);
-  noteDropped(repeated,
-              "with the same points as " + std::string(repeated == 1 ? "another" : "others") +
-                  ", such as at " + placeInFile(at) + ",",
-              mended.notes);
-  closeByRounding(mended, largest);
-  refuseCrowded(surface);
+  if (!isClosed(surface))
+  {
+    const auto [repeated, at] = dropRepeated(surface);
+    noteDropped(repeated,
+                "with the same points as " + std::string(repeated == 1 ? "another" : "others") +
+                    ", such as at " + placeInFile(at) + ",",
+                mended.notes);
+    closeByRounding(mended, largest);
+    refuseCrowded(surface);
+  }
   const Shells shells = findShells(surface);
   refuseMeetings(surface, shells, mended.resolution);
   orientShells(surface, shells, mended.resolution, mended.notes);

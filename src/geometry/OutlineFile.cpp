@@ -103,7 +103,7 @@ std::vector<Outline> parseOutlines(const std::string& text)
     }
     const auto values = parseReals(line);
     if (!values || values->size() != 2 || !std::isfinite((*values)[0] + (*values)[1]))
-      throw std::invalid_argument(lineName(number) +
+      throw std::invalid_argument("line " + std::to_string(number) +
                                   " holds no point: write two finite numbers, x and y, or an "
                                   "empty line between polygons");
     if (!open)

@@ -83,7 +83,7 @@ TEST(FileShapes, KeepTheirVolume)
   };
   for (const Case& one :
        {Case{"sphere", sphere(40, 1.0), 2.0}, Case{"cube", brick({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), 1.0},
-        Case{"torus", torus(60, 30, 1.0, 0.4), 0.8}, Case{"bracket", bracket(8, 0.25, 0.4), 0.25}})
+        Case{"torus", torus(60, 30, 1.0, 0.4), 0.8}, Case{"bracket", bracket(8, 0.25, 0.4), 0.4}})
     for (const bool inFile : {true, false})
     {
       const SurfaceMesh placed = inFile ? anywhere(one.mesh, random) : one.mesh;

@@ -238,7 +238,7 @@ TEST(Outlines, ThatAreWrongAreRefused)
   expectWords(outlineRefusal("0 0\n1 0\n1 nan\n"), {"line 3"});
   expectWords(outlineRefusal("# nothing\n\n"), {"no point"});
   expectWords(outlineRefusal("0 0\n1 0\n"), {"begins at line 1 has no area"});
-  expectWords(outlineRefusal("0 0\n1 1\n1 0\n0 1\n"), {"begins at line 1 meets itself"});
+  expectWords(outlineRefusal("0 0\n1 1\n1 0\n0 2\n"), {"begins at line 1 meets itself"});
   expectWords(outlineRefusal("0 0\n2 0\n2 2\n0 2\n\n1 1\n3 1\n3 3\n"),
               {"begins at line 1 meets the polygon that begins at line 6"});
   expectWords(outlineRefusal("0 0\n2 0\n1 0\n1 1\n"), {"meets itself"}); // it turns back
