@@ -68,7 +68,7 @@ bool meets(const Vector<3>& p, const Vector<3>& q, const Face& face, double slac
 }
 
 /// Whether all corners of one face but those that are common are on one side of the other.
-bool isBeside(const Face& one, unsigned common, const Face& other, double slack)
+bool isOnOneSide(const Face& one, unsigned common, const Face& other, double slack)
 {
   int above = 0, below = 0, all = 0;
   for (int i = 0; i < 3; ++i)
@@ -159,7 +159,7 @@ private:
           ++common;
         }
     const Face &a = faces_[t], &b = faces_[u];
-    if (common == 3 || isBeside(a, ofT, b, slack_) || isBeside(b, ofU, a, slack_))
+    if (common == 3 || isOnOneSide(a, ofT, b, slack_) || isOnOneSide(b, ofU, a, slack_))
       return false;
     if (common == 2)
       return isFolded(a, ofT, b, ofU);

@@ -175,7 +175,7 @@ std::pair<int, Vector<3>> dropRepeated(Simplices<3>& surface)
   return found;
 }
 
-/// Points that the single precision of files does not tell apart are no mistake.
+/// Points that the single precision of files does not distinguish are no mistake.
 void noteMerged(const MergedPoints& merged, MendedSurface<3>& mended)
 {
   if (merged.pairs > 0 && merged.farthest > mended.resolution)

@@ -15,7 +15,7 @@ template <int D>
 struct SolidOfFile
 {
   std::shared_ptr<const Solid<D>> solid;
-  std::vector<std::string> notes; ///< what was mended in it, as sentences
+  std::vector<std::string> notes; ///< what was mended in it, a message each
 };
 
 /// Reads a solid: in 3D from an STL or OBJ file with a closed surface (mendSurface), in 2D from a file of

@@ -51,7 +51,7 @@ struct Facing
 {
   int first = -1; ///< its first triangle
   int triangles = 0;
-  int turned = 0;      ///< that face the other way than the first
+  int turned = 0;      ///< that are oriented against the first
   int odd = -1;        ///< the first of the smaller number of those that face alike
   double volume = 0.0; ///< if all faced as the first
   double area = 0.0;
@@ -98,7 +98,7 @@ void refuseAmbiguous(const Simplices<3>& surface, const std::vector<Facing>& fac
           facing[outer].outwards() == facing[k].outwards())
         throw std::invalid_argument(
             "the shell at " + placeInFile(firstPoint(surface, facing[k].first)) +
-            " lies inside another shell and faces the same way: turn its triangles if "
+            " lies inside another shell and has the same orientation: turn its triangles if "
             "it is a cavity, or leave it out if it is material");
 }
 
@@ -116,9 +116,9 @@ void addNotes(const Simplices<3>& surface, const std::vector<Facing>& facing,
     insideOut += facing[k].outwards() != (around[k].size() % 2 == 0) ? 1 : 0;
   }
   if (odd > 0)
-    notes.push_back(counted(odd, "triangle") + ", such as that at " + placeInFile(firstPoint(surface, at)) +
-                    ", faced the other way than the triangles around; " +
-                    (odd == 1 ? "it was" : "they were") + " turned");
+    notes.push_back(counted(odd, "triangle") + (odd == 1 ? ", at " : ", such as that at ") +
+                    placeInFile(firstPoint(surface, at)) + (odd == 1 ? ", was" : ", were") +
+                    " oriented against the triangles around and turned");
   if (insideOut > 0)
     notes.push_back("the surface is inside out (" + counted(insideOut, "shell") + "); it was turned");
 }

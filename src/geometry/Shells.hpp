@@ -14,7 +14,7 @@ struct Shells
 {
   int count = 0;
   std::vector<int> of;      ///< shell of each triangle
-  std::vector<char> turned; ///< whether a triangle faces the other way than the first of its shell
+  std::vector<char> turned; ///< whether a triangle is oriented against the first of its shell
 };
 
 /// \param surface each edge of which belongs to two triangles
@@ -22,10 +22,10 @@ struct Shells
 Shells findShells(const Simplices<3>& surface);
 
 /// Turns triangles so that all normals point out of the solid: outer shells outwards, cavities inwards.
-/// Removes shells without a volume. \param notes gets what was changed, as sentences
+/// Removes shells without a volume. \param notes gets what was changed, a message each
 /// \param resolution rounding of positions
-/// \throws std::invalid_argument where a shell is inside another one and faces the same way, which may be a
-/// cavity or a part
+/// \throws std::invalid_argument where a shell is inside another one and has the same orientation, which may
+/// be a cavity or a part
 void orientShells(Simplices<3>& surface, const Shells& shells, double resolution,
                   std::vector<std::string>& notes);
 

@@ -46,7 +46,7 @@ Vector<D> direction()
 /// Twice the area between the ray and an edge, seen along the ray; it has the other sign exactly where the
 /// edge is given the other way round. Zero counts as positive for an edge from the first point to a later
 /// one.
-double besideRay(const Vector<3>& x, const std::vector<Vector<3>>& points, int a, int b)
+double sideOfRay(const Vector<3>& x, const std::vector<Vector<3>>& points, int a, int b)
 {
   const bool inOrder = a < b;
   const Vector<3> from = points[inOrder ? a : b] - x, to = points[inOrder ? b : a] - x;
@@ -54,7 +54,7 @@ double besideRay(const Vector<3>& x, const std::vector<Vector<3>>& points, int a
   return (inOrder ? 1.0 : -1.0) * (side == 0.0 ? std::numeric_limits<double>::min() : side);
 }
 
-double besideRay(const Vector<2>& x, const Vector<2>& point)
+double sideOfRay(const Vector<2>& x, const Vector<2>& point)
 {
   const Vector<2> u = direction<2>(), from = point - x;
   const double side = u[0] * from[1] - u[1] * from[0];
@@ -139,12 +139,12 @@ int SimplexTree<D>::meetingOf(const Vector<D>& x, int item) const
   double weight[D], sum = 0.0;
   if constexpr (D == 2)
   {
-    weight[0] = besideRay(x, simplices_.points[v[1]]);
-    weight[1] = -besideRay(x, simplices_.points[v[0]]);
+    weight[0] = sideOfRay(x, simplices_.points[v[1]]);
+    weight[1] = -sideOfRay(x, simplices_.points[v[0]]);
   }
   else
     for (int i = 0; i < 3; ++i)
-      weight[i] = besideRay(x, simplices_.points, v[(i + 1) % 3], v[(i + 2) % 3]);
+      weight[i] = sideOfRay(x, simplices_.points, v[(i + 1) % 3], v[(i + 2) % 3]);
   for (int i = 0; i < D; ++i)
   {
     if ((weight[i] > 0.0) != (weight[0] > 0.0))

@@ -157,8 +157,8 @@ class Messages(PartsTest):
         triangles[6] = triangles[6][::-1]
         self.stl("part.stl", binary_stl(triangles))
         text = self.checked(falling("part.stl"))
-        self.assertIn("Bodies > Ball > File: part.stl: 1 triangle, such as that at (", text)
-        self.assertIn("faced the other way than the triangles around; it was turned", text)
+        self.assertIn("Bodies > Ball > File: part.stl: 1 triangle, at (", text)
+        self.assertIn("was oriented against the triangles around and turned", text)
 
     def test_millimetres(self):
         """A file in millimetres without a scale: refused if it does not fit, a question if it does."""

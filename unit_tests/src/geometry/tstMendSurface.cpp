@@ -111,7 +111,7 @@ TEST(Solids, KnowTheirDepthAtRandomPoints)
   }
 }
 
-/// What can be mended in one way only is mended, with a note that says what, how often and where.
+/// Mistakes with one possible correction are mended, with a message that says what, how often and where.
 TEST(Surfaces, AreMendedWithANote)
 {
   const SurfaceMesh cube = brick({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), ball = sphere(8, 1.0);
@@ -126,7 +126,7 @@ TEST(Surfaces, AreMendedWithANote)
   expect(insideOut(cube), 1.0, {"inside out (1 shell)", "turned"});
   SurfaceMesh one = ball;
   std::swap(one.triangles[20][0], one.triangles[20][1]);
-  expect(one, volumeOf(ball), {"1 triangle", "faced the other way", "was turned"});
+  expect(one, volumeOf(ball), {"1 triangle", "was oriented against", "and turned"});
   SurfaceMesh apart =
       cube; // each triangle with points of its own, which differ by the rounding of six digits
   for (std::size_t p = 0; p < apart.points.size(); ++p)
