@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace Rhegma::Geometry
@@ -132,15 +133,19 @@ std::pair<int, Vector<3>> dropRepeated(Simplices<3>& surface)
     return points;
   };
   std::map<Points, std::vector<int>> groups; // of triangles at crowded edges
-  std::map<std::uint64_t, int> sides;        // at such an edge
+  std::map<std::uint64_t, int> sides;        // how many different triangles such an edge has
   HalfEdges(surface.items)
       .forEachEdge(
           [&](const HalfEdge* side, int count)
           {
+            std::set<Points> different;
             for (int k = 0; k < count && count > 2; ++k)
+            {
+              different.insert(pointsOf(side[k].triangle()));
               groups[pointsOf(side[k].triangle())].push_back(side[k].triangle());
+            }
             if (count > 2)
-              sides[side->edge] = count;
+              sides[side->edge] = static_cast<int>(different.size());
           });
   std::vector<char> gone(surface.items.size(), 0);
   std::pair<int, Vector<3>> found{0, {}};
@@ -157,7 +162,7 @@ std::pair<int, Vector<3>> dropRepeated(Simplices<3>& surface)
       const std::uint64_t low = std::min(points[i], points[(i + 1) % 3]),
                           high = std::max(points[i], points[(i + 1) % 3]);
       const auto all = sides.find(low << 32 | high);
-      even += ((all == sides.end() ? size : all->second) - size) % 2 == 0 ? 1 : 0;
+      even += all == sides.end() || (all->second - 1) % 2 == 0 ? 1 : 0;
     }
     if (even != 0 && even != 3)
       continue;

@@ -138,6 +138,9 @@ TEST(Surfaces, AreMendedWithANote)
   SurfaceMesh twice = cube;
   twice.triangles.push_back(cube.triangles[3]);
   expect(twice, 1.0, {"1 triangle with the same points as another", "was left out"});
+  twice.triangles.push_back(cube.triangles[2]); // its neighbour
+  twice.triangles.push_back(cube.triangles[2]);
+  expect(twice, 1.0, {"3 triangles with the same points as others", "were left out"});
   SurfaceMesh leaf = cube; // a triangle and its back side, which hang on an edge
   addTriangle(leaf, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, -1.0, -1.0});
   addTriangle(leaf, {0.0, 0.0, 0.0}, {0.5, -1.0, -1.0}, {1.0, 0.0, 0.0});
