@@ -1,10 +1,11 @@
 #include "base/Numbers.hpp"
 #include "cracks/ReadCrack.hpp"
 #include "geometry/Cross.hpp"
+#include "geometry/SurfaceFile.hpp"
 #include "surface/Border.hpp"
 #include "surface/CutTriangles.hpp"
 #include "surface/NearestOnSimplex.hpp"
-#include "surface/SurfaceFile.hpp"
+#include "surface/SurfaceMesh.hpp"
 #include "surface/Triangulation.hpp"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ surface::CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std:
   const auto path = list.get<std::string>("Surface File");
   const std::string name = where + " > Surface File";
   SurfaceMesh sheet;
-  attempt(name, [&] { sheet = surface::readSurfaceFile(path); });
+  attempt(name, [&] { sheet = Geometry::readSurfaceFile(path); });
   attempt(name + ": " + path,
           [&]
           {

@@ -129,7 +129,9 @@ void addParts(const Lattice<D>& lattice, const Filling<D>& body, const BoxCuts<D
   if (!cuts.through.empty() && cuts.through.size() <= most)
   {
     const OrientedBox<D> box{body.frame.toSpace(middle), filled.edge, body.frame.axes};
-    const bool whole = coverageOf(body, box) == Coverage::Whole;
+    // A cell whose sides lie on the surface may be full although that is not certain at once.
+    const bool whole = coverageOf(body, box) == Coverage::Whole ||
+                       partOf(filled.edge, body.frame, middle, body.region).fraction == 1.0;
     for (int sides = 0; sides < 1 << cuts.through.size(); ++sides)
       addPartOf(filled, body.frame, middle, onSides(body.region, whole, cuts.through, sides), cell, parts);
   }

@@ -26,12 +26,13 @@ template <int D>
 NearBoxes<D>::NearBoxes(std::vector<Bounds<D>> boxes) : boxes_(std::move(boxes)), list_(boxes_.size())
 {
   std::iota(list_.begin(), list_.end(), 0);
+  std::vector<Keyed> keyed(list_.size());
   if (!list_.empty())
-    build(0, static_cast<int>(list_.size()));
+    build(0, static_cast<int>(list_.size()), keyed);
 }
 
 template <int D>
-int NearBoxes<D>::build(int first, int end)
+int NearBoxes<D>::build(int first, int end, std::vector<Keyed>& keyed)
 {
   Bounds<D> all = emptyBounds<D>();
   for (int k = first; k < end; ++k)
@@ -45,9 +46,15 @@ int NearBoxes<D>::build(int first, int end)
     if (all.upper[d] - all.lower[d] > all.upper[axis] - all.lower[axis])
       axis = d;
   const int middle = (first + end) / 2;
-  std::nth_element(list_.begin() + first, list_.begin() + middle, list_.begin() + end,
-                   [&](int a, int b) { return boxes_[a].centre()[axis] < boxes_[b].centre()[axis]; });
-  const int left = build(first, middle), right = build(middle, end);
+  // Next to their keys, boxes are ordered in about half the time.
+  for (int k = first; k < end; ++k)
+    keyed[k] = {boxes_[list_[k]].lower[axis] + boxes_[list_[k]].upper[axis], list_[k]};
+  std::nth_element(keyed.begin() + first, keyed.begin() + middle, keyed.begin() + end,
+                   [](const Keyed& a, const Keyed& b)
+                   { return a.key != b.key ? a.key < b.key : a.box < b.box; });
+  for (int k = first; k < end; ++k)
+    list_[k] = keyed[k].box;
+  const int left = build(first, middle, keyed), right = build(middle, end, keyed);
   nodes_[node].left = left;
   nodes_[node].right = right;
   return node;

@@ -60,18 +60,6 @@ bool insidePolygon(const std::vector<Vector<2>>& points, const Vector<2>& x)
   return depthInPolygon(points, x) >= -tolerance;
 }
 
-bool segmentsMeet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)
-{
-  // Of edges on one line they are rounding, of any sign.
-  const double zero = 1e-12 * (dot(b - a, b - a) + dot(c - a, c - a) + dot(d - a, d - a) + dot(d - c, d - c));
-  const auto side = [zero](double product) { return std::fabs(product) > zero ? product : 0.0; };
-  const double abc = side(cross(b - a, c - a)), abd = side(cross(b - a, d - a));
-  const double cda = side(cross(d - c, a - c)), cdb = side(cross(d - c, b - c));
-  if (((abc > 0.0) != (abd > 0.0)) && ((cda > 0.0) != (cdb > 0.0)) && abc * abd < 0.0 && cda * cdb < 0.0)
-    return true;
-  return onEdge(c, a, b, 0.0) || onEdge(d, a, b, 0.0) || onEdge(a, c, d, 0.0) || onEdge(b, c, d, 0.0);
-}
-
 } // namespace
 
 template <int D>
@@ -220,6 +208,18 @@ std::array<int, 2> crossingEdges(const std::vector<Vector<2>>& points)
         return {i, j};
     }
   return {-1, -1};
+}
+
+bool segmentsMeet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)
+{
+  // Of edges on one line they are rounding, of any sign.
+  const double zero = 1e-12 * (dot(b - a, b - a) + dot(c - a, c - a) + dot(d - a, d - a) + dot(d - c, d - c));
+  const auto side = [zero](double product) { return std::fabs(product) > zero ? product : 0.0; };
+  const double abc = side(cross(b - a, c - a)), abd = side(cross(b - a, d - a));
+  const double cda = side(cross(d - c, a - c)), cdb = side(cross(d - c, b - c));
+  if (((abc > 0.0) != (abd > 0.0)) && ((cda > 0.0) != (cdb > 0.0)) && abc * abd < 0.0 && cda * cdb < 0.0)
+    return true;
+  return onEdge(c, a, b, 0.0) || onEdge(d, a, b, 0.0) || onEdge(a, c, d, 0.0) || onEdge(b, c, d, 0.0);
 }
 
 template struct Box<2>;

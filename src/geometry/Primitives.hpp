@@ -4,8 +4,9 @@
 /// `depth` is positive inside and negative outside [m]. Between two points it changes by no more than their
 /// distance, so a ball of the radius |depth| about a point is on one side of the surface.
 
-#include "geometry/Frame.hpp"
+#include "geometry/Solid.hpp"
 
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -72,7 +73,26 @@ double signedArea(const std::vector<Vector<2>>& points);
 /// do.
 std::array<int, 2> crossingEdges(const std::vector<Vector<2>>& points);
 
+/// Whether the segments a b and c d have a point in common.
+bool segmentsMeet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d);
+
+/// The solid of a file, scaled and moved.
 template <int D>
-using Primitive = std::variant<Box<D>, Ball<D>, Cylinder<D>, Polygon<D>>;
+struct FileShape
+{
+  std::shared_ptr<const Solid<D>> solid;
+  double scale;                         ///< of a unit of the file [m]
+  Vector<D> origin;                     ///< where the file's origin is [m]
+  static constexpr bool convex = false; ///< a box is inside where its corners are
+
+  bool contains(const Vector<D>& own) const;
+  double depth(const Vector<D>& own) const;
+  /// The same up to a distance; a larger one is given as this one [m].
+  double depth(const Vector<D>& own, double within) const;
+  Bounds<D> bounds(const Frame<D>& frame) const;
+};
+
+template <int D>
+using Primitive = std::variant<Box<D>, Ball<D>, Cylinder<D>, Polygon<D>, FileShape<D>>;
 
 } // namespace Rhegma::Geometry

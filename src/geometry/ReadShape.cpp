@@ -1,4 +1,5 @@
 #include "geometry/Shape.hpp"
+#include "geometry/ShapeFile.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -165,9 +166,30 @@ Polygon<D> readPolygon(const ParameterList& list)
 }
 
 template <int D>
+FileShape<D> readFile(const ParameterList& list)
+{
+  const ParameterEntry* const entry = list.getEntryPtr("File");
+  if (entry == nullptr || !entry->isType<std::string>())
+    fail(list, "File", "is missing; write the path of the file (type=\"string\").");
+  FileShape<D> shape{nullptr, has(list, "Scale") ? number(list, "Scale") : 1.0,
+                     has(list, "Origin") ? vector<D>(list, "Origin") : Vector<D>{}};
+  if (!(shape.scale > 0.0))
+    fail(list, "Scale", "must be positive.");
+  try
+  {
+    shape.solid = readSolid<D>(Teuchos::getValue<std::string>(*entry)).solid;
+  }
+  catch (const std::invalid_argument& wrong)
+  {
+    fail(list, "File", wrong.what() + std::string("."));
+  }
+  return shape;
+}
+
+template <int D>
 Primitive<D> readPrimitive(const ParameterList& list)
 {
-  const char* const allowed = D == 2 ? "Box, Ball, Polygon" : "Box, Ball, Cylinder, Polygon";
+  const char* const allowed = D == 2 ? "Box, Ball, Polygon, File" : "Box, Ball, Cylinder, Polygon, File";
   const std::string name = text(list, "Shape", allowed);
   if (name == "Box")
     return readBox<D>(list);
@@ -177,6 +199,8 @@ Primitive<D> readPrimitive(const ParameterList& list)
     return readCylinder<D>(list);
   if (name == "Polygon")
     return readPolygon<D>(list);
+  if (name == "File")
+    return readFile<D>(list);
   fail(list, "Shape", "\"" + name + "\" is no shape; write one of " + std::string(allowed) + ".");
 }
 

@@ -23,10 +23,28 @@ double Part<D>::depth(const Vector<D>& x) const
   return std::visit([&](const auto& p) { return p.depth(own); }, primitive);
 }
 
+namespace
+{
+
+/// The depth of a point as far as it matters for a box: a larger one is given as its reach.
+template <class Any, int D>
+double depthFor(const Any& primitive, const Vector<D>& own, double)
+{
+  return primitive.depth(own);
+}
+template <int D>
+double depthFor(const FileShape<D>& shape, const Vector<D>& own, double reach)
+{
+  return shape.depth(own, reach);
+}
+
+} // namespace
+
 template <int D>
 Coverage Part<D>::coverage(const BoxPoints<D>& box) const
 {
-  const double middle = depth(box.centre);
+  const Vector<D> own = frame.toOwn(box.centre);
+  const double middle = std::visit([&](const auto& p) { return depthFor(p, own, box.reach); }, primitive);
   if (middle >= box.reach)
     return Coverage::Whole;
   if (middle <= -box.reach)

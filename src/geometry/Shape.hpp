@@ -66,11 +66,11 @@ private:
 /// Reads the shape of a body.
 ///
 /// `Shape`: Box (Lower Corner, Upper Corner), Ball (Centre, Radius), Cylinder (From, To, Radius; 3D) or
-/// Polygon (Points: x y x y ...; Bottom and Top in 3D). `Rotation` [degrees] about `Rotation Centre`
-/// (default: the middle of the primitive's bounds) and, in 3D, `Rotation Axis` (default 0 0 1). The sublist
-/// `Operations` holds sublists of the same parameters and `Operation` = Add or Cut, applied in their order;
-/// each is turned by its own rotation only. Other parameters of the list are ignored; an empty array counts
-/// as absent.
+/// Polygon (Points: x y x y ...; Bottom and Top in 3D), or File (File, Scale, Origin). `Rotation` [degrees]
+/// about `Rotation Centre` (default: the middle of the primitive's bounds) and, in 3D, `Rotation Axis`
+/// (default 0 0 1). The sublist `Operations` holds sublists of the same parameters and `Operation` = Add or
+/// Cut, applied in their order; each is turned by its own rotation only. Other parameters of the list are
+/// ignored; an empty array counts as absent.
 ///
 /// Throws std::invalid_argument with the path of the section.
 template <int D>

@@ -155,6 +155,35 @@ struct Sampler
       addEnds(polygon);
   }
 
+  /// Points of equal pieces of the surface, along its items in their order. In a triangle they follow the
+  /// powers of the inverse of the plastic number, which fill a square evenly.
+  void operator()(const FileShape<D>& shape)
+  {
+    const Simplices<D>& surface = shape.solid->surface();
+    const double piece = D == 2 ? spacing : spacing * spacing;
+    double left = 0.5 * piece; // up to the next point
+    int count = 0;
+    for (int k = 0; k < static_cast<int>(surface.items.size()); ++k)
+    {
+      const Vector<D> normal = surface.normalOf(k);
+      const double whole = norm(normal), size = (D == 2 ? 1.0 : 0.5) * whole * std::pow(shape.scale, D - 1);
+      Vector<D> corner[D];
+      surface.corners(k, corner);
+      double at = left;
+      for (; at < size; at += piece)
+      {
+        ++count;
+        const double a = D == 2 ? at / size : std::fmod(0.7548776662466927 * count, 1.0);
+        const double b = D == 2 ? 0.0 : std::fmod(0.5698402909980532 * count, 1.0);
+        const bool over = a + b > 1.0; // the other half of the parallelogram
+        Vector<D> x = corner[0] + (over ? 1.0 - a : a) * (corner[1] - corner[0]);
+        x = x + (over ? 1.0 - b : b) * (corner[D - 1] - corner[0]);
+        points.push_back({shape.origin + shape.scale * x, (1.0 / whole) * normal});
+      }
+      left = at - size;
+    }
+  }
+
   void addEnds(const Polygon<D>& polygon)
   {
     Bounds<2> bounds = emptyBounds<2>();

@@ -62,6 +62,11 @@ struct Width
   {
     return std::min(2.0 * cylinder.radius, norm(cylinder.to - cylinder.from));
   }
+  double operator()(const FileShape<D>& shape) const
+  {
+    const Frame<D> straight{spaceAxes<D>(), Vector<D>{}};
+    return (*this)(Box<D>{shape.bounds(straight)});
+  }
   double operator()(const Polygon<D>& polygon) const
   {
     const double flat = widthOf(polygon.points);

@@ -226,9 +226,12 @@ template <int D>
 void judgeWalls(const State<D>& state, const MirroredSides& mirrored, const Shape<D>& shape,
                 const std::vector<char>& judged, const std::string& name, Messages& messages)
 {
-  const auto isPolygon = [](const Part<D>& part)
-  { return std::holds_alternative<Polygon<D>>(part.primitive); };
-  if (shape.parts().size() == 1 && !isPolygon(shape.base()))
+  const auto mayHaveWalls = [](const Part<D>& part)
+  {
+    return std::holds_alternative<Polygon<D>>(part.primitive) ||
+           std::holds_alternative<FileShape<D>>(part.primitive);
+  };
+  if (shape.parts().size() == 1 && !mayHaveWalls(shape.base()))
     return;
   Walls<D> walls(state, mirrored, shape);
   for (std::size_t k = 0; k < shape.parts().size(); ++k)

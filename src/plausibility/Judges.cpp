@@ -84,6 +84,7 @@ template <int D>
 void judgeWithoutParticles(const Teuchos::ParameterList& scene, State<D>& state)
 {
   addFirstTen(judgeNumbers(scene), state.warnings);
+  addFirstTen(judgeFiles<D>(scene), state.warnings);
   addFirstTen(judgeThickness(scene, state), state.warnings);
 }
 

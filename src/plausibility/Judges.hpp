@@ -33,6 +33,9 @@ Messages judgeTimes(const JudgedScene<D>& judged);
 /// (JudgeWalls.hpp); cuts that meet no material. \param state has its cells; particles are not looked at
 template <int D>
 Messages judgeThickness(const Teuchos::ParameterList& scene, const State<D>& state);
+/// What was mended in the files of bodies, and files that seem to be in millimetres.
+template <int D>
+Messages judgeFiles(const Teuchos::ParameterList& scene);
 /// Bodies that share nodes, and bonded ones that do not.
 template <int D>
 Messages judgeNeighbours(const JudgedScene<D>& judged);

@@ -60,6 +60,20 @@ Section polygon()
   return s;
 }
 
+Section file()
+{
+  Section s("File", "A solid from a file: in 3D a closed surface of triangles (STL or OBJ), in 2D polygons.");
+  s.text("File").notEmpty().meaning(
+      "Path, relative to the scene. 3D: an STL file (ASCII or binary) or an OBJ file, by its extension. 2D: "
+      "a text with two numbers x, y per line and an empty line between polygons; polygons inside others are "
+      "holes.");
+  s.real("Scale").unit("m").positive().optional("1").meaning(
+      "Length of one unit of the file; 0.001 if the file is in millimetres.");
+  s.realArray("Origin").unit("m").perAxis().byDefaultZeros().meaning(
+      "Where the origin of the file's coordinates is, before the rotation.");
+  return s;
+}
+
 void shapes(Section& s)
 {
   s.chosenBy("Shape").meaning("Shape before rotation.");
@@ -67,6 +81,7 @@ void shapes(Section& s)
   s.variant(ball());
   s.variant(cylinder());
   s.variant(polygon());
+  s.variant(file());
 }
 
 Section operations()

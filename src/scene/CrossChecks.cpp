@@ -140,12 +140,31 @@ private:
                        { return text(operations.sublist(name), "Operation") == "Cut"; });
   }
 
+  /// Whether a body from a file without a scale is larger than the domain, and would not be in millimetres.
+  template <int D>
+  bool seemsMillimetres(const ParameterList& body, const Geometry::Bounds<D>& bounds) const
+  {
+    if (text(body, "Shape") != "File" || body.isParameter("Scale"))
+      return false;
+    double largest = 0.0; // of the domain's extent
+    for (int d = 0; d < D; ++d)
+      largest = std::max(largest, (bounds.upper[d] - bounds.lower[d]) / (m_upper[d] - m_lower[d]));
+    return largest > 1.0 && largest <= 1000.0;
+  }
+
   template <int D>
   void shape(const ParameterList& body, const std::string& where)
   {
     try
     {
       const auto bounds = makeShape<D>(body).bounds();
+      if (m_domainKnown && seemsMillimetres<D>(body, bounds))
+        return report(
+            where + " > Scale",
+            "is not given, so numbers of the file are metres and the body is larger than the domain, " +
+                formatReal(bounds.upper[0] - bounds.lower[0]) +
+                " m along x; write Scale = 0.001 if the "
+                "file is in millimetres, or enlarge the domain.");
       // A body from which something is cut is checked by its particles.
       if (m_domainKnown && !isCut(body))
         insideDomain<D>(bounds.lower, bounds.upper, where);

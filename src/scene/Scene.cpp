@@ -52,17 +52,18 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
       run(effect.check, parts.of(name));
 }
 
-/// A text whose name ends in File is a path relative to the folder of the scene.
+/// A text whose name is or ends in File is a path relative to the folder of the scene.
 void resolveFiles(Teuchos::ParameterList& list, const std::filesystem::path& folder)
 {
-  const std::string mark = " File";
+  const std::string mark = " File", whole = "File";
   for (const auto& entry : list)
   {
     const std::string& name = entry.first;
     if (const auto* sublist = valueIf<Teuchos::ParameterList>(entry.second))
       resolveFiles(const_cast<Teuchos::ParameterList&>(*sublist), folder);
-    else if (name.size() > mark.size() && name.compare(name.size() - mark.size(), mark.size(), mark) == 0 &&
-             entry.second.isType<std::string>())
+    else if ((name == whole || (name.size() > mark.size() &&
+                                name.compare(name.size() - mark.size(), mark.size(), mark) == 0)) &&
+             entry.second.isType<std::string>() && !list.get<std::string>(name).empty())
       list.set(name, (folder / list.get<std::string>(name)).string());
   }
 }
@@ -78,8 +79,12 @@ void validateList(Teuchos::ParameterList& list, const SceneSchema& schema, std::
     list = copy;
 }
 
-SceneResult readSceneText(const std::string& xml, const std::vector<std::string>& overrides,
-                          const SceneSchema& schema)
+namespace
+{
+
+/// \param folder of the scene
+SceneResult readParts(const std::string& xml, const std::vector<std::string>& overrides,
+                      const SceneSchema& schema, const std::filesystem::path& folder)
 {
   SceneResult result;
   result.list = parseXml(xml, schema.root().name, result.errors);
@@ -88,8 +93,17 @@ SceneResult readSceneText(const std::string& xml, const std::vector<std::string>
   addLibraryLaws(*result.list, schema);
   for (const auto& text : overrides)
     applyOverride(*result.list, text, schema, result.errors);
+  resolveFiles(*result.list, folder); // before the validation, which reads files of bodies
   validateInPlace(*result.list, schema, result.errors);
   return result;
+}
+
+} // namespace
+
+SceneResult readSceneText(const std::string& xml, const std::vector<std::string>& overrides,
+                          const SceneSchema& schema)
+{
+  return readParts(xml, overrides, schema, {});
 }
 
 SceneResult readScene(const std::string& file, const std::vector<std::string>& overrides,
@@ -99,10 +113,7 @@ SceneResult readScene(const std::string& file, const std::vector<std::string>& o
   const std::string xml = readText(file, result.errors);
   if (!result.errors.empty())
     return result;
-  result = readSceneText(xml, overrides, schema);
-  if (!result.list.is_null())
-    resolveFiles(*result.list, std::filesystem::path(file).parent_path());
-  return result;
+  return readParts(xml, overrides, schema, std::filesystem::path(file).parent_path());
 }
 
 } // namespace Rhegma

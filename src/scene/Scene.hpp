@@ -22,8 +22,8 @@ struct SceneResult
 };
 
 /// Reads and validates a scene; collects all errors instead of stopping at the first, and never throws for
-/// one. A text whose name ends in " File" is a path relative to the scene's folder, and is resolved to one
-/// relative to the working directory.
+/// one. A text whose name is "File" or ends in " File" is a path relative to the scene's folder, and is
+/// resolved to one relative to the working directory.
 ///
 /// \param overrides  "Section:Sub:Parameter=value", applied in order before the scene is validated
 SceneResult readScene(const std::string& file, const std::vector<std::string>& overrides,

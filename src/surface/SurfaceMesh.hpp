@@ -1,10 +1,9 @@
 #pragma once
 /// Triangles in 3D, and their preparation as a crack.
 
-#include "base/Types.hpp"
+#include "geometry/SurfaceMesh.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -15,11 +14,7 @@ namespace Rhegma::surface
 using Edge = std::pair<int, int>;
 inline Edge edgeOf(int a, int b) { return std::minmax(a, b); }
 
-struct SurfaceMesh
-{
-  std::vector<Vector<3>> points;             ///< [m]
-  std::vector<std::array<int, 3>> triangles; ///< indices of points
-};
+using Geometry::SurfaceMesh;
 
 /// Merges points closer than `tolerance` [m]; the first of them stays.
 void weld(SurfaceMesh& mesh, double tolerance);

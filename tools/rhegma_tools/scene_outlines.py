@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .part_lines import part_lines
 from .scene_symbols import spatial
 from .scene_values import array, lists, number
 
@@ -60,13 +61,19 @@ def polygon_lines(values, dimension):
     return prism(*(np.c_[flat, np.full(len(flat), number(values, name))] for name in ("Bottom", "Top")))
 
 
-SHAPES = {"Box": box_lines, "Ball": ball_lines, "Cylinder": cylinder_lines, "Polygon": polygon_lines}
+def file_lines(values, dimension):
+    """values: with the whole path of the file, as those of a Scene"""
+    scale, origin = number(values, "Scale", 1.0), spatial(array(values, "Origin", [0.0] * dimension))
+    return [origin + scale * line for line in part_lines(values.get("File", ""), dimension)]
+
+
+SHAPES = {"Box": box_lines, "Ball": ball_lines, "Cylinder": cylinder_lines, "Polygon": polygon_lines, "File": file_lines}
 
 
 def rotated(lines, values, dimension):
     """Lines of a shape after its rotation."""
     angle = np.radians(number(values, "Rotation", 0.0))
-    if not angle:
+    if not angle or not lines:
         return lines
     everything = np.vstack(lines)
     centre = spatial(array(values, "Rotation Centre", 0.5 * (everything.min(axis=0) + everything.max(axis=0))))

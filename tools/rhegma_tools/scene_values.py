@@ -65,6 +65,13 @@ def remove(root, *path):
         root.remove(entry)
 
 
+def find_files(root, folder):
+    """Makes the paths of bodies' files, which are relative to the scene, independent of where a copy of the scene is."""
+    for entry in [entry for bodies in root if bodies.get("name") == "Bodies" for entry in bodies.iter("Parameter")]:
+        if entry.get("name") == "File":
+            entry.set("value", os.path.join(folder, (entry.get("value") or "").strip()))
+
+
 class Scene:
     """A scene file with the values of --set. path: of the file; settings: texts such as "Domain:Cell Size=1e-3"."""
 
@@ -77,6 +84,7 @@ class Scene:
             if not equals or len(names) < 2:
                 raise Problem(f'--set is "{setting}"; write it as Section:Parameter=value.')
             write_value(self.root, names, value.strip())
+        find_files(self.root, os.path.dirname(os.path.abspath(path)))
         self.values = as_values(self.root)
 
     @property

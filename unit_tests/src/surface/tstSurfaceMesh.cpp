@@ -2,7 +2,7 @@
 #include "StlFileOf.hpp"
 
 #include "geometry/Cross.hpp"
-#include "surface/SurfaceFile.hpp"
+#include "geometry/SurfaceFile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 using namespace Rhegma;
+using namespace Rhegma::Geometry;
 using namespace Rhegma::surface;
 using namespace Rhegma::surface::test;
 
@@ -117,7 +118,7 @@ TEST(SurfaceFiles, AreRefusedWithAMessage)
   const std::string solid = "solid" + binary.substr(5);
   expectPiece(refusal([&] { parseStl(solid.substr(0, solid.size() - 7)); }), "it says that it has 2");
   expectPiece(refusal([&] { parseStl(solid + std::string(50, 'x')); }), "has space for");
-  expectPiece(refusal([&] { parseStl(std::string(40, 'x')); }), "cut short");
+  expectPiece(refusal([&] { parseStl(std::string(40, 'x')); }), "no STL file");
   expectPiece(refusal([&] { parseStl("solid a\nfacet\nvertex 0 0\nendloop\nendsolid"); }), "triangle 1");
   expectPiece(refusal([&] { parseObj("v 0 0\n"); }), "line 1");
   expectPiece(refusal([&] { parseObj("v 0 0 0\nf 1 2 3\n"); }), "\"2\" that is not there");

@@ -1,11 +1,11 @@
 #pragma once
 /// Surfaces of triangles from files.
 
-#include "surface/SurfaceMesh.hpp"
+#include "geometry/SurfaceMesh.hpp"
 
 #include <string>
 
-namespace Rhegma::surface
+namespace Rhegma::Geometry
 {
 
 /// Reads a surface from an STL file (ascii or binary) or an OBJ file, by the extension. Points are as in the
@@ -18,7 +18,11 @@ SurfaceMesh readSurfaceFile(const std::string& path);
 SurfaceMesh parseStl(const std::string& text);
 SurfaceMesh parseObj(const std::string& text);
 
+/// The content of a file. \throws std::invalid_argument, whose message begins with the path, for one that is
+/// missing, empty or too large
+std::string readBytes(const std::string& path);
+
 /// Begin of a text, after the byte order mark of UTF-8 if there is one.
 std::size_t textBegin(const std::string& text);
 
-} // namespace Rhegma::surface
+} // namespace Rhegma::Geometry

@@ -1,10 +1,10 @@
-#include "surface/SurfaceFile.hpp"
+#include "geometry/SurfaceFile.hpp"
 
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
-namespace Rhegma::surface
+namespace Rhegma::Geometry
 {
 
 namespace
@@ -65,4 +65,4 @@ SurfaceMesh parseObj(const std::string& text)
   return mesh;
 }
 
-} // namespace Rhegma::surface
+} // namespace Rhegma::Geometry

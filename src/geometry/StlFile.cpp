@@ -1,4 +1,4 @@
-#include "surface/SurfaceFile.hpp"
+#include "geometry/SurfaceFile.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace Rhegma::surface
+namespace Rhegma::Geometry
 {
 
 namespace
@@ -126,9 +126,11 @@ SurfaceMesh parseStl(const std::string& text)
   const bool fits = text.size() >= header + 4 && text.size() == header + 4 + countOf(text) * perTriangle;
   if (solid && !fits && text.find('\0') == std::string::npos)
     return parseAscii(text.substr(begin));
+  if (!text.empty() && text.find('\0') == std::string::npos)
+    throw std::invalid_argument("the file is no STL file: it is a text that does not begin with \"solid\"");
   if (text.size() < header + 4)
     throw std::invalid_argument("the file is cut short: a binary STL file has at least 84 bytes");
   return parseBinary(text);
 }
 
-} // namespace Rhegma::surface
+} // namespace Rhegma::Geometry

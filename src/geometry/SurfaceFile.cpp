@@ -1,4 +1,4 @@
-#include "surface/SurfaceFile.hpp"
+#include "geometry/SurfaceFile.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace Rhegma::surface
+namespace Rhegma::Geometry
 {
 
 namespace
@@ -15,14 +15,15 @@ namespace
 
 constexpr std::uintmax_t mostBytes = 500000000; // far more than a crack has
 
-std::string readAll(const std::string& path)
+} // namespace
+
+std::string readBytes(const std::string& path)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     throw std::invalid_argument(path + ": there is no such file");
   if (std::filesystem::file_size(path, error) > mostBytes)
-    throw std::invalid_argument(path +
-                                ": the file has more than 500 MB; give a surface with fewer triangles");
+    throw std::invalid_argument(path + ": the file has more than 500 MB; give a shape with fewer points");
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (!file)
@@ -31,8 +32,6 @@ std::string readAll(const std::string& path)
     throw std::invalid_argument(path + ": the file is empty");
   return bytes;
 }
-
-} // namespace
 
 std::size_t textBegin(const std::string& text)
 {
@@ -46,7 +45,7 @@ SurfaceMesh readSurfaceFile(const std::string& path)
   std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
   if (end != ".stl" && end != ".obj")
     throw std::invalid_argument(path + ": a surface comes from a file whose name ends in .stl or .obj");
-  const std::string bytes = readAll(path);
+  const std::string bytes = readBytes(path);
   try
   {
     SurfaceMesh mesh = end == ".stl" ? parseStl(bytes) : parseObj(bytes);
@@ -60,4 +59,4 @@ SurfaceMesh readSurfaceFile(const std::string& path)
   }
 }
 
-} // namespace Rhegma::surface
+} // namespace Rhegma::Geometry
