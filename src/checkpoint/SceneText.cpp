@@ -5,6 +5,7 @@
 #include "scene/Validation.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 #include <zlib.h>
 
@@ -24,6 +25,17 @@ std::string onOneLine(const std::string& text)
   return line;
 }
 
+/// Whether a parameter is the path of a file (readScene).
+bool isFile(const std::string& name)
+{
+  const std::string whole = "File", mark = " File";
+  return name == whole ||
+         (name.size() > mark.size() && name.compare(name.size() - mark.size(), mark.size(), mark) == 0);
+}
+
+/// Without its folder, which depends on where the program runs.
+std::string nameOfFile(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
 std::string valueOf(const Teuchos::ParameterList& list, const std::string& name)
 {
   if (list.isType<double>(name))
@@ -33,7 +45,7 @@ std::string valueOf(const Teuchos::ParameterList& list, const std::string& name)
   if (list.isType<bool>(name))
     return list.get<bool>(name) ? "true" : "false";
   if (list.isType<std::string>(name))
-    return onOneLine(list.get<std::string>(name));
+    return onOneLine(isFile(name) ? nameOfFile(list.get<std::string>(name)) : list.get<std::string>(name));
   std::vector<double> all;
   if (list.isType<Teuchos::Array<int>>(name))
     for (const int value : list.get<Teuchos::Array<int>>(name))

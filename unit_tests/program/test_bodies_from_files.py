@@ -117,7 +117,11 @@ class SameResults(PartsTest):
         scene.set("Output", {"Checkpoint Interval": 2e-4})
         self.run_scene("whole", scene)
         self.run_scene("broken", scene, "--set", "Time:Final Time=5e-4")
-        self.run_scene("broken", scene, "--restart", self.path("broken", "checkpoint.h5"))
+        elsewhere = self.path("elsewhere")  # from which the path of the file is another one
+        os.mkdir(elsewhere)
+        answer = rhegma(os.path.join("..", "broken.xml"), "--output", self.path("broken"), "--quiet", "--restart",
+                        self.path("broken", "checkpoint.h5"), cwd=elsewhere)
+        self.assertEqual(answer.status, 0, answer)
         final = []
         for name in ("whole", "broken"):
             with h5py.File(self.path(name, "checkpoint.h5"), "r") as file:

@@ -25,7 +25,8 @@ SEED = int(os.environ.get("RHEGMA_SEED", "2"))
 COUNT = int(os.environ.get("RHEGMA_SCENES", "68"))
 FILES = sorted(glob.glob(os.path.join(SOURCE, "xml_inputs", "examples", "*.xml"))
                + glob.glob(os.path.join(SOURCE, "xml_inputs", "verification", "*.xml")))
-
+# Those in which mistakes are made: the shape of a part from a file is not in the scene, and its path is relative to the scene.
+DRAWN = [path for path in FILES if not path.endswith("bracket_static.xml")]
 
 # What is no number and should not be printed as one; a name after ">" may be anything.
 NON_NUMBER = re.compile(r"(?<!> )(?<![\w.])-?(?:nan|inf)(?![\w.])")
@@ -39,7 +40,7 @@ def draw(rng, number):
     """A wrong scene, its name and error, and the places that may be named."""
     template = TEMPLATES[number % len(TEMPLATES)]
     for _ in range(2000):  # few scenes fit some templates
-        scene = FileScene(rng.choice(FILES))
+        scene = FileScene(rng.choice(DRAWN))
         place = template(scene, rng)
         if place is not None:
             return scene, template, place
@@ -201,7 +202,7 @@ QUOTED = re.compile('"[^"]*"')  # what the user wrote
 class NonNumbers(ProgramTest):
     def draw(self, rng):
         """A scene with one parameter that is beyond sense, and its name and value."""
-        scene = FileScene(rng.choice(FILES))
+        scene = FileScene(rng.choice(DRAWN))
         parameters = [e for e in scene.root.iter("Parameter") if e.get("type") in ("double", "Array(double)")
                       or e.get("name") in ("History", "Pressure", "Toughness", "Field", "Temperature Field")]
         element = rng.choice(parameters)

@@ -233,7 +233,8 @@ std::vector<Case> sceneCases()
     std::vector<std::string> names;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/" + folder))
-      names.push_back(entry.path().string());
+      if (entry.path().extension() == ".xml") // others are files of scenes
+        names.push_back(entry.path().string());
     std::sort(names.begin(), names.end());
     for (const std::string& name : names)
     {

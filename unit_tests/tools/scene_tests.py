@@ -13,6 +13,7 @@ from matplotlib.quiver import Quiver
 
 from rhegma_tools import scene_panel, style
 from rhegma_tools.interpreter import Problem
+from rhegma_tools.scene_outlines import outlines_of
 from rhegma_tools.scene_picture import Drawing, flat_figure, list_lines, spatial_figure, summary_line
 from rhegma_tools.scene_state import state_of
 from rhegma_tools.scene_symbols import Arrows, Nodes, Plane, peak
@@ -258,6 +259,23 @@ class SceneValues(ToolTest):
         self.assertIn('name="Fields" type="bool" value="true"', text)
         self.assertIn(f'value="{self.path("crack.stl")}"', text)  # the copy lies elsewhere
         self.assertIn("Static", scene.still(dynamic=False))
+
+    def test_files_of_bodies(self):
+        """A copy of the scene elsewhere finds them; the edges of a cube are drawn, not the diagonals of its sides, scaled and moved."""
+        corners = [f"v {x} {y} {z}" for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        faces = ["f 1 3 4 2", "f 5 6 8 7", "f 1 2 6 5", "f 3 7 8 4", "f 1 5 7 3", "f -7 -5 -1 -3"]
+        self.write("cube.obj", "\n".join(corners + faces) + "\n")
+        body = {"Shape": "File", "File": "cube.obj", "Scale": 2.0, "Origin": [1.0, 0.0, 0.0]}
+        scene = Scene(self.write("scene.xml", xml({"Time": {"Final Time": 1.0}, "Bodies": {"A": body}})))
+        self.assertIn(f'value="{self.path("cube.obj")}"', scene.still())
+        outline = outlines_of(scene.values, 3)[0]
+        self.assertEqual(len(outline.lines), 12)
+        np.testing.assert_allclose([np.min(outline.lines, axis=(0, 1)), np.max(outline.lines, axis=(0, 1))], [[1, 0, 0], [3, 2, 2]])
+        self.write("ring.txt", "0 0\n4 0\n4 4\n# a hole\n\n1, 1\n2, 1\n2, 2\n")
+        flat = Scene(self.write("flat.xml", xml({"Bodies": {"A": {"Shape": "File", "File": "ring.txt"}}})))
+        self.assertEqual([len(line) for line in outlines_of(flat.values, 2)[0].lines], [4, 4])
+        flat.values["Bodies"]["A"]["File"] = self.path("none.txt")
+        self.assertEqual(outlines_of(flat.values, 2)[0].lines, [])  # the program says why
 
     def test_refuses_wrong_arguments(self):
         self.assert_fails(run("rhegma-plot"), "either the DIR of a run or --scene")
