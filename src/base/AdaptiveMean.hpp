@@ -8,12 +8,15 @@
 namespace Rhegma
 {
 
-/// Mean of a function over an interval by Simpson's rule on 257 pieces, each of which is halved where this
+/// Mean of a function over an interval by Simpson's rule on 2053 pieces, each of which is halved where this
 /// changes its part: by more than 1e-10 of the largest value where the function is smooth or has a corner,
-/// down to 1e-8 of the interval at a jump. A piece takes at most about a thousand values: of a function that
-/// jumps more often than ten times in it the mean is only estimated, and what is shorter than half a piece
-/// may be missed. Source: adaptive quadrature of Kuncir, Commun. ACM 5 (1962) 347. \param of function of a
-/// real number that is finite in the interval \param from, to its ends, from < to
+/// down to 1e-8 of the interval at a jump. A piece takes at most about two hundred values: of a function that
+/// jumps more often than a few times in it the mean is only estimated, and what is shorter than half a piece
+/// may be missed.
+///
+/// Source: adaptive quadrature of Kuncir, Commun. ACM 5 (1962) 347.
+///
+/// \param of function of a real number that is finite in the interval \param from, to its ends, from < to
 template <class Function>
 class AdaptiveMean
 {
@@ -31,16 +34,15 @@ public:
     {
       left_ = most;
       const double begin = from + 2 * k * half;
-      sum_ += meanOf({begin, begin + 2.0 * half, values[2 * k], values[2 * k + 1], values[2 * k + 2]}, 0) /
-              pieces;
+      sum_ += meanOf({begin, begin + 2.0 * half, values[2 * k], values[2 * k + 1], values[2 * k + 2]}, 0);
     }
   }
 
   double result() const { return sum_ / pieces; }
 
 private:
-  static constexpr int pieces = 257; ///< a prime number: periodic functions are not met in phase
-  static constexpr int most = 1000;  ///< values that a piece may take
+  static constexpr int pieces = 2053; ///< a prime number: periodic functions are not met in phase
+  static constexpr int most = 200;    ///< values that a piece may take
 
   struct Piece
   {
