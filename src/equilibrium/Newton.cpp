@@ -370,6 +370,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     // A body that is unloaded has forces of its own size no longer.
     report.forces = std::max({report.forces, norm(load_, false), norm(residual_, true)});
     const double forces = report.forces, now = norm(residual_, false);
+    if (!std::isfinite(forces + now)) // loads beyond all numbers are in no equilibrium
+      break;
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     if (onIteration_)
       onIteration_(k, report.residuals.back());
