@@ -299,7 +299,7 @@ std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Pa
     return "is " + found(entry) + "; write " + typeAsText(parameter.type) + " (" +
            howToWrite(parameter.type) + ").";
   if (!finite(*value))
-    return "is not finite (" + found(entry) + "); write a finite number.";
+    return "is not finite; write a finite number.";
   if (auto wrong = wrongLength(parameter, *value, dimension))
     return wrong;
   setValue(list, parameter, *value);
