@@ -361,8 +361,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   report.forces = std::max(report.forces, norm(atStart, false));
   bool keeps = false; // the last stiffness
   SecantMixing mixing = mixingOfFreeMotions();
-  bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
-  moved = owners_.ranks().max(moved ? 1.0 : 0.0) > 0.0;
+  bool moved = !supportsAreInPlace();
   most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
   for (int k = 0; k <= most; ++k)
   {
@@ -370,15 +369,14 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     // A body that is unloaded has forces of its own size no longer.
     report.forces = std::max({report.forces, norm(load_, false), norm(residual_, true)});
     const double forces = report.forces, now = norm(residual_, false);
-    if (!std::isfinite(forces + now)) // loads beyond all numbers are in no equilibrium
-      break;
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     if (onIteration_)
       onIteration_(k, report.residuals.back());
     const bool falls = k == 0 || report.residuals[k] < 0.5 * report.residuals[k - 1];
-    report.converged = !moved && (now <= std::max(forceTolerance, k == 0 ? enoughAtStart : 0.0) * forces ||
-                                  (k == most && !falls && isRounding(state, now, forces)));
-    if (report.converged || k == most || (!keeps && !assemble(state)))
+    report.converged =
+        !moved && (report.residuals[k] <= std::max(forceTolerance, k == 0 ? enoughAtStart : 0.0) ||
+                   (k == most && !falls && isRounding(state, now, forces)));
+    if (report.converged || k == most || !std::isfinite(forces) || (!keeps && !assemble(state)))
       break;
     for (int i = 0; i < n; ++i)
       change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
