@@ -11,16 +11,17 @@ namespace Rhegma
 template <int D>
 struct ParticleStress
 {
-  BorrowedView<double * [gradientSize<D>]> deformation;
-  BorrowedView<double * [symmetricSize<D>]> stress;
+  BorrowedView<double * [gradientSize<D>]> deformation; ///< deformation gradient
+  BorrowedView<double * [symmetricSize<D>]> stress;     ///< Kirchhoff stress [Pa]
 
+  /// \param particles of the run, with their stress
   explicit ParticleStress(const FieldTable& particles)
       : deformation(particles.template real<gradientSize<D>>(fields::deformation)),
         stress(particles.template real<symmetricSize<D>>(fields::stress))
   {
   }
 
-  /// Cauchy stress xx yy zz xy yz xz [Pa]. \param s six numbers
+  /// Cauchy stress xx yy zz xy yz xz [Pa]. \param p a particle \param s becomes its six numbers
   KOKKOS_INLINE_FUNCTION void cauchy(int p, double* s) const
   {
     cauchyStress<D>(&deformation(p, 0), &stress(p, 0), s);
@@ -55,7 +56,9 @@ KOKKOS_INLINE_FUNCTION double energyDensity(const ParticleEnergy<D>& energy, int
 template <int D>
 struct PrincipalStressOf
 {
-  ParticleStress<D> stress;
+  ParticleStress<D> stress; ///< of the particles
+
+  /// \param p a particle
   KOKKOS_INLINE_FUNCTION double operator()(int p) const { return stress.principal(p); }
 };
 
@@ -63,7 +66,9 @@ struct PrincipalStressOf
 template <int D>
 struct EnergyDensityOf
 {
-  ParticleEnergy<D> energy;
+  ParticleEnergy<D> energy; ///< of the particles
+
+  /// \param p a particle
   KOKKOS_INLINE_FUNCTION double operator()(int p) const { return energyDensity(energy, p); }
 };
 
