@@ -242,7 +242,8 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
                   report.unsupportedLoad, counted(step.unsupportedFields(), "node").c_str());
     state.warnings.push_back(text);
   }
-  warnOfRounding(report, state, account);
+  if (!(last.enough > 0.0))
+    warnOfRounding(report, state, account);
   warnOfFreePieces(report, isNew, state, account);
 }
 

@@ -254,14 +254,12 @@ void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until
   }
   state.clock.time = state.clock.dt == left ? until : state.clock.time + state.clock.dt;
   const bool ends = until == state.clock.finalTime && state.clock.time == until;
-  if (state.method.analysis != Analysis::LoadFactor)
+  if (state.method.analysis == Analysis::QuasiStatic)
     withoutNewLoads(state,
                     [&]
                     {
-                      if (!ends || state.method.analysis == Analysis::QuasiStatic)
-                        stages.settle();
-                      if (state.method.analysis == Analysis::QuasiStatic)
-                        growAtFixedLoads(state, stages, *last_, from, driveBefore);
+                      stages.settle();
+                      growAtFixedLoads(state, stages, *last_, from, driveBefore);
                     });
   stopIfFailed(state);
   ++state.clock.step;
