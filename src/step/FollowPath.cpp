@@ -152,6 +152,20 @@ void warnOfFirstFactor(State<D>& state)
                              formatShort(std::ceil(std::sqrt(drive))) + " times smaller or less");
 }
 
+/// Work of the loads of a step over the mean of their factor. \param last of its solves \param before
+/// external work at its start [J]
+template <int D>
+double displacementOfLoads(const State<D>& state, const equilibrium::LastStep& last, double before)
+{
+  const double all = state.energy.externalWork - before;
+  double work[] = {all - last.workOfSupports, std::fabs(all)};
+  sumParts(state, work, 2);
+  // Where supports do all the work, what is left is rounding.
+  return std::fabs(work[0]) > roundingOfWork * work[1]
+             ? 2.0 * work[0] / (state.clock.factor.begin + state.clock.factor.end)
+             : 0.0;
+}
+
 /// Moves the particles into the equilibrium that was found. \param explain why the run ends, where they can't
 template <int D, class Explain>
 void accept(State<D>& state, const EquilibriumCalls& calls, const Explain& explain)
@@ -201,15 +215,14 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
     const bool stuck = std::fabs(gained) < leastGained * (has > 0.0 ? std::min(wanted, has) : wanted);
     reduced = stuck ? reduced + 1 : 0;
     accept(state, calls, [&] { return progressOfSearch(state) + ", and " + state.failure; });
-    const double all = state.energy.externalWork - before;
-    double work[] = {all - last.workOfSupports, std::fabs(all)};
-    sumParts(state, work, 2);
-    // Where supports do all the work, what is left is rounding.
-    if (std::fabs(work[0]) > roundingOfWork * work[1])
-      now.displacement += 2.0 * work[0] / (clock.factor.begin + clock.factor.end);
+    now.displacement += displacementOfLoads(state, last, before);
     search.record(clock.factor.end, growth.drive);
+    const double atLoad = state.energy.externalWork;
     if (search.found() && state.failure.empty() && calls.settle())
+    {
+      now.displacement += displacementOfLoads(state, last, atLoad);
       search.record(clock.factor.end, growth.drive);
+    }
     if (k == 0 && growth.path.empty() && state.failure.empty())
     {
       state.failure = failureOfStrain(state, search.proportional());
