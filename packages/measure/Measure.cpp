@@ -163,7 +163,10 @@ std::vector<Watched> readExtremes(const State<D>& state, const Teuchos::Paramete
       const std::string body = entry.get<std::string>("Body");
       watched.body = findBody(state, body);
       if (watched.body < 0)
-        throw std::invalid_argument("Measure > Extremes > " + name + " > Body: there is no body " + body);
+        throw std::invalid_argument(std::string("Measure > Extremes > ")
+                                        .append(name)
+                                        .append(" > Body: there is no body ")
+                                        .append(body));
     }
     all.push_back(watched);
   }
