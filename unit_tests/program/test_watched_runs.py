@@ -68,7 +68,7 @@ class Watched(RestartTest):
         changes = [when for (when, page), (_, before) in zip(seen[1:], seen) if page != before and "refresh" in page]
         for earlier, later in zip(changes, changes[1:]):
             self.assertGreater(later - earlier, 1.9)
-        self.assertRegex(pages[-1], r"<p> *\d+ %, [^<]*left, step \d+, G ")
+        self.assertRegex(pages[-1], r"<p> *\d+ %, [^<]*(left|to rest), step \d+, G ")
         last = self.page(folder)
         self.assertNotIn("refresh", last)
         self.assertIn("stopped by SIGTERM", last)
