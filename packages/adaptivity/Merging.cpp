@@ -36,7 +36,7 @@ struct MergeFamilies
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<int*> body, level, lineage;
   double largestBox, tolerance, meanEnergy; ///< the last per mass [J/kg]
-  bool boxes;
+  bool boxes, undeformed;
 
   explicit MergeFamilies(const State<D>& state) : before(state) {}
 
@@ -76,7 +76,7 @@ struct MergeFamilies
     double edges[D], half[D];
     for (int d = 0; d < D; ++d)
       edges[d] = 2.0 * edge(to, d);
-    updateBox<D>(axes, body(to), edges, F, std::ldexp(largestBox, -depth), half);
+    updateBox<D>(axes, body(to), edges, undeformed ? nullptr : F, std::ldexp(largestBox, -depth), half);
     if (touchesFiner(x, half, depth))
       return;
     double memory[historyCapacity] = {};
@@ -266,6 +266,7 @@ MergeFamilies<D> mergerOf(State<D>& state, double tolerance, double mean)
   merge.axes = state.bodies.axes;
   merge.position = table.real<D>(fields::position);
   merge.reference = table.real<D>(fields::reference);
+  merge.undeformed = state.method.totalLagrangian;
   if (state.method.mechanics)
     merge.velocity = table.real<D>(fields::velocity);
   merge.edge = table.real<D>(fields::edge);

@@ -90,6 +90,7 @@ struct MakeParts
   int first; ///< row of the first copy
   View<double* [D][D]> axes;
   BorrowedView<double*[D]> position, reference, edge, box;
+  BorrowedView<double* [D]> displacement; ///< where the cells lie in the undeformed body
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<int*> body, level, lineage, id;
@@ -99,7 +100,8 @@ struct MakeParts
   KOKKOS_INLINE_FUNCTION void operator()(int i) const
   {
     const int whole = list(i);
-    double F[gradientSize<D>], edges[D], at[D], start[D];
+    const bool undeformed = displacement.extent(0) > 0;
+    double F[gradientSize<D>], edges[D], at[D], start[D], moved[D];
     for (int k = 0; k < gradientSize<D>; ++k)
       F[k] = deformation(whole, k);
     for (int d = 0; d < D; ++d)
@@ -107,6 +109,7 @@ struct MakeParts
       edges[d] = 0.5 * edge(whole, d);
       at[d] = position(whole, d);
       start[d] = reference(whole, d);
+      moved[d] = undeformed ? displacement(whole, d) : 0.0;
     }
     const double m = mass(whole) / parts, v = volume(whole) / parts;
     const int depth = level(whole) + 1, code = lineage(whole) << D;
@@ -121,9 +124,12 @@ struct MakeParts
       {
         edge(p, d) = edges[d];
         reference(p, d) = start[d] + shift[d];
-        position(p, d) = at[d];
+        double turned = 0.0;
         for (int j = 0; j < D; ++j)
-          position(p, d) += F[d * D + j] * shift[j];
+          turned += F[d * D + j] * shift[j];
+        position(p, d) = at[d] + (undeformed ? shift[d] : turned);
+        if (undeformed)
+          displacement(p, d) = moved[d] + turned - shift[d];
       }
       mass(p) = m;
       volume(p) = v;
@@ -132,7 +138,8 @@ struct MakeParts
       if (k > 0)
         id(p) = -1;
       if (boxes)
-        updateBox<D>(axes, body(p), edges, F, std::ldexp(largestBox, -depth), &box(p, 0));
+        updateBox<D>(axes, body(p), edges, undeformed ? nullptr : F, std::ldexp(largestBox, -depth),
+                     &box(p, 0));
     }
   }
 };
@@ -147,6 +154,8 @@ void makeParts(State<D>& state, const View<int*>& list, int first)
   make.axes = state.bodies.axes;
   make.position = table.real<D>(fields::position);
   make.reference = table.real<D>(fields::reference);
+  if (table.has(fields::displacement))
+    make.displacement = table.real<D>(fields::displacement);
   make.edge = table.real<D>(fields::edge);
   make.mass = table.scalar(fields::mass);
   make.volume = table.scalar(fields::volume);

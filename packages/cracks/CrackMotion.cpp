@@ -12,17 +12,19 @@ namespace Rhegma::cracks
 namespace
 {
 
+/// \param undeformed whether the cells are, in which both faces lie where the crack is
 template <int D>
-void setPoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
+void setPoints(const CrackSet<D>& cracks, bool undeformed, const ObservedPoints<D>& points)
 {
   const View<double* [2][D]> face = cracks.face;
+  const View<double* [D]> vertex = cracks.vertex;
   const View<int*> starBegin = cracks.starBegin, star = cracks.star, crackOf = cracks.crackOf;
   parallelForSmall(
       "rhegma::cracks::setFacePoints", points.count, KOKKOS_LAMBDA(const int k) {
         const int v = k / 2, side = k % 2, name = crackOf(star(starBegin(v))) + 1;
         points.side(k) = side == 1 ? name : -name;
         for (int d = 0; d < D; ++d)
-          points.position(k, d) = face(v, side, d);
+          points.position(k, d) = undeformed ? vertex(v, d) : face(v, side, d);
       });
 }
 
@@ -49,9 +51,10 @@ void findShifts(const Nodes<D>& nodes, const StencilTable<D>& stencils, int coun
       });
 }
 
-/// Moves the faces. \return how many vertices lie beyond all cells now
+/// Moves the faces; where the cells are undeformed only apart, so that the crack stays where it is in them.
+/// \return how many vertices lie beyond all cells now
 template <int D>
-int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, const View<double*>& shifts)
+int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, bool undeformed, const View<double*>& shifts)
 {
   const View<double* [2][D]> face = cracks.face;
   const View<double* [D]> vertex = cracks.vertex;
@@ -66,13 +69,21 @@ int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, const View<double*
             shift[side] = shifts((2 * v + side) * (D + 1) + d);
           if ((kind(v) & vertexKind::front) != 0)
             shift[0] = shift[1] = 0.5 * (shift[0] + shift[1]);
+          if (undeformed)
+          {
+            const double mean = 0.5 * (shift[0] + shift[1]);
+            shift[0] -= mean;
+            shift[1] -= mean;
+          }
           for (int side = 0; side < 2; ++side)
           {
             face(v, side, d) += shift[side];
             const double cell = grid.inCells(face(v, side, d), d);
-            in = in && (shifts((2 * v + side) * (D + 1) + D) == 0.0 || (cell >= 0.0 && cell < grid.cells[d]));
+            in = in && (undeformed || shifts((2 * v + side) * (D + 1) + D) == 0.0 ||
+                        (cell >= 0.0 && cell < grid.cells[d]));
           }
-          vertex(v, d) = 0.5 * (face(v, 0, d) + face(v, 1, d));
+          if (!undeformed)
+            vertex(v, d) = 0.5 * (face(v, 0, d) + face(v, 1, d));
         }
         lost += in ? 0 : 1;
       });
@@ -94,12 +105,13 @@ void CrackMotion<D>::move(State<D>& state)
     points_.onAllRanks = true;
     shift_ = View<double*>("rhegma::crackFaceShift", 2 * vertices * (D + 1));
   }
-  setPoints(cracks, points_);
+  const bool undeformed = state.method.totalLagrangian;
+  setPoints(cracks, undeformed, points_);
   pointStencils(state, points_, stencils_, true);
   findShifts(state.mesh.nodes, stencils_, points_.count, state.clock.dt,
              state.method.scheme == UpdateScheme::Usl, shift_);
   sumParts(state, shift_);
-  const int lost = moveFaces(cracks, wholeLattice(state), shift_);
+  const int lost = moveFaces(cracks, wholeLattice(state), undeformed, shift_);
   if (lost > 0 && state.failure.empty())
     state.failure = "a crack left the domain (" + unstableStep(state.mesh.subcycledLevels) +
                     "; or enlarge the domain, or end the run earlier)";

@@ -2,6 +2,7 @@
 
 #include "energy_release/ParticleHeat.hpp"
 #include "material/Materials.hpp"
+#include "state/CellFrame.hpp"
 #include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
@@ -103,6 +104,7 @@ struct ForceBlock
   View<Properties*> materials;
   ParticleHeat<D> heat;
   bool moving;
+  CellFrame<D> frame;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
@@ -146,19 +148,24 @@ struct ForceBlock
     }
     const double* F = &deformation(p, 0);
     const double* tau = &stress(p, 0);
+    double T[D * D];
+    frame.stress(p, tau, T);
     const double density = mass(p) / volume(p);
     const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
     const double energy = heat.energy(p, material(p), law, F, variables) + 0.5 * density * dot(v, v);
-    // The image of each axis of the turned tube, and u,k relative to it.
+    // The image in the cells of each axis of the tube, which turns with the body unless the cells are
+    // undeformed, and u,k relative to the turned tube.
     double image[D][D], du[D][D];
     for (int i = 0; i < D; ++i)
       for (int k = 0; k < D; ++k)
       {
-        image[i][k] = 0.0;
-        for (int j = 0; j < D; ++j)
-          image[i][k] += F[D * i + j] * mean.turn[k][j];
-        du[i][k] = image[i][k] - (i == k ? 1.0 : 0.0);
+        const double unit = i == k ? 1.0 : 0.0;
+        double now = 0.0;
+        for (int j = 0; j < D && !frame.undeformed; ++j)
+          now += F[D * i + j] * mean.turn[k][j];
+        image[i][k] = frame.undeformed ? unit : now;
+        du[i][k] = frame.undeformed ? F[D * i + k] - mean.turn[i][k] : now - unit;
       }
     double flux[D][D],
         inertia[D]; // of a shift along axis k: (k, slope's axis), and what goes with the weight itself
@@ -171,7 +178,7 @@ struct ForceBlock
         double dvk = 0.0; // of velocity's component j along the image of the axis
         for (int i = 0; i < D; ++i)
         {
-          flux[k][j] += tau[symmetricIndex<D>(i, j)] * du[i][k];
+          flux[k][j] += T[D * i + j] * du[i][k];
           dvk += dv[j][i] * image[i][k];
         }
         inertia[k] -= density * v[j] * dvk;
@@ -222,7 +229,8 @@ ConfigurationalForces configurationalForces(const State<3>& state, const Region<
                                                state.particles.integer(fields::material),
                                                state.materials.device,
                                                ParticleHeat<D>(state),
-                                               moving};
+                                               moving,
+                                               CellFrame<D>(state)};
                      if (state.particles.has(fields::history))
                        block.history = state.particles.table(fields::history);
                      kept.blocks.forEach("rhegma::configurationalForce", block);

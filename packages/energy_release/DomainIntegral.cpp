@@ -168,8 +168,8 @@ domainIntegrand::Integrand<S, Stored> integrandOf(const State<D>& state,
 {
   domainIntegrand::Integrand<S, Stored> work;
   work.broken = broken;
-  work.position = state.particles.template real<D>(fields::position);
-  work.reference = state.particles.template real<D>(fields::reference);
+  work.place = ParticlePlace<D>(state.particles);
+  work.frame = CellFrame<D>(state);
   work.mass = state.particles.scalar(fields::mass);
   work.volume = state.particles.scalar(fields::volume);
   work.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);

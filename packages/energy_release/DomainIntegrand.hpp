@@ -6,6 +6,8 @@
 #include "energy_release/HeatNearFront.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "material/Materials.hpp"
+#include "state/CellFrame.hpp"
+#include "state/ParticlePlace.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::energy_release
@@ -47,7 +49,8 @@ struct Integrand
   FrontRows<D> rows; ///< of the nodes
   Vector<D> centre;
   double reach; ///< of particles from the centre that count [m]
-  BorrowedView<double*[D]> position, reference;
+  ParticlePlace<D> place;
+  CellFrame<D> frame;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<double * [symmetricSize<D>]> stress;
@@ -85,7 +88,7 @@ struct Integrand
 
   KOKKOS_INLINE_FUNCTION bool isNear(int p) const
   {
-    const double x = position(p, 0) - centre[0], y = position(p, 1) - centre[1];
+    const double x = place.position(p, 0) - centre[0], y = place.position(p, 1) - centre[1];
     return x * x + y * y <= reach * reach;
   }
 
@@ -113,7 +116,7 @@ struct Integrand
     }
   }
 
-  /// Adds what a particle adds to J. \param image of the direction in the deformed body \param du u,1
+  /// Adds what a particle adds to J. \param image of the direction in the cells \param du u,1
   /// \param flux of momentum by the slope of the weight \param r distance from the tip of a particle whose
   /// part of heat is corrected [m], else negative
   KOKKOS_INLINE_FUNCTION void addRelease(int p, const Pack<4>& weight, const Pack<4> (&slope)[D],
@@ -162,25 +165,24 @@ struct Integrand
     if (moving)
       readMotion(stencil, motion);
 
-    const double* F = &deformation(p, 0);
     // The direction in the undeformed disk, its image, and u,1 relative to the turned disk.
-    const Vector<D> material1{{disk.cosine * direction[0] + disk.sine * direction[1],
-                               -disk.sine * direction[0] + disk.cosine * direction[1]}};
-    const Vector<D> image{
-        {F[0] * material1[0] + F[1] * material1[1], F[2] * material1[0] + F[3] * material1[1]}};
-    const Vector<D> du = image - direction;
+    const Vector<D> before = frame.undeformed ? direction : turnedBack(direction);
+    const Vector<D> image = imageOf(p, before);
+    const Vector<D> du = image - ahead();
     // P_iJ q,J in undeformed space is tau_ij q,j in 3D.
-    const double* tau = &stress(p, 0);
-    const Vector<D> flux{{tau[0] * dq[0] + tau[2] * dq[1], tau[2] * dq[0] + tau[1] * dq[1]}};
+    double T[D * D];
+    frame.stress(p, &stress(p, 0), T);
+    const Vector<D> flux{{T[0] * dq[0] + T[1] * dq[1], T[2] * dq[0] + T[3] * dq[1]}};
+    const Vector<D> inCells = frame.undeformed ? before : image;
     const double density = mass(p) / volume(p);
-    const Vector<D> from{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
+    const Vector<D> from{{place.position(p, 0) - tip[0], place.position(p, 1) - tip[1]}};
     const double r = std::sqrt(dot(from, from));
     const bool corrects = heat.strains(material(p)) && nearFront.reaches(r);
     if (release)
-      addRelease(p, weight, slope, image, du, flux, motion, corrects ? r : -1.0, sums);
+      addRelease(p, weight, slope, inCells, du, flux, motion, corrects ? r : -1.0, sums);
     if (!intensities)
       return;
-    const Pair sum = interaction(p, q, dq, flux, du, density, motion.a, image);
+    const Pair sum = interaction(p, q, dq, flux, du, density, motion.a, inCells);
     for (int mode = 0; mode < 2; ++mode)
     {
       if (corrects)
@@ -196,21 +198,21 @@ struct Integrand
                                           double energy, double density, const Vector<D>& v,
                                           const Vector<D>& a, const double (&dv)[D][D]) const
   {
-    const double* F = &deformation(p, 0);
-    const double* tau = &stress(p, 0);
+    const double *F = &deformation(p, 0), *tau = &stress(p, 0);
+    double T[D * D];
+    frame.stress(p, tau, T);
     double sum = 0.0;
     for (int k = 0; k < D; ++k)
     {
       // The axis in the undeformed disk, its image, and u,k relative to the turned disk.
       const Vector<D> axis{{k == 0 ? 1.0 : 0.0, k == 0 ? 0.0 : 1.0}};
-      const Vector<D> before{
-          {disk.cosine * axis[0] + disk.sine * axis[1], -disk.sine * axis[0] + disk.cosine * axis[1]}};
-      const Vector<D> image{{F[0] * before[0] + F[1] * before[1], F[2] * before[0] + F[3] * before[1]}};
-      const Vector<D> du = image - axis;
+      const Vector<D> before = frame.undeformed ? axis : turnedBack(axis);
+      const Vector<D> now = imageOf(p, before), image = frame.undeformed ? axis : now;
+      const Vector<D> du = now - (frame.undeformed ? turned(axis) : axis);
       const Vector<D> dvk{
           {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
       const Vector<D> slope{{weightSlope[0][1 + k], weightSlope[1][1 + k]}};
-      const Vector<D> flux{{tau[0] * slope[0] + tau[2] * slope[1], tau[2] * slope[0] + tau[1] * slope[1]}};
+      const Vector<D> flux{{T[0] * slope[0] + T[1] * slope[1], T[2] * slope[0] + T[3] * slope[1]}};
       const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
       sum += dot(flux, du) - energy * dot(slope, image) -
              (density * dot(v, dvk) +
@@ -222,12 +224,34 @@ struct Integrand
     return sum;
   }
 
+  /// A vector of the undeformed disk turned with it, and one of the turned disk turned back.
+  KOKKOS_INLINE_FUNCTION Vector<D> turned(const Vector<D>& v) const
+  {
+    return {{disk.cosine * v[0] - disk.sine * v[1], disk.sine * v[0] + disk.cosine * v[1]}};
+  }
+  KOKKOS_INLINE_FUNCTION Vector<D> turnedBack(const Vector<D>& v) const
+  {
+    return {{disk.cosine * v[0] + disk.sine * v[1], -disk.sine * v[0] + disk.cosine * v[1]}};
+  }
+
+  /// The direction of the front and its normal in the turned disk. The crack turns with the body, unless the
+  /// cells are undeformed.
+  KOKKOS_INLINE_FUNCTION Vector<D> ahead() const { return frame.undeformed ? turned(direction) : direction; }
+  KOKKOS_INLINE_FUNCTION Vector<D> across() const { return frame.undeformed ? turned(normal) : normal; }
+
+  /// F times a vector of the undeformed body.
+  KOKKOS_INLINE_FUNCTION Vector<D> imageOf(int p, const Vector<D>& v) const
+  {
+    const double* F = &deformation(p, 0);
+    return {{F[0] * v[0] + F[1] * v[1], F[2] * v[0] + F[3] * v[1]}};
+  }
+
   /// Displacement relative to the disk's mean motion and turn, as `du` is.
   KOKKOS_INLINE_FUNCTION Vector<D> displacement(int p) const
   {
-    const double x = reference(p, 0) - disk.reference[0], y = reference(p, 1) - disk.reference[1];
-    return {{position(p, 0) - disk.position[0] - disk.cosine * x + disk.sine * y,
-             position(p, 1) - disk.position[1] - disk.sine * x - disk.cosine * y}};
+    const Vector<D> from{
+        {place.reference(p, 0) - disk.reference[0], place.reference(p, 1) - disk.reference[1]}};
+    return Vector<D>{{place.now(p, 0) - disk.position[0], place.now(p, 1) - disk.position[1]}} - turned(from);
   }
 
   KOKKOS_INLINE_FUNCTION Pair interaction(int p, double q, const Vector<D>& dq, const Vector<D>& flux,
@@ -235,24 +259,24 @@ struct Integrand
                                           const Vector<D>& image) const
   {
     Pair sum;
-    const Vector<D> from{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
-    const double along = dot(from, direction), across = dot(from, normal);
-    const double r = std::sqrt(along * along + across * across);
+    const Vector<D> from{{place.position(p, 0) - tip[0], place.position(p, 1) - tip[1]}};
+    const double x1 = dot(from, direction), x2 = dot(from, normal);
+    const double r = std::sqrt(x1 * x1 + x2 * x2);
     if (!(r > 0.0))
       return sum;
     const int named = sides ? side(p) : 0;
-    const double theta = tipAngle(along, across, named == positive ? 1 : (named == negative ? -1 : 0));
-    const double fluxIn[2] = {dot(flux, direction), dot(flux, normal)};
+    const double theta = tipAngle(x1, x2, named == positive ? 1 : (named == negative ? -1 : 0));
+    const Vector<D> e1 = ahead(), e2 = across();
+    const double fluxIn[2] = {dot(flux, e1), dot(flux, e2)};
     const double slopeIn[2] = {dot(dq, direction), dot(dq, normal)};
-    const double duIn[2] = {dot(du, direction), dot(du, normal)};
-    const double aIn[2] = {dot(a, direction), dot(a, normal)};
+    const double duIn[2] = {dot(du, e1), dot(du, e2)};
+    const double aIn[2] = {dot(a, e1), dot(a, e2)};
     const Vector<D> u = displacement(p);
-    const double uIn[2] = {dot(u, direction), dot(u, normal)};
+    const double uIn[2] = {dot(u, e1), dot(u, e2)};
     const double* tau = &stress(p, 0);
-    const Vector<D> pull{
-        {tau[0] * direction[0] + tau[2] * direction[1], tau[2] * direction[0] + tau[1] * direction[1]}};
-    const Vector<D> lift{{tau[0] * normal[0] + tau[2] * normal[1], tau[2] * normal[0] + tau[1] * normal[1]}};
-    const double s11 = dot(pull, direction), s12 = dot(pull, normal), s22 = dot(lift, normal);
+    const Vector<D> pull{{tau[0] * e1[0] + tau[2] * e1[1], tau[2] * e1[0] + tau[1] * e1[1]}};
+    const Vector<D> lift{{tau[0] * e2[0] + tau[2] * e2[1], tau[2] * e2[0] + tau[1] * e2[1]}};
+    const double s11 = dot(pull, e1), s12 = dot(pull, e2), s22 = dot(lift, e2);
     const bool warm = heat.strains(material(p));
     const double expanded = warm ? heat.strain(p, material(p)) : 0.0;
     const double expansionAlong = warm ? heat.expansion(p, material(p)) * heat.alongImage(p, image) : 0.0;

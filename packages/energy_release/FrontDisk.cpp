@@ -2,6 +2,7 @@
 
 #include "material/MaterialTable.hpp"
 #include "material/ThermoLaw.hpp"
+#include "state/ParticlePlace.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -18,7 +19,8 @@ constexpr int D = 2;
 struct AddMotion
 {
   Disk disk;
-  BorrowedView<double*[D]> position, reference, velocity;
+  ParticlePlace<D> place;
+  BorrowedView<double* [D]> velocity;
   BorrowedView<double * [gradientSize<D>]> F;
 
   static constexpr int motions = 5, positions = 4;
@@ -26,7 +28,7 @@ struct AddMotion
   template <int N>
   KOKKOS_INLINE_FUNCTION void operator()(int p, double (&sum)[N]) const
   {
-    if (!disk.holds({position(p, 0), position(p, 1)}))
+    if (!disk.holds({place.position(p, 0), place.position(p, 1)}))
       return;
     sum[0] += F(p, 0) + F(p, 3);
     sum[1] += F(p, 2) - F(p, 1);
@@ -36,8 +38,8 @@ struct AddMotion
     if constexpr (N > motions)
       for (int d = 0; d < D; ++d)
       {
-        sum[motions + d] += position(p, d);
-        sum[motions + D + d] += reference(p, d);
+        sum[motions + d] += place.now(p, d);
+        sum[motions + D + d] += place.reference(p, d);
       }
   }
 };
@@ -123,8 +125,7 @@ FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const 
                        bool positions, const BlocksInReach<2>& blocks)
 {
   const AddMotion add{{front.position, radii.outer},
-                      state.particles.real<D>(fields::position),
-                      state.particles.real<D>(fields::reference),
+                      ParticlePlace<D>(state.particles),
                       state.particles.real<D>(fields::velocity),
                       state.particles.real<gradientSize<D>>(fields::deformation)};
   FrontDisk means = positions ? meansOver<AddMotion::motions + AddMotion::positions>(state, add, blocks)

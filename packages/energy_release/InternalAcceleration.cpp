@@ -1,6 +1,7 @@
 #include "energy_release/InternalAcceleration.hpp"
 
 #include "energy_release/ForceOfPressure.hpp"
+#include "state/CellFrame.hpp"
 #include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Motion.hpp"
@@ -39,6 +40,7 @@ struct ForceBlock
   BorrowedView<double* [D]> position;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [symmetricSize<D>]> stress;
+  CellFrame<D> frame;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
@@ -70,18 +72,19 @@ private:
   KOKKOS_INLINE_FUNCTION void add(int p, const Stencil& stencil, double* rows) const
   {
     const double v = -volume(p);
-    const auto tau = [&](int i, int j) { return v * stress(p, symmetricIndex<D>(i, j)); };
+    double T[D * D];
+    frame.stress(p, &stress(p, 0), T);
     Pack<forceWidth> flux[D];
     if constexpr (D == 2)
     {
       for (int j = 0; j < D; ++j)
-        flux[j] = pack(tau(0, j), tau(1, j));
+        flux[j] = pack(v * T[j], v * T[D + j]);
       stencil.template addValue<width>(rows + D, Pack<1>{{mass(p)}});
     }
     else
     {
       for (int j = 0; j < D; ++j)
-        flux[j] = pack(tau(0, j), tau(1, j), tau(2, j), 0.0);
+        flux[j] = pack(v * T[j], v * T[D + j], v * T[2 * D + j], 0.0);
       stencil.template addValue<width>(rows, pack(0.0, 0.0, 0.0, mass(p)));
     }
     stencil.template addFlux<width>(rows, flux);
@@ -170,7 +173,8 @@ void InternalAcceleration<D>::sumForces(const State<D>& state, const std::vector
                       state.particles.template real<D>(fields::position),
                       state.particles.scalar(fields::mass),
                       state.particles.scalar(fields::volume),
-                      state.particles.template real<symmetricSize<D>>(fields::stress)};
+                      state.particles.template real<symmetricSize<D>>(fields::stress),
+                      CellFrame<D>(state)};
                   blocks_.forEach("rhegma::internalForce", block);
                 });
   // In 3D their work belongs to the integrals, as the work of all loads does.

@@ -1,6 +1,8 @@
 #include "energy_release/NodalDisplacement.hpp"
 
 #include "material/Tensors.hpp"
+#include "state/CellFrame.hpp"
+#include "state/ParticlePlace.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 #include "transfer/Stencils.hpp"
@@ -21,7 +23,8 @@ struct DisplacementBlock
   NodePositions<D> positions;
   View<int*> parent; ///< node of each enriched field
   int numFirst;      ///< nodes before them
-  BorrowedView<double*[D]> position, reference;
+  ParticlePlace<D> place;
+  bool undeformed; ///< whether the cells are
   BorrowedView<double*> mass;
   BorrowedView<double * [gradientSize<D>]> deformation;
 
@@ -31,7 +34,7 @@ struct DisplacementBlock
     {
       Vector<D> x;
       for (int d = 0; d < D; ++d)
-        x[d] = position(p, d);
+        x[d] = place.position(p, d);
       if (range.holds(x))
         add(p, x);
     }
@@ -40,8 +43,17 @@ struct DisplacementBlock
 private:
   KOKKOS_INLINE_FUNCTION void add(int p, const Vector<D>& x) const
   {
-    double back[gradientSize<D>];
-    inverse<D>(&deformation(p, 0), determinant<D>(&deformation(p, 0)), back);
+    // The gradient of the displacement: 1 - F^-1 with respect to present positions, F - 1 to undeformed ones.
+    double slope[D * D];
+    if (undeformed)
+      for (int k = 0; k < D * D; ++k)
+        slope[k] = deformation(p, k) - (k % (D + 1) == 0 ? 1.0 : 0.0);
+    else
+    {
+      inverseInAxes<D>(&deformation(p, 0), slope);
+      for (int k = 0; k < D * D; ++k)
+        slope[k] = (k % (D + 1) == 0 ? 1.0 : 0.0) - slope[k];
+    }
     connect.visit(p,
                   [&](int node, double fraction, const double*)
                   {
@@ -49,10 +61,10 @@ private:
                     const double weight = fraction * mass(p);
                     for (int d = 0; d < D; ++d)
                     {
-                      double before = 0.0;
+                      double there = place.moved(p, d);
                       for (int e = 0; e < D; ++e)
-                        before += back[D * d + e] * away[e];
-                      sum(node, d) += weight * (x[d] - reference(p, d) + away[d] - before);
+                        there += slope[D * d + e] * away[e];
+                      sum(node, d) += weight * there;
                     }
                     sum(node, D) += weight;
                   });
@@ -74,8 +86,8 @@ NodalDisplacements<D> displacementIn(const State<D>& state, const Range& range)
                          nodePositions(state),
                          state.mesh.nodes.parent,
                          state.mesh.nodes.numLattice,
-                         state.particles.template real<D>(fields::position),
-                         state.particles.template real<D>(fields::reference),
+                         ParticlePlace<D>(state.particles),
+                         state.method.totalLagrangian,
                          state.particles.scalar(fields::mass),
                          state.particles.template real<gradientSize<D>>(fields::deformation)};
                      forEachBlock("rhegma::nodalDisplacement", state.mesh.blocks, block);

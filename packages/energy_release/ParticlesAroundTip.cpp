@@ -2,6 +2,8 @@
 
 #include "energy_release/CrackSide.hpp"
 #include "energy_release/WholeNodes.hpp"
+#include "state/CellFrame.hpp"
+#include "state/ParticlePlace.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/BlocksInReach.hpp"
 #include "transfer/TreeStencil.hpp"
@@ -56,8 +58,8 @@ View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double 
 View<double* [rowWidth]> gatherRows(const State<2>& state, const View<int*>& list)
 {
   const int n = static_cast<int>(list.extent(0));
-  const auto position = state.particles.real<2>(fields::position);
-  const auto reference = state.particles.real<2>(fields::reference);
+  const ParticlePlace<2> place(state.particles);
+  const CellFrame<2> frame(state);
   const auto mass = state.particles.scalar(fields::mass);
   const auto volume = state.particles.scalar(fields::volume);
   const auto stress = state.particles.real<symmetricSize<2>>(fields::stress);
@@ -67,13 +69,15 @@ View<double* [rowWidth]> gatherRows(const State<2>& state, const View<int*>& lis
         const int p = list(i);
         for (int d = 0; d < 2; ++d)
         {
-          row(i, d) = position(p, d);
-          row(i, 2 + d) = position(p, d) - reference(p, d);
+          row(i, d) = place.position(p, d);
+          row(i, 2 + d) = place.moved(p, d);
         }
         row(i, 4) = mass(p);
         row(i, 5) = volume(p);
-        for (int k = 0; k < symmetricSize<2>; ++k)
-          row(i, 6 + k) = stress(p, k);
+        double T[4];
+        frame.stress(p, &stress(p, 0), T);
+        for (int k = 0; k < 4; ++k)
+          row(i, 6 + k) = T[k];
       });
   return row;
 }
@@ -201,7 +205,7 @@ std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const Crac
       p.position[d] = row(i, d);
       p.displacement[d] = row(i, 2 + d);
       for (int e = 0; e < 2; ++e)
-        p.force[d][e] = -row(i, 5) * row(i, 6 + symmetricIndex<2>(d, e));
+        p.force[d][e] = -row(i, 5) * row(i, 6 + 2 * d + e);
     }
     p.mass = row(i, 4);
     p.density = row(i, 4) / row(i, 5);

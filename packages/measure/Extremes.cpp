@@ -1,5 +1,6 @@
 #include "measure/Extremes.hpp"
 
+#include "state/ParticlePlace.hpp"
 #include "state/ParticleStress.hpp"
 
 #include <limits>
@@ -22,15 +23,25 @@ struct VonMisesOf
 template <int D>
 struct LengthOf
 {
-  BorrowedView<double*[D]> vector, from; ///< `from` may be empty
+  BorrowedView<double* [D]> vector;
   KOKKOS_INLINE_FUNCTION double operator()(int p) const
   {
     double square = 0.0;
     for (int d = 0; d < D; ++d)
-    {
-      const double x = vector(p, d) - (from.extent(0) > 0 ? from(p, d) : 0.0);
-      square += x * x;
-    }
+      square += vector(p, d) * vector(p, d);
+    return std::sqrt(square);
+  }
+};
+
+template <int D>
+struct DisplacementOf
+{
+  ParticlePlace<D> place;
+  KOKKOS_INLINE_FUNCTION double operator()(int p) const
+  {
+    double square = 0.0;
+    for (int d = 0; d < D; ++d)
+      square += place.moved(p, d) * place.moved(p, d);
     return std::sqrt(square);
   }
 };
@@ -111,11 +122,9 @@ Extremes<D> extremesOf(const State<D>& state, const std::string& field, int body
   if (field == "Energy Density")
     return extremesWith(state, body, EnergyDensityOf<D>{ParticleEnergy<D>(state)});
   if (field == "Speed")
-    return extremesWith(state, body, LengthOf<D>{particles.template real<D>(fields::velocity), {}});
+    return extremesWith(state, body, LengthOf<D>{particles.template real<D>(fields::velocity)});
   if (field == "Displacement")
-    return extremesWith(state, body,
-                        LengthOf<D>{particles.template real<D>(fields::position),
-                                    particles.template real<D>(fields::reference)});
+    return extremesWith(state, body, DisplacementOf<D>{ParticlePlace<D>(particles)});
   throw std::invalid_argument("no field \"" + field + "\" can be measured");
 }
 

@@ -1,5 +1,6 @@
 #include "sub_cycling/FineParticles.hpp"
 
+#include "state/CellFrame.hpp"
 #include "state/Subdomain.hpp"
 #include "sub_cycling/SlotRow.hpp"
 #include "sub_cycling/TrialStress.hpp"
@@ -67,6 +68,7 @@ void FineParticles<D>::sumForces(const State<D>& state, int level, const Values&
   const View<int * [stencilCapacity<D>]> slot = slot_;
   const View<double***> slope = slope_;
   const auto volume = state.particles.scalar(fields::volume);
+  const CellFrame<D> frame(state);
   const double* const displaced = displacement.data();
   constexpr bool eachComponent = H == ShearStrain::AtCellCentres;
   constexpr int slopes = ComponentSlopes<D, H>::size;
@@ -85,22 +87,30 @@ void FineParticles<D>::sumForces(const State<D>& state, int level, const Values&
           forEachSlope<D, eachComponent>(of + k * slopes,
                                          [&](int b, const auto& along) { steep[b].add(along, moved); });
         }
-        double gradient[D][D], tau[symmetricSize<D>], back[D][D];
+        double gradient[D][D], tau[symmetricSize<D>], back[D][D], change[D * D];
         for (int a = 0; a < D; ++a)
           for (int b = 0; b < D; ++b)
-            gradient[a][b] = steep[b][a];
+            change[a * D + b] = steep[b][a];
+        if (frame.undeformed)
+          frame.pushForward(p, change);
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b)
+            gradient[a][b] = change[a * D + b];
         trial(p, gradient, tau);
         inverseOfMotion<D>(gradient, back);
+        double T[D * D] = {}; // times the slopes before the step the force
+        for (int a = 0; a < D; ++a)
+          for (int c = 0; c < D; ++c)
+            for (int b = 0; b < D; ++b)
+              T[a * D + c] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
+        if (frame.undeformed)
+          frame.pullBack(p, T);
         SlotRow<D> flux[D];
         for (int c = 0; c < D; ++c)
         {
           double column[D];
           for (int a = 0; a < D; ++a)
-          {
-            column[a] = 0.0;
-            for (int b = 0; b < D; ++b)
-              column[a] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
-          }
+            column[a] = T[a * D + c];
           flux[c] = SlotRow<D>::load(column);
         }
         for (int k = 0; k < entries; ++k)

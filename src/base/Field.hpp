@@ -52,6 +52,8 @@ inline const std::string history = "history";                  ///< of the mater
 inline const std::string material = "material";                ///< its number
 inline const std::string body = "body";                        ///< its number
 inline const std::string id = "id";                            ///< the particle's own number
+/// Since the start [m]; only where the cells lie in the undeformed body.
+inline const std::string displacement = "displacement";
 /// Velocity gradient, row by row; only where an effect asks for it.
 inline const std::string rate = "velocity gradient";
 /// Which side of a crack a particle lies on (CrackSet); only where an effect cuts the body.

@@ -25,6 +25,7 @@ void updateParticles(const State<D>& state, const View<int*>& id, const View<dou
   const auto deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
   const auto reference = state.particles.template real<D>(fields::reference);
   const View<int*> indexOf = state.particles.indexOf;
+  const bool undeformed = state.method.totalLagrangian;
   BorrowedView<int*> side;
   const bool sides = state.particles.has(fields::side);
   if (sides)
@@ -45,7 +46,10 @@ void updateParticles(const State<D>& state, const View<int*>& id, const View<dou
         {
           double x = position(p, i);
           for (int j = 0; j < D; ++j)
-            x += deformation(p, i * D + j) * (start(k, j) - reference(p, j));
+          {
+            const double F = undeformed ? (i == j ? 1.0 : 0.0) : deformation(p, i * D + j);
+            x += F * (start(k, j) - reference(p, j));
+          }
           points.position(k, i) = x;
         }
       });

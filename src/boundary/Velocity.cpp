@@ -46,7 +46,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
   timed.constraint.upper = readVector<D>(list, "Upper Corner");
   timed.constraint.outside = list.get<std::string>("Nodes") == "Outside";
   const std::string boxMotion = list.get<std::string>("Box Motion");
-  timed.gridMoves = boxMotion == "With Grid";
+  timed.gridMoves = boxMotion == "With Grid" && !state.method.totalLagrangian;
   // Nodes on the rim count as held whatever the rounding, which grows where box and grid move.
   const double least = timed.gridMoves ? 1e-6 : 1e-9;
   const double rim = (timed.constraint.outside ? -least : least) * grid.spacing;
@@ -73,7 +73,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
     timed.field = PositionFunction::parse(list.get<std::string>("Field"), D);
     setFieldAtNodes(timed, state);
   }
-  timed.boxMoves = boxMoves(timed, boxMotion, state);
+  timed.boxMoves = !state.method.totalLagrangian && boxMoves(timed, boxMotion, state);
   timed.lag = timed.gridMoves || timed.constraint.outside ? 0.0 : 0.5 * grid.spacing;
   return timed;
 }

@@ -63,7 +63,7 @@ void toMotion(const NewtonStep<D>& step, State<D>& state)
       });
 }
 
-/// Largest displacement of a node along an axis [smallest cells].
+/// Largest displacement of a node along an axis [smallest cells]: by so much particles move through cells.
 template <int D>
 double largestMotion(const NewtonStep<D>& step, const State<D>& state)
 {
@@ -219,7 +219,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   }
   account.largestForces = report.forces;
   toMotion(step, state);
-  last.motion = largestMotion(step, state);
+  last.motion = state.method.totalLagrangian ? 0.0 : largestMotion(step, state);
   last.workOfSupports = step.workOfSupports();
   state.energy.externalWork += last.workOfSupports;
   // Bodies that begin with stress out of balance, such as a misfit of temperatures, begin with the energy of

@@ -1,6 +1,7 @@
 #include "equilibrium/Particles.hpp"
 
 #include "equilibrium/TrialStress.hpp"
+#include "state/CellFrame.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::equilibrium
@@ -34,6 +35,7 @@ struct ParticleData
   BorrowedView<int*> material;
   BorrowedView<double*> volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
+  CellFrame<D> frame;
   BorrowedView<double**> history; ///< empty where no law has one
   ThermoTables heat;
   BorrowedView<double*> temperature; ///< empty without heat
@@ -48,6 +50,7 @@ struct ParticleData
         material(state.particles.integer(fields::material)),
         volume(state.particles.scalar(fields::volume)),
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
+        frame(state),
         heat(state.materials.thermo),
         bad("rhegma::invertedParticles"),
         dt(state.clock.dt),
@@ -72,7 +75,7 @@ struct ParticleData
             heat.empty() ? 0.0 : temperature(p)};
   }
 
-  /// \param G becomes the gradient of the displacement
+  /// \param G becomes the gradient of the displacement with respect to the positions before the step
   template <class Connect>
   KOKKOS_INLINE_FUNCTION void see(const Connect& connect, int p,
                                   RowsOfParticle<D, typename Connect::Slopes>& rows, double (&G)[D * D]) const
@@ -94,6 +97,8 @@ struct ParticleData
                                  G[i * D + j] += displacement(D * row + i) * slopes(i, j);
                              ++rows.count;
                            });
+    if (frame.undeformed)
+      frame.pushForward(p, G);
   }
 };
 
@@ -116,6 +121,8 @@ struct ForceBlock
         Kokkos::atomic_exchange(&data.bad(), 1);
         continue;
       }
+      if (data.frame.undeformed)
+        data.frame.pullBack(p, P);
       for (int a = 0; a < rows.count; ++a)
         for (int i = 0; i < D; ++i)
         {
@@ -141,14 +148,15 @@ struct StoredForceBlock
     for (int p = begin; p < end; ++p)
     {
       RowsOfParticle<D, typename Connect::Slopes> rows;
-      double G[D * D];
+      double G[D * D], T[D * D];
       data.see(connect, p, rows, G);
+      data.frame.stress(p, &stress(p, 0), T);
       for (int a = 0; a < rows.count; ++a)
         for (int i = 0; i < D; ++i)
         {
           double f = 0.0;
           for (int j = 0; j < D; ++j)
-            f += stress(p, symmetricIndex<D>(i, j)) * rows.slopes(a)(i, j);
+            f += T[i * D + j] * rows.slopes(a)(i, j);
           force(D * rows.row[a] + i) -= data.volume(p) * f;
         }
     }
@@ -175,8 +183,26 @@ struct StiffnessBlock
         Kokkos::atomic_exchange(&data.bad(), 1);
         continue;
       }
+      if (data.frame.undeformed)
+        pullBack(p, A);
       for (int b = 0; b < rows.count; ++b)
         addColumn(rows, b, data.volume(p), A);
+    }
+  }
+
+  /// Both slopes of the tangent from those at the start of the step to those of the cells.
+  KOKKOS_INLINE_FUNCTION void pullBack(int p, double (&A)[D * D][D * D]) const
+  {
+    for (int r = 0; r < D * D; ++r)
+      data.frame.pullBack(p, A[r]);
+    for (int c = 0; c < D * D; ++c)
+    {
+      double column[D * D];
+      for (int r = 0; r < D * D; ++r)
+        column[r] = A[r][c];
+      data.frame.pullBack(p, column);
+      for (int r = 0; r < D * D; ++r)
+        A[r][c] = column[r];
     }
   }
 

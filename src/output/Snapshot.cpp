@@ -146,8 +146,8 @@ std::string fileName(std::string name)
 bool isCoreField(const std::string& name)
 {
   using namespace fields;
-  for (const std::string& core : {position, reference, velocity, mass, volume, deformation, stress,
-                                  fields::edge, box, history, material, body, id})
+  for (const std::string& core : {position, reference, displacement, velocity, mass, volume, deformation,
+                                  stress, fields::edge, box, history, material, body, id})
     if (name == core)
       return true;
   return false;
@@ -160,11 +160,19 @@ OutputMesh particleMesh(const State<D>& state, const RequestedFields& requested)
   const std::size_t n = particles.size();
   const auto position = onHost(particles.real<D>(fields::position));
   const auto reference = onHost(particles.real<D>(fields::reference));
+  const bool undeformed = particles.has(fields::displacement);
   const auto edge = onHost(particles.real<D>(fields::edge));
   OutputMesh mesh{"particles", "Polyvertex", {}};
   mesh.data.push_back(padded<D>("position", Role::Points, position, n));
   mesh.data.push_back(padded<D>("displacement", Role::OnPoints, position, n));
   std::vector<double>& displacement = mesh.data.back().real;
+  if (undeformed)
+  {
+    const auto moved = onHost(particles.real<D>(fields::displacement));
+    for (std::size_t p = 0; p < n; ++p)
+      for (int d = 0; d < D; ++d)
+        displacement[3 * p + d] = (mesh.data[mesh.data.size() - 2].real[3 * p + d] += moved(p, d));
+  }
   DataSet firstEdge{"edge", Role::OnPoints, 1, false, {}, {}};
   DataSet cells{"cells", Role::Cells, 1, true, {}, {}};
   for (std::size_t p = 0; p < n; ++p)

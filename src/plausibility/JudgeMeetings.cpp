@@ -246,10 +246,15 @@ Messages judgeMeetings(const JudgedScene<D>& judged)
         "Bodies > " + other + ": it and Bodies > " + one + " approach each other at " +
         formatShort(norm(velocity[pair.first] - velocity[pair.second])) +
         " m/s, and are less than one to two cells (" + readableLength(judged.state.mesh.grid.spacing) +
-        ") apart from about t = " + readableTime(time) +
-        " on. Bodies have no contact law: from then on they share one motion, which resists not only "
-        "compression but also sliding and separation; use smaller cells to shorten that distance, and do not "
-        "rely on what follows from sliding or parting");
+        ") apart from about t = " + readableTime(time) + " on. " +
+        (judged.state.method.totalLagrangian
+             ? "With Domain > Formulation = Total Lagrangian bodies do not meet: they pass through each "
+               "other; "
+               "write Updated Lagrangian"
+             : "Bodies have no contact law: from then on they share one motion, which resists not only "
+               "compression but also sliding and separation; use smaller cells to shorten that distance, and "
+               "do "
+               "not rely on what follows from sliding or parting"));
   }
   return messages;
 }

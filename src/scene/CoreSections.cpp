@@ -58,6 +58,14 @@ Section domain()
                "in each cell, which removes the excess bending stiffness of few cells; use it with Particles "
                "Per Cell = 3. It is for beams and plates within 20 degrees of the grid axes; at larger "
                "angles they become too soft (docs/verification.md).");
+  s.choice("Formulation", {"Updated Lagrangian", "Total Lagrangian"})
+      .byDefault("Updated Lagrangian")
+      .meaning(
+          "Configuration in which the cells lie. Updated Lagrangian: the deformed body, which moves through "
+          "the cells; bodies that meet touch. Total Lagrangian: the undeformed body. Particles stay in their "
+          "cells, so that stresses do not change when a body moves or turns through the grid, and supports "
+          "and loads stay on the material at which they are at the start; bodies do not meet "
+          "(docs/total-lagrangian.md).");
   return s;
 }
 

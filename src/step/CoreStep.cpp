@@ -3,6 +3,7 @@
 #include "base/UnstableStep.hpp"
 #include "grid/BlockCells.hpp"
 #include "material/Materials.hpp"
+#include "state/CellFrame.hpp"
 #include "state/Subdomain.hpp"
 #include "step/HeatFailure.hpp"
 #include "step/OutsideDomain.hpp"
@@ -237,6 +238,7 @@ double fastestSpeed(const State<D>& state)
   BorrowedView<double**> history;
   if (state.particles.has(fields::history))
     history = state.particles.table(fields::history);
+  const bool undeformed = state.method.totalLagrangian;
   double fastest = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::fastestSpeed", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
@@ -244,8 +246,9 @@ double fastestSpeed(const State<D>& state)
         double speed = 0.0;
         for (int d = 0; d < D; ++d)
           speed += velocity(p, d) * velocity(p, d);
-        speed = std::sqrt(speed) + waveSpeed<D>(materials(material(p)), &F(p, 0),
-                                                history.extent(1) > 0 ? &history(p, 0) : nullptr);
+        const double wave =
+            waveSpeed<D>(materials(material(p)), &F(p, 0), history.extent(1) > 0 ? &history(p, 0) : nullptr);
+        speed = undeformed ? wave * slowestStretch<D>(&F(p, 0)) : std::sqrt(speed) + wave;
         largest = speed > largest ? speed : largest;
       },
       Kokkos::Max<double>(fastest));

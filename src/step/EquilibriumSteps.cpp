@@ -23,9 +23,10 @@ namespace
 /// Length of a step that adds no load, in fractions of the run.
 constexpr double shortStep = 1e-9;
 
-/// Equilibrium at the new positions of the particles moves them again. A dynamic run starts at rest: the
-/// solution is repeated until the forces that the last motion left out of balance are this fraction of all,
-/// or until a repetition no longer reduces them by `leastGain`. Large plastic strain needs a few of them.
+/// Equilibrium at the new positions of the particles moves them again, where they move through the cells. A
+/// dynamic run starts at rest: the solution is repeated until the forces that the last motion left out of
+/// balance are this fraction of all, or until a repetition no longer reduces them by `leastGain`. Large
+/// plastic strain needs a few of them.
 constexpr double forcesAtRest = 1e-6, leastGain = 0.8;
 constexpr int mostRounds = 12;
 
@@ -264,7 +265,7 @@ void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until
   stopIfFailed(state);
   ++state.clock.step;
   state.particles.particleSteps += allParticles(state);
-  if (ends)
+  if (ends && !state.method.totalLagrangian)
     settleInPlace(stages, state);
   // Nodes are those of the particles as they lie now, at rest.
   runBetweenSteps(plan, state);

@@ -38,6 +38,7 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
   state.method.shear = domain.get<std::string>("Shear Strain") == "At Cell Centres"
                            ? ShearStrain::AtCellCentres
                            : ShearStrain::AtParticles;
+  state.method.totalLagrangian = domain.get<std::string>("Formulation") == "Total Lagrangian";
   const std::string analysis =
       time.isType<std::string>("Analysis") ? time.get<std::string>("Analysis") : "Dynamic";
   state.method.analysis = analysis == "Static"         ? Analysis::Static
@@ -82,6 +83,8 @@ void addFields(State<D>& state, const std::vector<Field>& extra)
   FieldTable& table = state.particles;
   table.add({fields::position, D, "m", "current position"});
   table.add({fields::reference, D, "m", "reference position"});
+  if (state.method.totalLagrangian)
+    table.add({fields::displacement, D, "m", "displacement since the start"});
   if (state.method.mechanics)
     table.add({fields::velocity, D, "m/s", "its velocity"});
   table.add({fields::mass, 1, "kg", "its mass"});
@@ -295,15 +298,16 @@ void makeBoxes(State<D>& state)
 /// particles to and fro for the whole run.
 constexpr double joinedAtCracks = 0.05;
 
-/// Particles near cracks sit evenly in the cells as long as they stay in them, that is at rest. Elsewhere the
-/// lattice of a body, which has no parts at its edges, integrates constant strain exactly at any place.
+/// Particles near cracks sit evenly in the cells as long as they stay in them: at rest, or where the cells
+/// lie in the undeformed body. Elsewhere the lattice of a body, which has no parts at its edges, integrates
+/// constant strain exactly at any place.
 template <int D>
 SeedRules<D> rulesOf(const State<D>& state, const RulesOfSeeds<D>& rules)
 {
   SeedRules<D> all = rules ? rules(state) : SeedRules<D>{};
   if (all.cuts.ofBox)
     all.joinedBelowAtCuts = joinedAtCracks;
-  if (staysAtRest(state) && all.cuts.ofBox)
+  if ((staysAtRest(state) || state.method.totalLagrangian) && all.cuts.ofBox)
   {
     all.node.emplace();
     for (int d = 0; d < D; ++d)

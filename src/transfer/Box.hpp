@@ -11,8 +11,8 @@ namespace Rhegma
 ///
 /// Exact for any stretch along the axes and for quarter turns; a turned square keeps its size, and the boxes
 /// of a body under uniform stretch tile it. At most half a cell in each direction, so that a box touches at
-/// most two cells along an axis. \param axes undeformed edge directions of each body \param edge undeformed
-/// edge lengths [m]
+/// most two cells along an axis. \param F deformation gradient; null: undeformed \param axes undeformed edge
+/// directions of each body \param edge undeformed edge lengths [m]
 template <int D>
 KOKKOS_INLINE_FUNCTION void updateBox(const View<double* [D][D]>& axes, int body, const double* edge,
                                       const double* F, double largest, double* half)
@@ -22,8 +22,9 @@ KOKKOS_INLINE_FUNCTION void updateBox(const View<double* [D][D]>& axes, int body
     for (int i = 0; i < D; ++i)
     {
       double component = 0.0;
-      for (int j = 0; j < D; ++j)
+      for (int j = 0; j < D && F != nullptr; ++j)
         component += F[i * D + j] * axes(body, e, j);
+      component += F == nullptr ? axes(body, e, i) : 0.0;
       component *= edge[e];
       square[i] += component * component;
     }

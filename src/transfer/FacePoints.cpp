@@ -214,7 +214,7 @@ bool FacePoints<D>::update(const State<D>& state)
   simplices_ = simplices;
   required_ = required;
   spacing_ = spacing;
-  moveWithCracks(state.cracks);
+  moveWithCracks(state.cracks, state.method.totalLagrangian);
   pointStencils(state, lower_, below, true);
   pointStencils(state, upper_, above, true);
   findReached(below, above, count_, reached_);
@@ -319,7 +319,7 @@ void FacePoints<D>::serialize(Archive& archive)
 }
 
 template <int D>
-void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks)
+void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks, bool undeformed)
 {
   const FacePoints p = *this;
   const View<int*> simplexOf = simplex_;
@@ -359,7 +359,7 @@ void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks)
           p.normal(k, d) = n[d];
           p.edge(k, d) = along[d] / length;
           p.position(k, d) = at[d];
-          const double off = apart > near ? 0.5 * apart : 0.0;
+          const double off = apart > near && !undeformed ? 0.5 * apart : 0.0;
           lower.position(k, d) = at[d] - off * n[d];
           upper.position(k, d) = at[d] + off * n[d];
         }

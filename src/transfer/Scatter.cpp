@@ -1,5 +1,6 @@
 #include "transfer/Scatter.hpp"
 
+#include "state/CellFrame.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma
@@ -8,7 +9,7 @@ namespace Rhegma
 namespace
 {
 
-/// Adds a block of particles: N (m, m v) to mass and momentum, -V0 tau grad N to force.
+/// Adds a block of particles: N (m, m v) to mass and momentum, -V0 tau grad N to force; see CellFrame.
 template <int D, class Connect, bool Momentum, bool Force>
 struct ScatterBlock
 {
@@ -18,6 +19,7 @@ struct ScatterBlock
   BorrowedView<double*> mass, volume;
   BorrowedView<double* [D]> velocity;
   BorrowedView<double * [symmetricSize<D>]> stress;
+  CellFrame<D> frame;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
@@ -30,8 +32,7 @@ struct ScatterBlock
                               if constexpr (Force)
                               {
                                 Pack<forceWidth> flux[D];
-                                for (int j = 0; j < D; ++j)
-                                  flux[j] = fluxAlong(p, j);
+                                fluxOf(p, flux);
                                 stencil.template addFlux<Nodes<D>::sumWidth>(rows + Nodes<D>::forceAt, flux);
                               }
                             });
@@ -44,15 +45,19 @@ struct ScatterBlock
     return pack(m, m * velocity(p, 0), m * velocity(p, 1), D == 2 ? 0.0 : m * velocity(p, D - 1));
   }
 
-  /// Column j of -V0 tau.
-  KOKKOS_FORCEINLINE_FUNCTION Pack<forceWidth> fluxAlong(int p, int j) const
+  /// Columns of -V0 times the stress in the cells.
+  KOKKOS_FORCEINLINE_FUNCTION void fluxOf(int p, Pack<forceWidth> (&flux)[D]) const
   {
     const double v = -volume(p);
-    if constexpr (D == 2)
-      return pack(v * stress(p, symmetricIndex<D>(0, j)), v * stress(p, symmetricIndex<D>(1, j)));
-    else
-      return pack(v * stress(p, symmetricIndex<D>(0, j)), v * stress(p, symmetricIndex<D>(1, j)),
-                  v * stress(p, symmetricIndex<D>(2, j)), 0.0);
+    double T[D * D];
+    frame.stress(p, &stress(p, 0), T);
+    for (int j = 0; j < D; ++j)
+    {
+      if constexpr (D == 2)
+        flux[j] = pack(v * T[j], v * T[D + j]);
+      else
+        flux[j] = pack(v * T[j], v * T[D + j], v * T[2 * D + j], 0.0);
+    }
   }
 };
 
@@ -66,6 +71,7 @@ void scatterWith(State<D>& state, const Connect& connect, const char* label)
   block.volume = state.particles.scalar(fields::volume);
   block.velocity = state.particles.template real<D>(fields::velocity);
   block.stress = state.particles.template real<symmetricSize<D>>(fields::stress);
+  block.frame = CellFrame<D>(state);
   forEachBlock(label, state.mesh.blocks, block);
 }
 

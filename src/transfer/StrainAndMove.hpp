@@ -2,6 +2,7 @@
 /// Strain and move of particles, with and without heat: templates for Gather.cpp and HeatedGather.cpp, two
 /// files so that each is optimised independently of the other.
 
+#include "state/CellFrame.hpp"
 #include "transfer/Box.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/LaneHeat.hpp"
@@ -46,6 +47,8 @@ struct BundleMotion
   BorrowedView<double*[D]> position, velocity, edge, box;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<double * [symmetricSize<D>]> stress;
+  CellFrame<D> frame;
+  BorrowedView<double* [D]> displacement; ///< where the cells lie in the undeformed body
   BorrowedView<double**> history;
   BorrowedView<double**> rate; ///< velocity gradient, where an effect needs it
   BorrowedView<int*> level;    ///< how often each particle was split; empty where none is
@@ -59,14 +62,53 @@ struct BundleMotion
   /// overlaps it
   KOKKOS_FUNCTION void run(int bundle, int begin, int end, Lanes& KOKKOS_RESTRICT at, double& fastest) const
   {
-    if (move)
+    if (move && frame.undeformed)
+      displaceLanes(begin, end, at);
+    else if (move)
       moveLanes(begin, end, blocks.bundleBlock(bundle), at);
     loadDeformation(begin, end, at);
+    if (strain && frame.undeformed)
+      pushGradients(begin, end, at);
     if (strain)
       strainLanes(begin, end, at, fastest);
     // If the step continues after the strain (USF), mass, force and velocity must use the same box.
     if (boxes && move)
       updateBoxes(begin, end, at);
+  }
+
+  /// Moves the particles of undeformed cells, in which they stay.
+  KOKKOS_INLINE_FUNCTION void displaceLanes(int begin, int end, const Lanes& KOKKOS_RESTRICT at) const
+  {
+    for (int d = 0; d < D; ++d)
+      for (int p = begin; p < end; ++p)
+        displacement(p, d) += dt * at.shift[d][p - begin];
+  }
+
+  /// Gradients with respect to undeformed positions become those with respect to present ones.
+  KOKKOS_INLINE_FUNCTION void pushGradients(int begin, int end, Lanes& KOKKOS_RESTRICT at) const
+  {
+    for (int p = begin; p < end; ++p)
+    {
+      double L[D * D];
+      for (int k = 0; k < D * D; ++k)
+        L[k] = at.gradient[k][p - begin];
+      frame.pushForward(p, L);
+      for (int k = 0; k < D * D; ++k)
+        at.gradient[k][p - begin] = L[k];
+    }
+  }
+
+  /// The speed of waves through undeformed cells.
+  KOKKOS_INLINE_FUNCTION void pullSpeeds(int count, Lanes& KOKKOS_RESTRICT at) const
+  {
+    for (int l = 0; l < count; ++l)
+    {
+      double F[gradientSize<D>];
+      for (int k = 0; k < gradientSize<D>; ++k)
+        F[k] = at.F[k][l];
+      if (std::isfinite(at.speed[l]))
+        at.speed[l] *= slowestStretch<D>(F);
+    }
   }
 
   KOKKOS_INLINE_FUNCTION void moveLanes(int begin, int end, int block, const Lanes& KOKKOS_RESTRICT at) const
@@ -130,12 +172,14 @@ struct BundleMotion
       double square = 0.0;
       for (int d = 0; d < D; ++d)
         square += velocity(p, d) * velocity(p, d);
-      at.speed[p - begin] = std::sqrt(square);
+      at.speed[p - begin] = frame.undeformed ? 0.0 : std::sqrt(square);
     }
     if constexpr (Heat::on)
       heatByLaw(begin, end, at);
     else
       stressByLaw(begin, end, at);
+    if (frame.undeformed)
+      pullSpeeds(end - begin, at);
     for (int k = 0; k < gradientSize<D>; ++k)
       for (int p = begin; p < end; ++p)
         deformation(p, k) = at.F[k][p - begin];
@@ -288,7 +332,10 @@ BundleMotion<D, Heat> bundleMotion(State<D>& state, bool strain, bool move)
   kernel.position = state.particles.template real<D>(fields::position);
   kernel.velocity = state.particles.template real<D>(fields::velocity);
   kernel.edge = state.particles.template real<D>(fields::edge);
-  kernel.boxes = state.method.shape == ShapeKind::Gimp;
+  kernel.frame = CellFrame<D>(state);
+  if (kernel.frame.undeformed)
+    kernel.displacement = state.particles.template real<D>(fields::displacement);
+  kernel.boxes = state.method.shape == ShapeKind::Gimp && !kernel.frame.undeformed;
   if (kernel.boxes)
     kernel.box = state.particles.template real<D>(fields::box);
   kernel.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
