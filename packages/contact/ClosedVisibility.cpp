@@ -61,6 +61,7 @@ void mendClosed(const ObservedPoints<2>& points, const FacePoints<2>& faces, con
 void ClosedVisibility::install(State<2>& state)
 {
   cut_ = state.stored.editor.edit;
+  state.stored.editor.keep = nullptr; // faces close and open
   state.stored.editor.edit = [this](const State<2>& s, const ObservedPoints<2>& points,
                                     const StencilTable<2>& table) { edit(s, points, table); };
 }

@@ -152,6 +152,12 @@ void storeCracks(State<D>& state, Archive& archive)
       set.fronts[f].vertex = vertices[f];
   }
   archive("face", set.face);
+  if (state.method.totalLagrangian)
+  {
+    if (set.carried.extent(0) != set.vertex.extent(0))
+      set.carried = View<double* [D]>("rhegma::crackDisplacement", set.vertex.extent(0));
+    archive("carried", set.carried);
+  }
   archive("near_front", set.nearFront);
   if (!archive.loads())
     return;

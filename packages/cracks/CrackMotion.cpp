@@ -58,6 +58,7 @@ int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, bool undeformed, c
 {
   const View<double* [2][D]> face = cracks.face;
   const View<double* [D]> vertex = cracks.vertex;
+  const View<double* [D]> carried = cracks.carried;
   const View<int*> kind = cracks.kind;
   return parallelSumSmall<int>(
       "rhegma::cracks::moveFaces", static_cast<int>(vertex.extent(0)), KOKKOS_LAMBDA(const int v, int& lost) {
@@ -72,6 +73,7 @@ int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, bool undeformed, c
           if (undeformed)
           {
             const double mean = 0.5 * (shift[0] + shift[1]);
+            carried(v, d) += mean;
             shift[0] -= mean;
             shift[1] -= mean;
           }
@@ -106,6 +108,8 @@ void CrackMotion<D>::move(State<D>& state)
     shift_ = View<double*>("rhegma::crackFaceShift", 2 * vertices * (D + 1));
   }
   const bool undeformed = state.method.totalLagrangian;
+  if (undeformed && static_cast<int>(cracks.carried.extent(0)) != vertices)
+    cracks.carried = View<double* [D]>("rhegma::crackDisplacement", vertices);
   setPoints(cracks, undeformed, points_);
   pointStencils(state, points_, stencils_, true);
   findShifts(state.mesh.nodes, stencils_, points_.count, state.clock.dt,

@@ -203,6 +203,7 @@ void start(const Shared<D>& parts, State<D>& state)
   if (parts->hasSprings)
     parts->advected.start(state);
   state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row) { prepareStencils(*parts, s, row); };
+  state.stored.editor.keep = [=](State<D>&) { ++parts->surroundings.stamp; };
   state.stored.editor.edit =
       [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
   {
@@ -330,6 +331,11 @@ void takeOver(const Parts<D>& parts, State<D>& state, const State<D>& from)
     return; // it has none
   Kokkos::deep_copy(to.vertex, from.cracks.vertex);
   Kokkos::deep_copy(to.face, from.cracks.face);
+  if (from.cracks.carried.extent(0) > 0)
+  {
+    to.carried = View<double* [D]>("rhegma::crackDisplacement", from.cracks.carried.extent(0));
+    Kokkos::deep_copy(to.carried, from.cracks.carried);
+  }
   if (!parts.hasSprings)
     return;
   const std::string name = springField<D>().field.name;

@@ -67,6 +67,42 @@ void putNodes(CrackFront<D>& front, const FrontLines<D>& lines, std::vector<doub
   }
 }
 
+/// Takes the displacement of the vertices of undeformed cells off their faces. New vertices, whose faces lie
+/// on them, have that of the nearest other one.
+template <int D>
+void takeOffDisplacement(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks)
+{
+  set.carried = View<double* [D]>("rhegma::crackDisplacement", set.vertex.extent(0));
+  const auto carried = Kokkos::create_mirror_view(set.carried);
+  for (std::size_t c = 0; c < cracks.size(); ++c)
+  {
+    auto& mesh = cracks[c].mesh;
+    const int first = set.cracks[c].firstVertex, count = static_cast<int>(mesh.faces.size());
+    std::vector<int> moved;
+    const auto by = [&](int v) { return 0.5 * (mesh.faces[v][0] + mesh.faces[v][1]) - mesh.vertices[v]; };
+    for (int v = 0; v < count; ++v)
+      if (norm(by(v)) > 0.0)
+        moved.push_back(v);
+    std::vector<Vector<D>> all(count);
+    for (int v = 0; v < count; ++v)
+    {
+      const auto distance = [&](int of) { return norm(mesh.vertices[of] - mesh.vertices[v]); };
+      const auto nearest = std::min_element(moved.begin(), moved.end(),
+                                            [&](int a, int b) { return distance(a) < distance(b); });
+      all[v] = nearest != moved.end() ? by(*nearest) : Vector<D>{};
+    }
+    for (int v = 0; v < count; ++v)
+    {
+      if (norm(by(v)) > 0.0)
+        for (Vector<D>& face : mesh.faces[v])
+          face = face - all[v];
+      for (int d = 0; d < D; ++d)
+        carried(first + v, d) = all[v][d];
+    }
+  }
+  Kokkos::deep_copy(set.carried, carried);
+}
+
 } // namespace
 
 template <int D>
@@ -74,6 +110,7 @@ std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FaceTough
 {
   const auto vertex = onHost(set.vertex);
   const auto face = onHost(set.face);
+  const auto carried = onHost(set.carried);
   const auto simplex = onHost(set.simplex);
   const auto neighbour = onHost(set.neighbour);
   const auto at = [](const auto& row)
@@ -92,8 +129,9 @@ std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FaceTough
     for (int v = v0; v < v0 + set.cracks[c].numVertices; ++v)
     {
       mesh.vertices.push_back(at([&](int d) { return vertex(v, d); }));
-      mesh.faces.push_back(
-          {at([&](int d) { return face(v, 0, d); }), at([&](int d) { return face(v, 1, d); })});
+      const auto by = [&](int d) { return carried.extent(0) > 0 ? carried(v, d) : 0.0; };
+      mesh.faces.push_back({at([&](int d) { return face(v, 0, d) + by(d); }),
+                            at([&](int d) { return face(v, 1, d) + by(d); })});
     }
     if constexpr (D == 2)
       mesh.joined = {neighbour(s0, 1) == facet::joined, neighbour(last, 0) == facet::joined};
@@ -140,6 +178,8 @@ void writeGrowing(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks, FaceTo
     }
   }
   layOut(set, meshes, spacing);
+  if (set.carried.extent(0) > 0)
+    takeOffDisplacement(set, cracks);
   const auto face = onHost(set.face);
   for (std::size_t c = 0; c < cracks.size(); ++c)
     for (std::size_t v = 0; v < cracks[c].mesh.faces.size(); ++v)

@@ -20,6 +20,7 @@ using surface::Piece;
 template <int D>
 void allocate(CrackSet<D>& set, int vertices, int simplices, int facets)
 {
+  ++set.changes;
   set.vertex = View<double* [D]>("rhegma::crackVertex", vertices);
   set.face = View<double* [2][D]>("rhegma::crackFace", vertices);
   set.kind = View<int*>("rhegma::crackVertexKind", vertices);

@@ -220,6 +220,10 @@ OutputMesh crackMesh(const CrackSet<D>& set)
   OutputMesh mesh{"cracks", D == 2 ? "Polyline" : "Triangle", {}};
   mesh.onAllRanks = true;
   mesh.data.push_back(padded<D>("points", Role::Points, onHost(set.vertex), vertices));
+  if (const auto carried = onHost(set.carried); carried.extent(0) > 0)
+    for (std::size_t v = 0; v < vertices; ++v)
+      for (int d = 0; d < D; ++d)
+        mesh.data.back().real[3 * v + d] += carried(v, d);
   DataSet opening{"opening", Role::OnPoints, 3, false, std::vector<double>(3 * vertices, 0.0), {}};
   for (std::size_t v = 0; v < vertices; ++v)
     for (int d = 0; d < D; ++d)

@@ -192,7 +192,8 @@ constexpr int front = 2;           ///< a front
 } // namespace vertexKind
 
 /// All cracks. A side is named +(c + 1) or -(c + 1), c the index of the crack; 0 is away from cracks. Each
-/// vertex moves with both faces; the crack itself lies midway. Facet i of a simplex is the one opposite to
+/// vertex moves with both faces; the crack itself lies midway. Where the cells lie in the undeformed body,
+/// vertices stay there and only the opening of the faces changes. Facet i of a simplex is the one opposite to
 /// its i-th vertex: the other end of a segment, an edge of a triangle. Simplices of a crack have one
 /// orientation: side +1 lies to the left of a segment, and where the vertices of a triangle are seen
 /// anticlockwise.
@@ -204,9 +205,12 @@ struct CrackSet
 
   View<double* [D]> vertex;  ///< midway between the faces [m]
   View<double* [2][D]> face; ///< positions on the faces of side -1 (0) and +1 (1) [m]
-  View<int* [D]> simplex;    ///< vertices of each segment or triangle
-  View<int*> crackOf;        ///< crack of each simplex
-  View<int* [D]> neighbour;  ///< simplex beyond each facet, or a constant of FacetEnds.hpp
+  /// Displacement of each vertex since the start, where the cells lie in the undeformed body: `vertex` and
+  /// `face` do not contain it [m]. Else empty.
+  View<double* [D]> carried;
+  View<int* [D]> simplex;   ///< vertices of each segment or triangle
+  View<int*> crackOf;       ///< crack of each simplex
+  View<int* [D]> neighbour; ///< simplex beyond each facet, or a constant of FacetEnds.hpp
   View<int*> starBegin; ///< the simplices at vertex v are star(starBegin(v)) .. star(starBegin(v + 1) - 1)
   View<int*> star;      ///< see starBegin
   View<int*> kind;      ///< of each vertex: what it lies on (vertexKind, added)
@@ -234,6 +238,8 @@ struct CrackSet
   DrivingContours drivingContours; ///< of the integrals that measure driving forces
   bool dualField = true;           ///< whether nodes behind fronts have an enriched field
   bool frontSprings = false;       ///< springs between the two fields of nodes just behind fronts
+
+  long changes = 0; ///< number of times that vertices or simplices were laid out anew
 
   EquilibriumGrowth growth; ///< in steps of equilibrium
 

@@ -26,6 +26,7 @@ struct Particles : FieldTable
 {
   int ofAllRanks = 0;  ///< number of particles of all ranks; 0 on a single rank
   bool sorted = false; ///< false: they are sorted before the next step
+  long sorts = 0;      ///< number of times that they were sorted
   View<int*> indexOf; ///< index of the particle with each id, -1 where another rank has it; set by every sort
   double particleSteps = 0.0; ///< particles times steps, summed
 

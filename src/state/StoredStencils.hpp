@@ -33,8 +33,26 @@ struct StencilEditor
   /// Called once a step before any transfer: marks particles (row = 0 where a stored stencil is needed, -1
   /// elsewhere) and sets up enriched fields of nodes.
   std::function<void(State<D>&, const View<int*>& row)> prepare;
+  /// Called instead of the former where particles lie in the same order in the same places of the same cells,
+  /// and cracks are the same, as when it was last called; the stored stencils are then still right. Empty:
+  /// `edit` depends on more than these.
+  std::function<void(State<D>&)> keep;
   /// Edits unbroken stencils of points in rows 0 .. points.count - 1.
   std::function<void(const State<D>&, const ObservedPoints<D>& points, const StencilTable<D>& table)> edit;
+};
+
+/// What stored stencils were made of.
+struct StencilSource
+{
+  long sorts = -1;     ///< Particles::sorts
+  int generation = -1; ///< of the cells
+  long cracks = -1;    ///< CrackSet::changes
+
+  /// Whether they are the same.
+  bool operator==(const StencilSource& other) const
+  {
+    return sorts == other.sorts && generation == other.generation && cracks == other.cracks;
+  }
 };
 
 /// Stencils of the particles that the editor marked, one a row.
@@ -47,6 +65,7 @@ struct StoredStencils
   ObservedPoints<D> points; ///< the particles of the rows as points
   StencilTable<D> table;    ///< their stencils
   int count = 0;            ///< number of rows
+  StencilSource source;     ///< of the rows
 };
 
 } // namespace Rhegma

@@ -226,6 +226,7 @@ void sortState(State<D>& state)
       "rhegma::indexParticles", Kokkos::RangePolicy<ExecSpace>(0, n),
       KOKKOS_LAMBDA(const int p) { indexOf(id(p)) = p; });
   state.particles.sorted = true;
+  ++state.particles.sorts;
 }
 
 template <int D>

@@ -329,6 +329,8 @@ void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks, bool undeformed)
   const View<int* [D]> simplex = cracks.simplex;
   const View<double* [D]> vertex = cracks.vertex;
   const View<double* [2][D]> face = cracks.face;
+  const View<double* [D]> carried = cracks.carried; // of vertices that do not move with the body
+  const bool moved = carried.extent(0) > 0;
   const View<int* [D]> neighbour = cracks.neighbour;
   const double near = nearlyClosed * spacing_;
   Kokkos::parallel_for(
@@ -339,7 +341,7 @@ void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks, bool undeformed)
           const int v = simplex(simplexOf(k), i);
           for (int d = 0; d < D; ++d)
           {
-            corner[i][d] = vertex(v, d);
+            corner[i][d] = vertex(v, d) + (moved ? carried(v, d) : 0.0);
             at[d] += weight(k, i) * vertex(v, d);
             jump[d] += weight(k, i) * (face(v, 1, d) - face(v, 0, d));
           }
