@@ -98,6 +98,17 @@ void pack(const Connect& connect, int number, const View<int*>& particle, const 
 template <int D>
 void FineParticles<D>::select(const State<D>& state, int first)
 {
+  const StencilSource& source = state.stored.source;
+  if (source.isKnown() && source == madeOf_ && first == first_)
+  {
+    if (numParticles() > 0.0)
+    {
+      holdNodes(state);
+      weighNodes(state);
+    }
+    return;
+  }
+  madeOf_ = source;
   first_ = first;
   candidates_.find(state);
   findTouched(state);

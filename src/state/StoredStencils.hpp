@@ -48,6 +48,9 @@ struct StencilSource
   int generation = -1; ///< of the cells
   long cracks = -1;    ///< CrackSet::changes
 
+  /// Whether it says anything: stencils that are made anew in each step have none.
+  bool isKnown() const { return sorts >= 0; }
+
   /// Whether they are the same.
   bool operator==(const StencilSource& other) const
   {

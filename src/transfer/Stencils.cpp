@@ -186,13 +186,14 @@ void storeStencils(State<D>& state)
 {
   const bool edits = static_cast<bool>(state.stored.editor.prepare);
   const StencilSource source{state.particles.sorts, state.mesh.tree.generation, state.cracks.changes};
-  if (state.method.totalLagrangian && (!edits || state.stored.editor.keep) && source == state.stored.source)
+  const bool mayKeep = state.method.totalLagrangian && (!edits || state.stored.editor.keep);
+  if (mayKeep && source == state.stored.source)
   {
     if (edits)
       state.stored.editor.keep(state);
     return;
   }
-  state.stored.source = source;
+  state.stored.source = mayKeep ? source : StencilSource{};
   state.stored.count = 0;
   if (!state.stored.editor.prepare && !state.mesh.tree.refined())
     return;
