@@ -129,6 +129,22 @@ struct ForceBlock
     return box.holds({position(p, 0), position(p, 1), position(p, 2)});
   }
 
+  /// The image in the cells of each axis of the tube, which turns with the body unless the cells are
+  /// undeformed, and u,k relative to the turned tube. \param F of the particle
+  KOKKOS_INLINE_FUNCTION void findImages(const double* F, double (&image)[D][D], double (&du)[D][D]) const
+  {
+    for (int i = 0; i < D; ++i)
+      for (int k = 0; k < D; ++k)
+      {
+        const double unit = i == k ? 1.0 : 0.0;
+        double now = 0.0;
+        for (int j = 0; j < D && !frame.undeformed; ++j)
+          now += F[D * i + j] * mean.turn[k][j];
+        image[i][k] = frame.undeformed ? unit : now;
+        du[i][k] = frame.undeformed ? F[D * i + k] - mean.turn[i][k] : now - unit;
+      }
+  }
+
   template <class Stencil>
   KOKKOS_INLINE_FUNCTION void add(int p, const Stencil& stencil) const
   {
@@ -154,19 +170,8 @@ struct ForceBlock
     const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
     const double energy = heat.energy(p, material(p), law, F, variables) + 0.5 * density * dot(v, v);
-    // The image in the cells of each axis of the tube, which turns with the body unless the cells are
-    // undeformed, and u,k relative to the turned tube.
     double image[D][D], du[D][D];
-    for (int i = 0; i < D; ++i)
-      for (int k = 0; k < D; ++k)
-      {
-        const double unit = i == k ? 1.0 : 0.0;
-        double now = 0.0;
-        for (int j = 0; j < D && !frame.undeformed; ++j)
-          now += F[D * i + j] * mean.turn[k][j];
-        image[i][k] = frame.undeformed ? unit : now;
-        du[i][k] = frame.undeformed ? F[D * i + k] - mean.turn[i][k] : now - unit;
-      }
+    findImages(F, image, du);
     double flux[D][D],
         inertia[D]; // of a shift along axis k: (k, slope's axis), and what goes with the weight itself
     for (int k = 0; k < D; ++k)
