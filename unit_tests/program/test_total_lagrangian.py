@@ -63,15 +63,19 @@ class TotalLagrangian(ProgramTest):
             return summary, [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
     def release(self, scene, name="scene"):
-        return self.run_scene(scene, name)[0]["cracks"]["Notch"]["fronts"][0]
+        return self.run_scene(scene, name)[0]["cracks"][0]["fronts"][0]
 
     def test_finite_deflection_changes_G_as_finite_elements_say(self):
-        """The error of the cells is nearly the same under all loads; what is left of the ratio is 0.3 %."""
-        small = self.release(strip(1e3), "small")
-        for stress, ratio in DEFLECTED.items():
-            deflected = self.release(strip(stress), "deflected")
-            for key in ("G_J", "G_closure"):
-                self.assertAlmostEqual(deflected[key] / small[key] / (stress / 1e3) ** 2 / ratio, 1.0, delta=3e-3, msg=f"{key} {stress:g}")
+        """The strain in the cell of the front is large: what the cells miss of the effect falls with the root of their size, as that strain grows.
+        Four cells along the crack miss a fifth of it at most; 16 cells half as much, but for crack closure, whose forces are those of that cell."""
+        for cell, part in ((0.0025, 0.2), (0.000625, 0.1)):
+            small = self.release(strip(1e3, cell), "small")
+            for stress, ratio in DEFLECTED.items():
+                deflected = self.release(strip(stress, cell), "deflected")
+                for key in ("G_J", "G_closure"):
+                    found = deflected[key] / small[key] / (stress / 1e3) ** 2
+                    least = 0.2 if key == "G_closure" else part
+                    self.assertAlmostEqual(found, ratio, delta=least * (1.0 - ratio), msg=f"{key} {stress:g} {cell:g}")
 
     def test_load_steps_do_not_change_equilibrium(self):
         """The law has a potential, so that equilibrium does not depend on the way to it; Newton's method ends at 1e-8 of the forces."""
@@ -121,11 +125,10 @@ class TotalLagrangian(ProgramTest):
             self.assertAlmostEqual(flying["strain"], still["strain"], delta=1e-7 * max(row["strain"] for row in rows[0]))
 
     def test_a_crack_in_a_body_that_turns(self):
-        """Loaded before it turns, and turned fast: G of the spinning strip at rest in its own frame is that of any grid. A turn by the way does not
-        change what is stored."""
-        spin = self.rng.uniform(300.0, 600.0)
+        """A strip that is set spinning, over one turn: kinetic and strain energy add up to the same, and the mean of G is that of other cells."""
+        spin = self.rng.uniform(1500.0, 3000.0)
         results = []
-        for cell in (0.0025, 0.00125):
+        for cell in (0.0025, 0.002):
             scene = strip(0.0, cell)
             scene.remove("Boundaries")
             scene.set("Time", {"Final Time": 2.0 * math.pi / spin})
