@@ -58,7 +58,7 @@ def compare(program, names):
         times = f"{results[0][2]:.2f} | {results[1][2]:.2f}"
         for quantity, one in found[0].items():
             other = found[1].get(quantity)
-            if other is None or one["reference"] == 0.0:
+            if other is None or None in (one["value"], other["value"]) or one["reference"] == 0.0:
                 continue
             errors = [100.0 * (value / one["reference"] - 1.0) for value in (one["value"], other["value"])]
             print(f"| {name} | {short(quantity)} | {errors[0]:+.2f} | {errors[1]:+.2f} | {100 * one['tolerance']:.2f} | {times} |", flush=True)
