@@ -17,6 +17,11 @@ namespace Rhegma::energy_release
 namespace
 {
 
+/// Weight up to which a particle does not touch a node: a box whose edge lies on a node, as boxes of
+/// undeformed cells do, reaches it by the rounding e of positions in cells, with a weight of order e^2.
+/// Rounding differs between ranks, and a node without mass has no displacement.
+constexpr double noWeight = 1e-20;
+
 /// Numbers of one particle that the host needs: position, displacement, mass, volume, four stresses.
 constexpr int rowWidth = 10;
 
@@ -220,7 +225,7 @@ std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const Crac
       p.side = line.side(p.position);
     p.count = 0;
     for (int k = 0; k < count(i); ++k)
-      if (weight(i, k) > 0.0)
+      if (weight(i, k) > noWeight)
       {
         p.node[p.count] = whole(node(i, k));
         p.weight[p.count] = weight(i, k);

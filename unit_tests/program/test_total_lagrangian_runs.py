@@ -31,7 +31,7 @@ def growing():
     """The notch runs while cells around its front follow it."""
     scene = refined(total(plate()), 1).set("Boundaries > Pull > Stress", [2e6, 0.0])
     scene.set("Cracks > Notch > Points", [0.5, 0.0, 0.5, 0.43])
-    scene.set("Propagation", {"Toughness": 5.0, "Terminal Speed": 600.0})
+    scene.set("Propagation", {"Toughness": 5.0, "Speed Limit": 600.0})
     scene.set("Adaptivity > Front Cells", 4)
     return scene.set("Time > Final Time", 1.5e-3)
 
@@ -73,8 +73,8 @@ class TotalLagrangianGoesOn(RestartTest):
 
 
 class NextToDeformedCells(OnRanks):
-    """Under 1 kPa the strain is 1e-6 and cells are where the body is: what differs is of its order, in units of the largest value, times the
-    steps over which it adds up."""
+    """Under 1 kPa the strain is 1e-6 and cells are where the body is. What differs is where particles next to the crack lie in them: evenly in the
+    cells where they stay, which changes the energy of a wave of a few cells by 1e-3 of the largest."""
 
     def compare_formulations(self, scene, *columns):
         ends = []
@@ -84,7 +84,7 @@ class NextToDeformedCells(OnRanks):
         for column in columns:
             largest = numpy.max(numpy.abs(ends[0][column]))
             self.assertGreater(largest, 0.0, column)
-            numpy.testing.assert_allclose(ends[1][column] / largest, ends[0][column] / largest, atol=1e-3, err_msg=column)
+            numpy.testing.assert_allclose(ends[1][column] / largest, ends[0][column] / largest, atol=3e-3, err_msg=column)
 
     def test_a_notch(self):
         self.compare_formulations(plate().set("Boundaries > Pull > Stress", [300.0, 1e3]), "strain", "kinetic", "Notch.0.G_J")
