@@ -89,6 +89,13 @@ Section time()
       .meaning("Treatment of rigid-body modes in an equilibrium analysis. Refuse: a body that can move or "
                "rotate freely is an error. Remove: the body keeps its mean position and orientation, and the "
                "resultant of its loads is balanced by uniform acceleration (inertia relief).");
+  s.choice("Linear Solver", {"Automatic", "Direct", "Iterative"})
+      .byDefault("Automatic")
+      .mayChange()
+      .meaning(
+          "How linear systems of equilibrium are solved. Automatic: by their size. Direct: by factorisation, "
+          "which needs the most memory. Iterative: by conjugate gradients, or by GMRES where friction makes "
+          "the matrix unsymmetric, and directly only if they fail.");
   s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).mayChange().meaning(
       "Courant number: fraction of a cell that a wave crosses in one time step. Undamped bodies gain energy "
       "in proportion to it: with MUSL at 0.4 up to 1.5 % while a wave crosses 1000 cells.");

@@ -68,6 +68,16 @@ LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene) : largest(largestLo
 }
 
 template <int D>
+void EquilibriumSteps<D>::start(const Teuchos::ParameterList& scene)
+{
+  steps_ = LoadSteps<D>(scene);
+  const auto solver = scene.sublist("Time").get<std::string>("Linear Solver");
+  last_->solverChoice = solver == "Direct"      ? equilibrium::SolverChoice::Direct
+                        : solver == "Iterative" ? equilibrium::SolverChoice::Iterative
+                                                : equilibrium::SolverChoice::Automatic;
+}
+
+template <int D>
 void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& plan, State<D>& state)
 {
   for (const std::string& name : sublistNames(scene.sublist("Bodies")))

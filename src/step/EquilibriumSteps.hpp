@@ -37,8 +37,8 @@ public:
   /// \sa equilibrium::LastStep::onIteration
   void onIteration(std::function<void(int, double)> iteration) { last_->onIteration = std::move(iteration); }
 
-  /// Sets the lengths of steps.
-  void start(const Teuchos::ParameterList& scene) { steps_ = LoadSteps<D>(scene); }
+  /// Sets the lengths of steps, and the solver.
+  void start(const Teuchos::ParameterList& scene);
 
   /// Length of the next step [s]; saved with the run.
   double& next() { return steps_.next; }
