@@ -44,7 +44,9 @@ struct Method
   UpdateScheme scheme = UpdateScheme::Musl;     ///< when stress is updated
   double picFraction = 0.0;                     ///< fraction of PIC in the velocity update
   double cfl = 0.4;                             ///< fraction of the stable step that is used
-  bool mechanics = true;         ///< false: nothing moves, and there is neither velocity nor stress
+  bool mechanics = true; ///< false: nothing moves, and there is neither velocity nor stress
+  /// Whether unstable growth of cracks in equilibrium ends it: the run goes on as motion from there.
+  bool handsOver = false;
   bool heldTemperatures = false; ///< true: strain does not change temperatures, which steady conduction holds
 
   /// Whether each step ends in equilibrium; its length is then no limit of what acts on nodes.

@@ -272,6 +272,8 @@ void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until
                       growAtFixedLoads(state, stages, *last_, from, driveBefore);
                     });
   stopIfFailed(state);
+  if (state.cracks.growth.unstable.found)
+    return;
   ++state.clock.step;
   state.particles.particleSteps += allParticles(state);
   if (ends)
