@@ -1,6 +1,8 @@
 #include "SimulationEngine.hpp"
 
+#include "ArchivedSampling.hpp"
 #include "ContinuedFiles.hpp"
+#include "SceneOfCheckpoint.hpp"
 #include "archive/BroadcastRecord.hpp"
 #include "base/FoldMessages.hpp"
 #include "base/OutputError.hpp"
@@ -16,17 +18,21 @@
 #include "state/Nonlinearity.hpp"
 #include "step/GiveHeat.hpp"
 #include "step/Run.hpp"
+#include "step/StartOfMotion.hpp"
+#include "step/TransferRun.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
 namespace Rhegma
 {
 
 /// Warnings of one kind are folded where there are more; of many kinds, none is lost.
 constexpr std::size_t mostWarnings = 100;
+
+/// Entry of checkpoints of motion that has followed an equilibrium.
+constexpr const char* motionName = "motion";
 
 /// The fields that a scene asks for. \param scene validated
 static RequestedFields requestedFields(const Teuchos::ParameterList& scene)
@@ -42,7 +48,7 @@ public:
   EngineOf(const Teuchos::RCP<Teuchos::ParameterList>& scene, const Ranks& ranks)
       : Engine(ranks), scene_(scene)
   {
-    makeRun(run_);
+    run_ = makeRun(scene);
   }
 
   void initialize() override { initialize(*run_); }
@@ -52,40 +58,30 @@ public:
 
   void advance(double until) override
   {
-    State<D>& state = run_->state();
     run_->onIteration(onIteration);
-    while (state.clock.time < until && !state.clock.ended())
+    while (run_->state().clock.time < until && !run_->state().clock.ended())
     {
-      const double dt = run_->stableTimeStep();
-      const bool ends = state.clock.time + dt >= until || state.clock.step + 1 >= state.clock.maximumSteps;
-      const bool due = interval > 0.0 && (ends || state.clock.time + dt >= next_);
+      const bool due = interval > 0.0 && sampleIsDue(run_->state().clock, until);
       sampled = due || sampleNext;
-      run_->step(until, sampled);
+      const bool motionFollows = step(until, sampled);
+      sampled = sampled || motionFollows;
       sampleNext = false;
+      State<D>& state = run_->state();
       if (state.warnings.size() > mostWarnings)
         state.warnings = foldMessages(state.warnings);
       if (sampled)
         Engine::last = state.sample.row;
-      if (due)
+      if (due || (motionFollows && interval > 0.0))
       {
         // Samples missed by a step are left out.
         while (next_ <= state.clock.time)
-          next_ += interval;
+          next_ += sampleInterval();
         if (observer)
           observer(state.clock.time, state.sample.row);
       }
-      try
-      {
-        if (afterStep)
-          afterStep(state.clock.time, state.clock.step);
-      }
-      catch (...)
-      {
-        // The end of the run reads the current energy balance.
-        measureEnergy(state);
-        sumEnergyBalance(state);
-        throw;
-      }
+      if (motionFollows)
+        startMotion();
+      callAfterStep(run_->state());
     }
   }
 
@@ -213,8 +209,11 @@ public:
     archive("scene", scene);
     archive("scene_hash", hash);
     Notes copy = notes;
-    keepNotes(copy, archive);
-    serialize(*run_, next_, Engine::last, archive);
+    archiveNotes(copy, archive);
+    if (bool moving = isMotion(); moving)
+      archive(motionName, moving);
+    run_->serialize(archive);
+    archiveSampling(next_, Engine::last, archive);
     double wall = wallSeconds();
     archive("wall_seconds", wall);
     saveFiles(archive, record, "fields", fieldsBefore_, writer_);
@@ -239,16 +238,15 @@ public:
       throw CheckpointMisfit("belongs to another scene: " + difference +
                              reasonOfDifference(difference, *scene_, effectSchema()));
     // Everything is made anew, so that nothing of the later state remains, and an error changes nothing.
-    std::unique_ptr<Run<D>> run;
-    makeRun(run);
-    initialize(*run);
+    std::unique_ptr<Run<D>> run = makeInitialised(record.count(motionName) > 0);
     Notes notes;
     double next = 0.0, wall = 0.0;
     Row sampledRow;
     try
     {
-      keepNotes(notes, archive);
-      serialize(*run, next, sampledRow, archive);
+      archiveNotes(notes, archive);
+      run->serialize(archive);
+      archiveSampling(next, sampledRow, archive);
       archive("wall_seconds", wall);
     }
     catch (const std::invalid_argument& error)
@@ -281,6 +279,27 @@ public:
   }
 
 private:
+  /// Whether the next step ends with a sample.
+  bool sampleIsDue(const Clock& clock, double until) const
+  {
+    const double end = clock.time + run_->stableTimeStep();
+    return end >= std::min(until, clock.lastTime) || clock.step + 1 >= clock.maximumSteps || end >= next_;
+  }
+
+  void callAfterStep(State<D>& state)
+  try
+  {
+    if (afterStep)
+      afterStep(state.clock.time, state.clock.step);
+  }
+  catch (...)
+  {
+    // The end of the run reads the current energy balance.
+    measureEnergy(state);
+    sumEnergyBalance(state);
+    throw;
+  }
+
   /// The scene as text, which only checkpoints need: made where it is first asked for.
   const std::vector<std::string>& lines()
   {
@@ -289,10 +308,55 @@ private:
     return lines_;
   }
 
-  void makeRun(std::unique_ptr<Run<D>>& run)
+  std::unique_ptr<Run<D>> makeRun(const Teuchos::RCP<Teuchos::ParameterList>& scene)
   {
-    run = std::make_unique<Run<D>>(scene_, std::vector<Effect<D>>{}, ranks());
+    auto run = std::make_unique<Run<D>>(scene, std::vector<Effect<D>>{}, ranks());
     run->beforeObserve = [this](State<D>& state) { coreRow(state, balance_); };
+    return run;
+  }
+
+  /// An initialised run. \param moving whether it is the motion that follows an equilibrium
+  std::unique_ptr<Run<D>> makeInitialised(bool moving)
+  {
+    std::unique_ptr<Run<D>> run = makeRun(moving ? sceneOfMotion(*scene_) : scene_);
+    run->onIteration(onIteration);
+    initialize(*run);
+    return run;
+  }
+
+  /// Whether motion has followed an equilibrium.
+  bool isMotion() const { return run_->state().method.handsOver && !run_->state().method.equilibrium(); }
+
+  /// Takes a step. \return whether it ends where motion follows the equilibrium
+  bool step(double until, bool sample)
+  {
+    const Method& method = run_->state().method;
+    if (method.handsOver && method.equilibrium())
+      return stepToMotion<D>(run_, until, sample, [this] { return makeInitialised(false); });
+    run_->step(until, sample);
+    return false;
+  }
+
+  /// Replaces the run, which ends in equilibrium, by one of motion that begins there.
+  void startMotion()
+  {
+    const Record record = recordOf(*run_);
+    std::unique_ptr<Run<D>> run = makeInitialised(true);
+    loadRecord(record, *run);
+    run->startMotion();
+    run_ = std::move(run);
+    next_ = run_->state().clock.time + sampleInterval();
+  }
+
+  /// Time between two samples [s]; 0: there are none. Motion that has a time of its own has as many at least
+  /// as a run by default.
+  double sampleInterval() const
+  {
+    constexpr double usualSamples = 200.0;
+    const Teuchos::ParameterList& time = scene_->sublist("Time");
+    return interval > 0.0 && isMotion() && time.isParameter("Dynamic Time")
+               ? std::min(interval, time.get<double>("Dynamic Time") / usualSamples)
+               : interval;
   }
 
   void initialize(Run<D>& run)
@@ -307,65 +371,6 @@ private:
     state.energy.thermalStart = state.energy.thermal;
     state.energy.thermal = 0.0;
     state.sample.row.clear();
-  }
-
-  static void serialize(Run<D>& run, double& next, Row& last, Archive& archive)
-  {
-    run.serialize(archive);
-    const Archive::Group group(archive, "sampling");
-    archive("next", next);
-    std::vector<std::string> names;
-    std::vector<double> values;
-    for (const auto& [name, value] : last)
-    {
-      names.push_back(name);
-      values.push_back(value);
-    }
-    archive("names", names);
-    archive("values", values);
-    last.clear();
-    for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k)
-      last.emplace_back(names[k], values[k]);
-  }
-
-  static void keepNotes(Notes& notes, Archive& archive)
-  {
-    const Archive::Group group(archive, "notes");
-    std::vector<std::string> names, texts;
-    for (const auto& [name, text] : notes)
-    {
-      names.push_back(name);
-      texts.push_back(text);
-    }
-    archive("names", names);
-    archive("texts", texts);
-    for (std::size_t k = 0; k < std::min(names.size(), texts.size()); ++k)
-      notes[names[k]] = texts[k];
-  }
-
-  /// The version of the program that wrote a checkpoint.
-  static std::string versionOf(const Record& record)
-  {
-    const auto found = record.find("version");
-    return found == record.end() ? "unknown"
-                                 : std::string(found->second.bytes.begin(), found->second.bytes.end());
-  }
-
-  static std::string text(const std::vector<std::string>& lines)
-  {
-    std::string all;
-    for (const std::string& line : lines)
-      all += line + "\n";
-    return all;
-  }
-
-  static std::vector<std::string> linesOf(const std::string& text)
-  {
-    std::istringstream in(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);)
-      lines.push_back(line);
-    return lines;
   }
 
   Teuchos::RCP<Teuchos::ParameterList> scene_;

@@ -73,6 +73,7 @@ struct Parts
   Formulation formulation;
   bool hasSprings; ///< behind fronts
   bool grows;
+  bool moves;    ///< in the whole run, or in its last part: the law of springs is that of motion
   bool releases; ///< new faces open against a traction; in equilibrium they are free at once
   bool limited;  ///< steps of motion limit the stiffness of springs
   bool joins;    ///< cracks may end on others
@@ -98,11 +99,12 @@ struct Parts
         formulation(readFormulation(section)),
         hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
         grows(options.growth),
+        moves(!isEquilibrium(scene) || handsOver(scene)),
         releases(grows && !isEquilibrium(scene)),
         // Added inertia would have to be part of a mass matrix, and of the first traction of a new face. It
         // is for the law of FrontCell.hpp, which needs heat to pass between the fields.
-        limited(releases || options.nodalMass.lumpedFraction < 1.0 || options.nodalMass.terms > 0 ||
-                !options.fieldsConduct || (options.contact && !isEquilibrium(scene))),
+        limited((grows && moves) || options.nodalMass.lumpedFraction < 1.0 || options.nodalMass.terms > 0 ||
+                !options.fieldsConduct || (options.contact && moves)),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
         startsInEquilibrium(scene.sublist("Time").get<std::string>("Initial State") == "Equilibrium"),
@@ -115,7 +117,7 @@ struct Parts
   {
     // Where faces touch in motion, the contact of nodes near a front would store energy next to their
     // springs.
-    surroundings.law.ofCells = !releases && options.fieldsConduct && (!touching || isEquilibrium(scene));
+    surroundings.law.ofCells = !(grows && moves) && options.fieldsConduct && (!touching || !moves);
   }
 };
 

@@ -3,7 +3,7 @@
 
 #include "mass_matrix/Chebyshev.hpp"
 #include "mass_matrix/MassSystem.hpp"
-#include "solver/ConjugateGradients.hpp"
+#include "solver/KrylovSolver.hpp"
 
 #include <string>
 
@@ -89,7 +89,7 @@ private:
   void reserve(const State<D>& state, const MassSystem<D>& system);
   void record(State<D>& state, const SolveResult& result, double scale, const std::string& what);
 
-  ConjugateGradients gradients_;
+  KrylovSolver gradients_;
   Chebyshev<D> chebyshev_;
   SolveCount count_;
   bool renewed_ = false;   ///< whether cells have changed since the last step, so that no guesses exist

@@ -176,6 +176,8 @@ std::vector<CrackRun> FrontHistory::runs() const
   for (std::size_t r = 0; r < starts_.size(); ++r)
   {
     const std::size_t end = r + 1 < starts_.size() ? starts_[r + 1] : times_.size();
+    if (static_cast<std::size_t>(starts_[r]) == end) // motion has begun, but it has not advanced since
+      continue;
     CrackRun run{times_[starts_[r]], times_[end - 1], 0.0};
     for (std::size_t k = starts_[r]; k < end; ++k)
       run.length += lengths_[k];
@@ -190,6 +192,8 @@ double FrontHistory::meanSpeed() const
   for (std::size_t r = 0; r < starts_.size(); ++r)
   {
     const std::size_t begin = starts_[r], end = r + 1 < starts_.size() ? starts_[r + 1] : times_.size();
+    if (begin == end)
+      continue;
     // The front makes its first increment when it initiates, in no time.
     for (std::size_t k = begin + 1; k < end; ++k)
       length += lengths_[k];

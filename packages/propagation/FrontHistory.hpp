@@ -73,6 +73,10 @@ public:
   /// Records an advance in equilibrium, which has no speed. \param release energy release rate there [J/m2]
   void advanceInEquilibrium(double time, double release, double increment);
 
+  /// Goes on as motion: increments in equilibrium have no speed and belong to no run. A front that has grown
+  /// is in a run, which begins with its next increment.
+  void startMotion() { starts_.assign(running_ ? 1 : 0, static_cast<int>(times_.size())); }
+
   /// Records a sample in which a front at rest does not initiate.
   void recordAtRest(const AdvanceRule& rule, double time, double release);
 
@@ -132,7 +136,7 @@ private:
   double arrestRelease_ = 0.0, arrestToughness_ = 0.0; ///< of the last arrest [J/m2]
   double impulse_ = 0.0;                               ///< energy release rate over time, all of it [J s/m2]
   std::vector<double> times_, lengths_, impulses_;     ///< of each increment; impulses_ up to it
-  std::vector<int> starts_;                            ///< increments with which it initiated
+  std::vector<int> starts_;                            ///< increments with which its runs begin
 };
 
 } // namespace Rhegma::propagation

@@ -36,6 +36,16 @@ void storePath(PathStart<D>& start, std::vector<PathPoint<D>>& path, Archive& ar
 } // namespace
 
 template <int D>
+void FrontState<D>::startMotion()
+{
+  for (auto& [name, node] : nodes)
+  {
+    node.history.startMotion();
+    node.increment = 0.0;
+  }
+}
+
+template <int D>
 bool FrontState<D>::running(const CrackFront<D>& front) const
 {
   return !front.ended && std::any_of(front.nodes.begin(), front.nodes.end(),

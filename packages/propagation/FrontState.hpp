@@ -79,6 +79,8 @@ struct FrontState
   ContourDifference contours;     ///< of a front with one node
   std::vector<PathPoint<D>> path; ///< of a front with one node
 
+  /// Goes on as motion from a state of equilibrium, in which increments are shorter.
+  void startMotion();
   /// Whether any of its nodes runs that can.
   bool running(const CrackFront<D>& front) const;
   /// Whether its nodes that run, and can, are slower than a front that may be arrested.

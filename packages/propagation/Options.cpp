@@ -36,13 +36,23 @@ void addRulesOfEquilibrium(Section& s)
   s.refuse({when::is("Propagation", "Load Control", {"Functions of Time"}),
             when::is("Time", "Analysis", {"Dynamic"})},
            "it is for quasi-static analyses only; write Time > Analysis = Quasi-Static or leave it out");
-  s.refuse({when::given("Propagation", "Speed Limit"), when::equilibrium()},
+  const Condition atRest = when::isNot("Time", "Unstable Growth", {"Dynamic"});
+  s.refuse({when::given("Propagation", "Speed Limit"), when::equilibrium(), atRest},
            "in equilibrium fronts have no speed; leave it out");
-  s.refuse({when::given("Propagation", "Sampling Interval"), when::equilibrium()},
+  s.refuse({when::given("Propagation", "Sampling Interval"), when::equilibrium(), atRest},
            "in equilibrium G is evaluated once in each solution; leave it out");
-  s.refuse({when::given("Propagation", "Arrest Toughness"), when::equilibrium()},
+  s.refuse({when::given("Propagation", "Arrest Toughness"), when::equilibrium(), atRest},
            "in equilibrium fronts do not run, so they are not arrested; leave it out");
   const Condition factor = when::is("Propagation", "Load Control", {"Load Factor"});
+  s.refuse(
+      {factor, when::is("Time", "Unstable Growth", {"Dynamic"})},
+      "with Load Control = Load Factor loads are no functions of time, in which motion could go on; write "
+      "Functions of Time");
+  s.refuse(
+      {when::below("Propagation", "Increment", leastWhileRunning),
+       when::is("Time", "Unstable Growth", {"Dynamic"})},
+      "increments below half a cell are for equilibrium only, and motion follows; write at least 0.5, or "
+      "leave it out");
   s.refuse({factor, when::present("Thermal"), when::equilibrium()},
            "temperatures do not scale with the load factor; write Functions of Time");
   s.refuse({factor, when::is("Materials > *", "Model", {"J2 Plastic"}), when::equilibrium()},

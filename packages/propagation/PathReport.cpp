@@ -35,8 +35,26 @@ nlohmann::json entryOf(const std::vector<PathState>& path, int state)
   return {{"load_factor", path[state].factor}, {"new_area", path[state].area}, {"time", path[state].time}};
 }
 
+/// What follows the state from which G rises as cracks grow.
+std::string afterInstability(const std::optional<double>& motionFrom)
+{
+  if (motionFrom.value_or(-1.0) >= 0.0)
+    return ". From there on the run is dynamic";
+  return ". What is released above the toughness becomes motion in a real body; "
+         "here it is missing from the energy balance";
+}
+
+/// From when on the run is one of motion.
+nlohmann::json entryOfMotion(const std::vector<PathState>& path, double motionFrom)
+{
+  if (motionFrom < 0.0 || path.empty())
+    return {{"new_area", nullptr}, {"time", nullptr}};
+  return {{"new_area", path.back().area}, {"time", motionFrom}};
+}
+
 /// Of given loads: where G rises as cracks grow.
-void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summary)
+void reportGivenLoads(const std::vector<PathState>& path, const std::optional<double>& motionFrom,
+                      nlohmann::json& summary)
 {
   const auto rises =
       std::find_if(path.begin(), path.end(), [](const PathState& s) { return s.rise > noticeable; });
@@ -58,9 +76,9 @@ void reportGivenLoads(const std::vector<PathState>& path, nlohmann::json& summar
                                  readableTime(rises->from) + " to " + readableTime(rises->time) +
                                  ": G rises as the crack grows under the loads of that time, new "
                                  "area " +
-                                 formatShort(rises->area) +
-                                 " m2. What is released above the toughness becomes motion in a real body; "
-                                 "here it is missing from the energy balance");
+                                 formatShort(rises->area) + " m2" + afterInstability(motionFrom));
+  if (motionFrom)
+    entry["motion_from"] = entryOfMotion(path, *motionFrom);
 }
 
 } // namespace
@@ -86,10 +104,11 @@ PathEvents eventsOf(const std::vector<PathState>& path)
   return events;
 }
 
-void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor, nlohmann::json& summary)
+void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor, nlohmann::json& summary,
+                             const std::optional<double>& motionFrom)
 {
   if (!hasFactor)
-    return reportGivenLoads(path, summary);
+    return reportGivenLoads(path, motionFrom, summary);
   nlohmann::json& entry = summary["propagation"];
   if (path.empty()) // what will be there is known from the start
   {

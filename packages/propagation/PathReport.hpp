@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,10 @@ PathEvents eventsOf(const std::vector<PathState>& path);
 /// Adds to `propagation` of the summary, and to the answers, at which load cracks start, which is the
 /// largest, and where growth is unstable; where a front is under shear, also the lower load at which the
 /// largest hoop stress makes it start. \param hasFactor whether the loads have a factor
-/// \param summary with the entries of fronts
-void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor, nlohmann::json& summary);
+/// \param summary with the entries of fronts \param motionFrom where the scene lets motion follow unstable
+/// growth, the time from which the run is one of motion [s]; negative: it is not yet
+void reportPathOfEquilibrium(const std::vector<PathState>& path, bool hasFactor, nlohmann::json& summary,
+                             const std::optional<double>& motionFrom = {});
 
 /// Saves or loads the path.
 void storeGrowth(EquilibriumGrowth& growth, Archive& archive);

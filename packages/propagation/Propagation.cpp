@@ -94,6 +94,17 @@ void addCallsOfEquilibrium(const Teuchos::ParameterList& scene, const std::share
               });
 }
 
+/// Goes on as motion from a state of equilibrium, in which all fronts are marked whose G is looked at.
+template <int D>
+void startMotion(State<D>& state, Run<D>& run)
+{
+  for (CrackFront<D>& front : state.cracks.fronts)
+    for (FrontNode<D>& node : front.nodes)
+      node.advances = false;
+  for (FrontState<D>& front : run.fronts)
+    front.startMotion();
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
@@ -136,16 +147,22 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       run->fronts[f].matchNodes(state.cracks.fronts[f]); // when loaded, those of the checkpoint
       run->fronts[f].serialize(archive);
     }
-    if (run->options.equilibrium)
+    if (run->options.equilibrium || state.method.handsOver)
       storeGrowth(state.cracks.growth, archive);
+    if (state.method.handsOver)
+      archive("motion_from", state.cracks.growth.motionFrom);
+    const bool follows = !run->options.equilibrium && state.method.handsOver;
+    if (archive.loads() && follows && state.cracks.growth.motionFrom < 0.0)
+      startMotion(state, *run);
   };
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
   {
     reportFronts(state, run->fronts, run->options, summary);
     reportToughness(run->options, summary);
-    if (run->options.equilibrium)
-      reportPathOfEquilibrium(state.cracks.growth.path, state.method.analysis == Analysis::LoadFactor,
-                              summary);
+    if (run->options.equilibrium || state.method.handsOver)
+      reportPathOfEquilibrium(
+          state.cracks.growth.path, state.method.analysis == Analysis::LoadFactor, summary,
+          state.method.handsOver ? std::make_optional(state.cracks.growth.motionFrom) : std::nullopt);
   };
   return effect;
 }
@@ -159,7 +176,7 @@ EffectEntry propagationEntry()
   {
     // Cells don't follow a front that grows, and in equilibrium no front runs.
     needs.equal = true;
-    needs.running = !isEquilibrium(scene);
+    needs.running = !isEquilibrium(scene) || handsOver(scene);
   };
   return entry;
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// Time integration of conduction with steps far longer than explicit ones.
 
-#include "solver/ConjugateGradients.hpp"
+#include "solver/KrylovSolver.hpp"
 #include "thermal/CrackConduction.hpp"
 #include "thermal/HeatBoundaries.hpp"
 
@@ -84,7 +84,7 @@ public:
 
 private:
   void reserveRows(const State<D>& state);
-  ConjugateGradients& gradients() { return method == Method::Steady ? ofSteady_ : ofSteps_; }
+  KrylovSolver& gradients() { return method == Method::Steady ? ofSteady_ : ofSteps_; }
 
   /// Columns of pairs_: fractions a and b of the jump of the two fields, jump at the beginning [K], dt times
   /// conductance [J/K], unknown jump [K]; a = b = 0 where nothing passes or both are held.
@@ -98,9 +98,9 @@ private:
   View<char*> unknown_;             ///< not 0 for nodes of this rank whose temperature is to be found
   View<double* [pairWidth]> pairs_; ///< of each enriched field
   int numPairs_ = 0;                ///< enriched fields while faces conduct, else 0
-  ConjugateGradients ofSteps_{1e-8, 1000};
+  KrylovSolver ofSteps_{1e-8, 1000};
   /// The error of temperatures is the residual's times the square of the number of cells across a body.
-  ConjugateGradients ofSteady_{1e-12, 20000};
+  KrylovSolver ofSteady_{1e-12, 20000};
   int capacity_ = 0; ///< number of unknowns that fit
 };
 

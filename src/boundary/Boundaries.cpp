@@ -57,7 +57,7 @@ void addLoads(Effect<D>& effect, const Teuchos::ParameterList& scene,
                   load.addWork(state);
               });
   addLoadForces(effect, loads);
-  if (isEquilibrium(scene))
+  if (isEquilibrium(scene) || handsOver(scene))
     addLoadDisplacements(effect, scene, loads);
 }
 

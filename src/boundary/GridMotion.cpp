@@ -63,7 +63,7 @@ void prepareGridMotion(std::vector<TimedConstraint<D>>& constraints, const State
       leader = &timed;
   if (leader == nullptr)
     return;
-  if (staysAtRest(state))
+  if (staysAtRest(state) || state.method.handsOver)
     throw std::invalid_argument(pathOf(*leader) + " > Box Motion: the grid moves only in dynamic analyses; "
                                                   "set it to With Material, or Time > Analysis to Dynamic");
   if (cellsChange)

@@ -144,7 +144,8 @@ template <int D>
 void addDisplacements(const TimedConstraint<D>& timed, State<D>& state)
 {
   const char* columns[] = {".displacement_x", ".displacement_y", ".displacement_z"};
-  for (int d = 0; d < D && state.method.equilibrium() && !timed.field; ++d)
+  const bool listed = state.method.equilibrium() || state.method.handsOver;
+  for (int d = 0; d < D && listed && !timed.field; ++d)
     if (timed.constraint.holds[d] && timed.value[d] != 0.0)
       state.sample.row.emplace_back(timed.name + columns[d], timed.displacement[d]);
 }

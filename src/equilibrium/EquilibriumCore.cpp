@@ -96,6 +96,7 @@ StepReport solveOnce(State<D>& state, Account<D>& account, const LastStep& last,
   step.reset(); // large: not two of them
   step = std::make_unique<NewtonStep<D>>(state, last.inPlace ? account.system : nullptr, boxes);
   account.system = step->system();
+  account.system->choose(last.solverChoice);
   step->onIteration(last.onIteration);
   const int most = last.onlyLoads ? 0 : last.trial ? 1 : mostIterations;
   return step->solve(state, account.largestForces, most, last.enough);

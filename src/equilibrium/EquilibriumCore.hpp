@@ -1,6 +1,7 @@
 #pragma once
 /// Equilibrium as calls of the stages.
 
+#include "equilibrium/SolverChoice.hpp"
 #include "plan/Effect.hpp"
 
 #include <functional>
@@ -22,6 +23,7 @@ struct LastStep
   double enough = 0.0;
   /// Set by the loop: gets number and residual of an iteration before it, as NewtonStep::onIteration.
   std::function<void(int, double)> onIteration;
+  SolverChoice solverChoice = SolverChoice::Automatic; ///< set by the loop: what the scene asks for
   bool converged = false;
   int iterations = 0;
   std::vector<double> residuals; ///< fractions of the forces, before each iteration and after the last

@@ -15,8 +15,8 @@ namespace
 constexpr double linearTolerance = 1e-11;
 constexpr int mostLinearIterations = 50000;
 
-/// Residual of conjugate gradients, relative to the right side, below which the next iteration of Newton's
-/// method, which is due in any case for the change of the stiffness, takes over.
+/// Residual of conjugate gradients or GMRES, relative to the right side, below which the next iteration of
+/// Newton's method, which is due in any case for the change of the stiffness, takes over.
 constexpr double leastLinearResidual = 1e-8;
 
 /// Residual of a linear solve, relative to its right side, with which an iteration of Newton's method still
@@ -124,17 +124,19 @@ bool LinearSystem<D>::isLarge(int rows)
 }
 
 template <int D>
-typename LinearSystem<D>::Method LinearSystem<D>::choose()
+typename LinearSystem<D>::Method LinearSystem<D>::chooseMethod()
 {
-  const bool multigrid = Multigrid::available() && unknowns_ >= leastMultigridUnknowns<D>;
+  const bool iterates = choice_ == SolverChoice::Iterative, factorises = choice_ == SolverChoice::Direct;
+  const bool multigrid = Multigrid::available() && (iterates || unknowns_ >= leastMultigridUnknowns<D>);
   // Conjugate gradients with the diagonal take longer than any factorisation of so few unknowns.
-  const double most = multigrid ? mostOperations : mostOperationsAtLast;
-  if (DirectSolver::available() && unknowns_ <= mostDirectUnknowns<D> &&
-      direct_.analyse(matrix_.sparse()) <= most)
+  const double most = factorises  ? std::numeric_limits<double>::max()
+                      : multigrid ? mostOperations
+                                  : mostOperationsAtLast;
+  const bool considered = factorises || (!iterates && unknowns_ <= mostDirectUnknowns<D>);
+  if (DirectSolver::available() && considered && direct_.analyse(matrix_.sparse()) <= most)
     return Method::Direct;
-  gradients_ =
-      std::make_unique<ConjugateGradients>(linearTolerance, mostLinearIterations, OnStopRequest::Throw);
-  gradients_->resize(matrix_.rows(), owners_.ranks());
+  krylov_ = std::make_unique<KrylovSolver>(linearTolerance, mostLinearIterations, OnStopRequest::Throw);
+  krylov_->resize(matrix_.rows(), owners_.ranks());
   return multigrid ? Method::Multigrid : Method::Diagonal;
 }
 
@@ -211,13 +213,14 @@ void LinearSystem<D>::makeMultigrid()
 }
 
 template <int D>
-SolveResult LinearSystem<D>::runGradients(const View<double*>& diagonal, int most)
+SolveResult LinearSystem<D>::runKrylov(const View<double*>& diagonal, int most)
 {
-  return gradients_->solve([this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
-                           { matrix_.multiply(x, y); },
-                           [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
-                           { precondition(diagonal, x, y); },
-                           most);
+  const auto multiply = [this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
+  { matrix_.multiply(x, y); };
+  const auto preconditioned = [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
+  { precondition(diagonal, x, y); };
+  return symmetric_ ? krylov_->solve(multiply, preconditioned, most)
+                    : krylov_->solveUnsymmetric(multiply, preconditioned, most);
 }
 
 template <int D>
@@ -235,7 +238,7 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
   // The tolerance is that of a right side of size one: a smaller one needs fewer digits.
   const double wanted = std::min(std::max(enough / size, leastLinearResidual), 0.1);
   const double scale = size * std::max(1.0, wanted / linearTolerance);
-  const auto right = gradients_->right();
+  const auto right = krylov_->right();
   View<double*> diagonal("rhegma::equilibrium::diagonal", matrix_.rows());
   const SparseMatrix& matrix = matrix_.sparse();
   for (int r = 0; r < matrix.rows(); ++r)
@@ -251,12 +254,12 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
   const double decades = -std::log10(wanted);
   const auto beyond = [&](double times)
   { return std::max(fewIterations, static_cast<int>(times * perDecade_ * decades)); };
-  SolveResult result = runGradients(diagonal, old ? beyond(mostTooOld) : 0);
+  SolveResult result = runKrylov(diagonal, old ? beyond(mostTooOld) : 0);
   int iterations = result.iterations;
   if (old && !result.converged)
   {
     makeMultigrid();
-    result = runGradients(diagonal);
+    result = runKrylov(diagonal);
     iterations += result.iterations;
     perDecade_ = result.iterations / decades;
   }
@@ -268,10 +271,10 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
   {
     multigrid_.reset();
     method_ = Method::Diagonal;
-    result = runGradients(diagonal);
+    result = runKrylov(diagonal);
     iterations += result.iterations;
   }
-  const auto x = gradients_->solution();
+  const auto x = krylov_->solution();
   for (int k = 0; k < matrix_.rows(); ++k)
     x_(k) = scale * x(k);
   // Newton's method corrects the rest.
@@ -284,7 +287,7 @@ void LinearSystem<D>::prepare()
   if (!matrix_.isBuilt())
     matrix_.build();
   if (method_ == Method::Unknown)
-    method_ = choose();
+    method_ = chooseMethod();
 }
 
 template <int D>
@@ -293,13 +296,14 @@ bool LinearSystem<D>::takesUnsymmetric()
   if (rowsOfAll_ == 0)
     return true;
   prepare();
-  const bool tries = unknowns_ <= mostDirectUnknownsOfForces<D> && DirectSolver::available();
+  const bool tries = choice_ != SolverChoice::Iterative && unknowns_ <= mostDirectUnknownsOfForces<D> &&
+                     DirectSolver::available();
   if (method_ != Method::Direct && !isTooLarge_ && tries)
   {
     isTooLarge_ = direct_.analyse(matrix_.sparse()) > mostOperationsOfForces;
     method_ = isTooLarge_ ? method_ : Method::Direct;
   }
-  return method_ == Method::Direct;
+  return method_ != Method::Diagonal;
 }
 
 template <int D>
@@ -357,9 +361,9 @@ const char* LinearSystem<D>::method() const
   case Method::Direct:
     return "direct (MUMPS)";
   case Method::Multigrid:
-    return "conjugate gradients with multigrid (MueLu)";
+    return symmetric_ ? "conjugate gradients with multigrid (MueLu)" : "GMRES with multigrid (MueLu)";
   case Method::Diagonal:
-    return "conjugate gradients with the diagonal";
+    return symmetric_ ? "conjugate gradients with the diagonal" : "GMRES with the diagonal";
   case Method::Unknown:
     break;
   }

@@ -2,9 +2,10 @@
 /// The linear systems of an equilibrium.
 
 #include "equilibrium/EarlierRows.hpp"
+#include "equilibrium/SolverChoice.hpp"
 #include "equilibrium/SystemMatrix.hpp"
-#include "solver/ConjugateGradients.hpp"
 #include "solver/DirectSolver.hpp"
+#include "solver/KrylovSolver.hpp"
 #include "solver/Multigrid.hpp"
 
 #include <memory>
@@ -16,7 +17,7 @@ namespace Rhegma::equilibrium
 struct LinearAnswer
 {
   bool solved = false;
-  int iterations = 0;          ///< of conjugate gradients; 0 for a direct solution
+  int iterations = 0;          ///< of conjugate gradients or GMRES; 0 for a direct solution
   int negativeEigenvalues = 0; ///< of the matrix, where a direct solution counts them
 };
 
@@ -43,10 +44,14 @@ public:
   /// Number of unknowns of all ranks that no support holds.
   int unknowns() const { return unknowns_; }
 
-  /// Whether matrices that are not symmetric can be solved: by factorisation, not by conjugate gradients.
-  /// With the symmetric part of the stiffness of sliding faces, Newton's method need not converge, and
-  /// conjugate gradients take hundreds of iterations, so factorises from now on if the system is not too
-  /// large.
+  /// Which solver the scene asks for; from the next system on that is solved for the first time.
+  void choose(SolverChoice choice) { choice_ = choice; }
+
+  /// Whether matrices that are not symmetric can be solved: by factorisation, which is used from now on if
+  /// the system is not too large, because forces as stiff as those of faces take hundreds of iterations; else
+  /// by GMRES with multigrid. With the diagonal alone GMRES would need a longer basis than is stored: then
+  /// only the symmetric part of the stiffness of sliding faces can be used, with which Newton's method need
+  /// not converge.
   bool takesUnsymmetric();
 
   /// Solves for the change of the free unknowns, those that are held changing as given.
@@ -77,7 +82,7 @@ private:
   };
 
   void prepare();
-  Method choose();
+  Method chooseMethod();
   std::vector<std::vector<double>> nearNullSpace() const;
   void makeMultigrid();
   void precondition(const View<double*>& diagonal, const BorrowedView<const double*>& x,
@@ -85,7 +90,7 @@ private:
   LinearAnswer solveDirectly(bool symmetric);
   LinearAnswer finish(LinearAnswer answer, bool symmetric, const Values& change);
   LinearAnswer iterate(double enough);
-  SolveResult runGradients(const View<double*>& diagonal, int most = 0);
+  SolveResult runKrylov(const View<double*>& diagonal, int most = 0);
 
   RowOwners owners_;
   std::vector<Vector<D>> position_;
@@ -95,12 +100,13 @@ private:
   int rowsOfAll_ = 0;      ///< of all ranks
   int unknowns_ = 0;
   Values b_, x_;
+  SolverChoice choice_ = SolverChoice::Automatic;
   Method method_ = Method::Unknown;
   DirectSolver direct_, unsymmetric_{false};
   bool unsymmetricAnalysed_ = false;
   bool isTooLarge_ = false; ///< for any factorisation
   bool symmetric_ = true;   ///< the last matrix
-  std::unique_ptr<ConjugateGradients> gradients_;
+  std::unique_ptr<KrylovSolver> krylov_;
   std::unique_ptr<Multigrid> multigrid_;
   EarlierRows earlier_;    ///< where the multigrid is of an earlier system
   double perDecade_ = 0.0; ///< iterations with the multigrid, when it was made, per decade of the residual

@@ -16,6 +16,14 @@ inline bool isEquilibrium(const Teuchos::ParameterList& scene)
   return time.isType<std::string>(name) && time.get<std::string>(name) != "Dynamic";
 }
 
+/// Whether the motion of a scene of equilibrium follows unstable growth of its cracks; also in that motion.
+inline bool handsOver(const Teuchos::ParameterList& scene)
+{
+  const char* const name = "Unstable Growth";
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  return time.isType<std::string>(name) && time.get<std::string>(name) == "Dynamic";
+}
+
 /// The last stage of a step except for samples. The nodal and particle values of the step are still available
 /// in it, but not always between two steps, as a run may continue from a checkpoint or with other cells.
 /// Calls that read "particle stress", "particle velocity" and "crack geometry" run last in it.

@@ -86,10 +86,13 @@ std::string otherEnergies(const nlohmann::json& energy, double given)
   return text;
 }
 
-/// Whether cracks have grown unstably under given loads in equilibrium.
+/// Whether cracks have grown unstably under given loads in equilibrium, and not in motion that followed.
 bool isUnstableGrowth(const nlohmann::json& summary)
 {
   const nlohmann::json growth = summary.value("propagation", nlohmann::json::object());
+  const nlohmann::json motion = growth.value("motion_from", nlohmann::json::object());
+  if (motion.value("time", nlohmann::json()).is_number())
+    return false;
   const nlohmann::json from = growth.value("unstable_from", nlohmann::json());
   return from.is_object() && !from.contains("load_factor") &&
          from.value("new_area", nlohmann::json()).is_number();

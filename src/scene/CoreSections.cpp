@@ -69,6 +69,63 @@ Section domain()
   return s;
 }
 
+/// What follows an equilibrium in which cracks grow unstably.
+void addUnstableGrowth(Section& s)
+{
+  s.choice("Unstable Growth", {"Equilibrium", "Dynamic"})
+      .byDefault("Equilibrium")
+      .meaning(
+          "What follows where cracks grow unstably in a quasi-static analysis. Equilibrium: they grow on "
+          "under the loads of that time. Dynamic: the run goes on as motion from the equilibrium before "
+          "this growth, under loads that go on by their functions of time.");
+  const Condition asMotion = when::is("Time", "Unstable Growth", {"Dynamic"});
+  s.refuse({asMotion, when::isNot("Time", "Analysis", {"Quasi-Static"})},
+           "only a quasi-static analysis finds where growth becomes unstable; write Analysis = Quasi-Static, "
+           "or leave it out");
+  s.refuse({asMotion, when::absent("Propagation")},
+           "there is no section Propagation, so that no crack grows; add it, or leave Unstable Growth out");
+  s.refuse(
+      {asMotion, when::present("Contact")},
+      "closed faces can't be taken over from equilibrium to motion; remove the section Contact, or leave "
+      "Unstable Growth out");
+  s.refuse(
+      {asMotion, when::present("Thermal")},
+      "temperatures can't be taken over from equilibrium to motion; remove the section Thermal, or leave "
+      "Unstable Growth out");
+  s.real("Dynamic Time")
+      .unit("s")
+      .positive()
+      .mayChange()
+      .optional("up to Final Time")
+      .meaning("With Unstable Growth = Dynamic: the run ends this time after motion has begun, if Final Time "
+               "is not earlier.");
+  s.refuse({when::given("Time", "Dynamic Time"), when::isNot("Time", "Unstable Growth", {"Dynamic"})},
+           "motion follows only with Unstable Growth = Dynamic; write that, or leave Dynamic Time out");
+}
+
+/// How equilibrium is solved.
+void addStepsOfEquilibrium(Section& s)
+{
+  s.integer("Load Steps")
+      .atLeast(1)
+      .mayChange()
+      .optional("1 for Static, 20 for Quasi-Static")
+      .meaning("Minimum number of load steps of an equilibrium analysis. A load step that does not converge "
+               "is halved; the steps grow again after steps that converge.");
+  s.choice("Rigid Modes", {"Refuse", "Remove"})
+      .byDefault("Refuse")
+      .meaning("Treatment of rigid-body modes in an equilibrium analysis. Refuse: a body that can move or "
+               "rotate freely is an error. Remove: the body keeps its mean position and orientation, and the "
+               "resultant of its loads is balanced by uniform acceleration (inertia relief).");
+  s.choice("Linear Solver", {"Automatic", "Direct", "Iterative"})
+      .byDefault("Automatic")
+      .mayChange()
+      .meaning(
+          "How linear systems of equilibrium are solved. Automatic: by their size. Direct: by factorisation, "
+          "which needs the most memory. Iterative: by conjugate gradients, or by GMRES where friction makes "
+          "the matrix unsymmetric, and directly only if they fail.");
+}
+
 Section time()
 {
   Section s("Time", "Duration, time step and update scheme.");
@@ -86,17 +143,8 @@ Section time()
                "Cracks: the same for bodies without their cracks, which are cut at time 0.");
   s.refuse({when::isNot("Time", "Initial State", {"Unloaded"}), when::equilibrium()},
            "only a dynamic run has an initial state; leave Initial State out");
-  s.integer("Load Steps")
-      .atLeast(1)
-      .mayChange()
-      .optional("1 for Static, 20 for Quasi-Static")
-      .meaning("Minimum number of load steps of an equilibrium analysis. A load step that does not converge "
-               "is halved; the steps grow again after steps that converge.");
-  s.choice("Rigid Modes", {"Refuse", "Remove"})
-      .byDefault("Refuse")
-      .meaning("Treatment of rigid-body modes in an equilibrium analysis. Refuse: a body that can move or "
-               "rotate freely is an error. Remove: the body keeps its mean position and orientation, and the "
-               "resultant of its loads is balanced by uniform acceleration (inertia relief).");
+  addUnstableGrowth(s);
+  addStepsOfEquilibrium(s);
   s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).mayChange().meaning(
       "Courant number: fraction of a cell that a wave crosses in one time step. Undamped bodies gain energy "
       "in proportion to it: with MUSL at 0.4 up to 1.5 % while a wave crosses 1000 cells.");

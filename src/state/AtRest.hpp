@@ -11,7 +11,7 @@ namespace Rhegma
 template <int D>
 bool staysAtRest(const State<D>& state)
 {
-  return state.method.equilibrium() && state.method.analysis != Analysis::Preload;
+  return state.method.equilibrium() && state.method.analysis != Analysis::Preload && !state.method.handsOver;
 }
 
 } // namespace Rhegma

@@ -23,20 +23,21 @@ struct LoadFactor
 /// Time, step and how the run ends.
 struct Clock
 {
-  double time = 0.0;                                    ///< at the start of the step [s]
-  double dt = 0.0;                                      ///< length of the step [s]
-  double finalTime = 0.0;                               ///< of the scene [s]
-  long step = 0;                                        ///< steps taken
-  long maximumSteps = std::numeric_limits<long>::max(); ///< the run ends after them, if not before
-  double fastestSpeed = 0.0;                            ///< largest wave speed plus particle speed [m/s]
-  LoadFactor factor;                                    ///< where the analysis has one (Analysis::LoadFactor)
-  StrainPass strainPass;                                ///< the current pass, or the next
-  bool observing = false;                               ///< a sample is taken at the end of this step
-  bool settled = false;                                 ///< the bodies are at rest
-  bool stopWhenSettled = false;                         ///< the scene ends the run once they are
+  double time = 0.0;                                         ///< at the start of the step [s]
+  double dt = 0.0;                                           ///< length of the step [s]
+  double finalTime = 0.0;                                    ///< of the scene [s]
+  double lastTime = std::numeric_limits<double>::infinity(); ///< at which a run ends before that [s]
+  long step = 0;                                             ///< steps taken
+  long maximumSteps = std::numeric_limits<long>::max();      ///< the run ends after them, if not before
+  double fastestSpeed = 0.0;                                 ///< largest wave speed plus particle speed [m/s]
+  LoadFactor factor;            ///< where the analysis has one (Analysis::LoadFactor)
+  StrainPass strainPass;        ///< the current pass, or the next
+  bool observing = false;       ///< a sample is taken at the end of this step
+  bool settled = false;         ///< the bodies are at rest
+  bool stopWhenSettled = false; ///< the scene ends the run once they are
 
   /// Whether the run ends here, before its final time.
-  bool ended() const { return (settled && stopWhenSettled) || step >= maximumSteps; }
+  bool ended() const { return (settled && stopWhenSettled) || step >= maximumSteps || time >= lastTime; }
 };
 
 } // namespace Rhegma

@@ -42,11 +42,13 @@ struct Method
   ShapeKind shape = ShapeKind::Gimp;            ///< shape functions
   ShearStrain shear = ShearStrain::AtParticles; ///< where slopes of shear are taken
   UpdateScheme scheme = UpdateScheme::Musl;     ///< when stress is updated
-  bool totalLagrangian =
-      false;                ///< whether the cells lie in the undeformed body, through which it does not move
+  /// Whether the cells lie in the undeformed body, through which it does not move.
+  bool totalLagrangian = false;
   double picFraction = 0.0; ///< fraction of PIC in the velocity update
   double cfl = 0.4;         ///< fraction of the stable step that is used
   bool mechanics = true;    ///< false: nothing moves, and there is neither velocity nor stress
+  /// Whether unstable growth of cracks in equilibrium ends it: the run goes on as motion from there.
+  bool handsOver = false;
   bool heldTemperatures = false; ///< true: strain does not change temperatures, which steady conduction holds
 
   /// Whether each step ends in equilibrium; its length is then no limit of what acts on nodes.

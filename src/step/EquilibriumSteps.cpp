@@ -69,6 +69,16 @@ LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene) : largest(largestLo
 }
 
 template <int D>
+void EquilibriumSteps<D>::start(const Teuchos::ParameterList& scene)
+{
+  steps_ = LoadSteps<D>(scene);
+  const auto solver = scene.sublist("Time").get<std::string>("Linear Solver");
+  last_->solverChoice = solver == "Direct"      ? equilibrium::SolverChoice::Direct
+                        : solver == "Iterative" ? equilibrium::SolverChoice::Iterative
+                                                : equilibrium::SolverChoice::Automatic;
+}
+
+template <int D>
 void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& plan, State<D>& state)
 {
   for (const std::string& name : sublistNames(scene.sublist("Bodies")))
@@ -263,6 +273,8 @@ void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until
                       growAtFixedLoads(state, stages, *last_, from, driveBefore);
                     });
   stopIfFailed(state);
+  if (state.cracks.growth.unstable.found)
+    return;
   ++state.clock.step;
   state.particles.particleSteps += allParticles(state);
   if (ends && !state.method.totalLagrangian)

@@ -37,8 +37,8 @@ public:
   /// \sa equilibrium::LastStep::onIteration
   void onIteration(std::function<void(int, double)> iteration) { last_->onIteration = std::move(iteration); }
 
-  /// Sets the lengths of steps.
-  void start(const Teuchos::ParameterList& scene) { steps_ = LoadSteps<D>(scene); }
+  /// Sets the lengths of steps, and the solver.
+  void start(const Teuchos::ParameterList& scene);
 
   /// Length of the next step [s]; saved with the run.
   double& next() { return steps_.next; }
@@ -51,8 +51,10 @@ public:
   /// \param onlyLoads solves nothing, and only warns of loads on free bodies that do not balance
   void trySolve(Plan<D>& plan, State<D>& state, bool onlyLoads = false);
 
-  /// Takes a step, not beyond `until`, but for its sample. Throws StopRequested where the process is asked to
-  /// stop meanwhile: time and number of the step are then those at its start, and the particles are anywhere.
+  /// Takes a step, not beyond `until`, but for its sample. Where that finds unstable growth which motion
+  /// follows (EquilibriumGrowth::unstable), the state is of no use afterwards. Throws StopRequested where the
+  /// process is asked to stop meanwhile: time and number of the step are then those at its start, and the
+  /// particles are anywhere.
   void take(Plan<D>& plan, State<D>& state, double until);
 
 private:

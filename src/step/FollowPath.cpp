@@ -42,6 +42,10 @@ constexpr double heldDrive = 1.0 + 1e-6;
 /// Relative difference of times that is rounding: load steps add up to them.
 constexpr double roundingOfTime = 1e-9;
 
+/// By how much G/Gc must rise while cracks grow under given loads to be unstable: more than it jumps between
+/// cells, half a percent.
+constexpr double unstableRise = 0.01;
+
 /// Strain above which no factor is searched for, by a linear estimate (meanStrain): rubber tears at strains
 /// of a few.
 constexpr double largestStrain = 10.0;
@@ -166,6 +170,36 @@ double displacementOfLoads(const State<D>& state, const equilibrium::LastStep& l
              : 0.0;
 }
 
+/// Advances the cracks by an increment under given loads, where motion follows unstable growth. \return
+/// whether growth is stable so far: there is an equilibrium, in which G has not risen
+template <int D>
+bool growsStably(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last)
+{
+  UnstableGrowth& unstable = state.cracks.growth.unstable;
+  unstable.found = true;
+  state.cracks.growth.advance = true;
+  try
+  {
+    calls.between();
+    calls.solve();
+    if (!last.converged)
+      return false;
+    calls.accept();
+  }
+  catch (const StopRequested&)
+  {
+    throw;
+  }
+  catch (const RunError&) // a crack has parted the body: nothing of this step is kept
+  {
+    state.failure.clear();
+    return false;
+  }
+  unstable.rise = state.cracks.growth.drive / unstable.drive - 1.0;
+  unstable.found = unstable.rise > unstableRise;
+  return !unstable.found;
+}
+
 /// Moves the particles into the equilibrium that was found. \param explain why the run ends, where they can't
 template <int D, class Explain>
 void accept(State<D>& state, const EquilibriumCalls& calls, const Explain& explain)
@@ -246,13 +280,24 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
 {
   EquilibriumGrowth& growth = state.cracks.growth;
   const double now = state.clock.time + state.clock.dt; // the end of the load step
-  if (now < growth.startTime * (1.0 - roundingOfTime))
+  growth.unstable = {false, growth.drive, 0.0};
+  if (growth.held || now < growth.startTime * (1.0 - roundingOfTime))
     return;
   const double reached = std::max(timeOfToughness(from, driveBefore, now, growth.drive), growth.startTime);
   const double areaBefore = growth.area;
   while (state.failure.empty() && canAdvance(state) && growth.drive > heldDrive)
   {
     const double before = growth.release;
+    const auto record = [&] {
+      growth.path.push_back({now, 0.0, 0.0, growth.area, growth.release / before - 1.0, from, reached});
+    };
+    if (state.method.handsOver)
+    {
+      if (!growsStably(state, calls, last))
+        return;
+      record();
+      continue;
+    }
     growth.advance = true;
     calls.between();
     calls.solve();
@@ -271,7 +316,7 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
                     ", and what is left of the body does not bear them (" + state.failure +
                     "): the body breaks at these loads, or between them and those of the load step before";
            });
-    growth.path.push_back({now, 0.0, 0.0, growth.area, growth.release / before - 1.0, from, reached});
+    record();
   }
 }
 

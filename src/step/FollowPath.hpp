@@ -34,7 +34,9 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
                       double length);
 
 /// Advances the cracks under the loads of the time until no front's G is above its toughness, each time by an
-/// increment. \param last of the solves \param from begin of the load step [s] \param driveBefore G/Gc there
+/// increment. Where motion follows unstable growth (Method::handsOver), ends with EquilibriumGrowth::unstable
+/// set once it is found: the state is then of no use. \param last of the solves \param from begin of the load
+/// step [s] \param driveBefore G/Gc there
 template <int D>
 void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last,
                       double from, double driveBefore);

@@ -1,13 +1,12 @@
 #include "step/Preload.hpp"
 
-#include "archive/Archive.hpp"
-#include "archive/BroadcastRecord.hpp"
 #include "base/ReadList.hpp"
 #include "base/StopRequest.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
 #include "scene/Compatibility.hpp"
 #include "step/Run.hpp"
+#include "step/TransferRun.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -114,16 +113,12 @@ void copyFields(const FieldTable& from, const FieldTable& to, const std::vector<
 
 /// The run on this rank alone, with all particles, from one that is divided among ranks. Collective.
 template <int D>
-std::unique_ptr<Run<D>> onOneRank(Run<D>& divided, const Teuchos::ParameterList& scene, const Ranks& ranks)
+std::unique_ptr<Run<D>> onOneRank(Run<D>& divided, const Teuchos::ParameterList& scene)
 {
-  Record record;
-  Archive saving = Archive::saving(record, ranks);
-  divided.serialize(saving);
-  broadcastRecord(ranks, record);
+  const Record record = recordOf(divided);
   auto whole = std::make_unique<Run<D>>(scene);
   whole->initialize();
-  Archive loading = Archive::loading(record);
-  whole->serialize(loading);
+  loadRecord(record, *whole);
   return whole;
 }
 
@@ -155,7 +150,7 @@ void startInEquilibrium(const Teuchos::ParameterList& scene, const Plan<D>& plan
     throw std::invalid_argument(std::string("Time > Initial State: ") + error.what());
   }
   if (state.ranks.many())
-    owned = onOneRank(run, other, state.ranks);
+    owned = onOneRank(run, other);
   const State<D>& equal = owned->state();
   const std::vector<int> rows = rowsById(equal.particles, state.particles);
   if (equal.particles.size() != state.particles.size() ||

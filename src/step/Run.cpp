@@ -173,7 +173,7 @@ void Run<D>::makeAll(const IsDivided<D>& isDivided)
   if (attempts.succeeded())
     return judge(stableTimeStep(), options, [](const auto& judgment) { judgment(); });
   const double alone = state_.method.mechanics && !state_.method.equilibrium() && ends
-                           ? state_.method.cfl * state_.mesh.stepSpacing() / state_.clock.fastestSpeed
+                           ? stepOfWaves()
                            : std::numeric_limits<double>::quiet_NaN();
   Attempts hidden; // errors that follow from those that are said
   judge(alone, options, [&](const auto& judgment) { hidden.attempt(judgment); });
@@ -240,13 +240,16 @@ void Run<D>::refuseEndless() const
     throw std::invalid_argument("Materials: the speed of waves and particles is not finite and positive; "
                                 "check stiffness, density and the velocity of bodies (SI units)" +
                                 oddMaterials(state_));
-  const double step = stableTimeStep();
-  const double steps = scene_->sublist("Time").get<double>("Final Time") / step;
+  const Teuchos::ParameterList& time = scene_->sublist("Time");
+  const bool moves = state_.method.handsOver; // at last
+  const char* const length = moves && time.isParameter("Dynamic Time") ? "Dynamic Time" : "Final Time";
+  const double step = moves ? stepOfWaves() : stableTimeStep();
+  const double steps = time.get<double>(length) / step;
   // A scene that limits its steps is accepted.
-  if (steps <= mostSteps || scene_->sublist("Time").get<int>("Maximum Steps") < mostSteps)
+  if (steps <= mostSteps || time.get<int>("Maximum Steps") < mostSteps)
     return;
   throw std::invalid_argument(
-      "Time > Final Time: the run would take " +
+      std::string("Time > ") + length + ": the run would take " +
       (std::isfinite(steps) ? "about " + formatReal(std::round(steps)) : "endlessly many") + " steps of " +
       formatReal(step) +
       " s; write a shorter time, larger cells or fewer Maximum Steps, and check that "
@@ -259,9 +262,7 @@ double Run<D>::stableTimeStep() const
 {
   if (state_.method.equilibrium())
     return equilibrium_.next();
-  double dt = state_.method.mechanics
-                  ? state_.method.cfl * state_.mesh.stepSpacing() / state_.clock.fastestSpeed
-                  : std::numeric_limits<double>::infinity();
+  double dt = state_.method.mechanics ? stepOfWaves() : std::numeric_limits<double>::infinity();
   for (const Effect<D>& effect : plan_.effects)
     if (effect.timeStepLimit)
       dt = std::min(dt, effect.timeStepLimit(state_));
@@ -310,7 +311,9 @@ void Run<D>::step(double until, bool sample)
   if (state_.method.equilibrium())
     equilibrium_.take(plan_, state_, until);
   else
-    explicitStep(until);
+    explicitStep(std::min(until, state_.clock.lastTime));
+  if (state_.cracks.growth.unstable.found) // the step is not kept
+    return;
   if (sample)
     observe();
 }
@@ -348,6 +351,24 @@ void Run<D>::explicitStep(double until)
 }
 
 template <int D>
+void Run<D>::limitMotion()
+{
+  const Teuchos::ParameterList& time = scene_->sublist("Time");
+  if (state_.cracks.growth.motionFrom >= 0.0 && time.isParameter("Dynamic Time"))
+    state_.clock.lastTime = state_.cracks.growth.motionFrom + time.get<double>("Dynamic Time");
+}
+
+template <int D>
+void Run<D>::startMotion()
+{
+  Kokkos::deep_copy(state_.particles.table(fields::velocity), 0.0);
+  state_.clock.settled = false;
+  state_.clock.fastestSpeed = state_.ranks.max(fastestSpeed(state_));
+  state_.cracks.growth.motionFrom = state_.clock.time;
+  limitMotion();
+}
+
+template <int D>
 void Run<D>::serialize(Archive& archive)
 {
   archiveState(state_, archive);
@@ -369,6 +390,8 @@ void Run<D>::serialize(Archive& archive)
       const Archive::Group group(archive, "effects/" + effect.name);
       effect.memory(state_, archive);
     }
+  if (archive.loads())
+    limitMotion();
 }
 
 template <int D>

@@ -51,6 +51,9 @@ public:
     equilibrium_.onIteration(std::move(iteration));
   }
 
+  /// Goes on as motion, at rest, from a loaded state of equilibrium.
+  void startMotion();
+
   /// Saves or loads all persistent data of the run. Load after initialize().
   void serialize(Archive& archive);
 
@@ -83,6 +86,13 @@ private:
   /// Starts in equilibrium. Throws std::invalid_argument.
   void preload();
   void refuseEndless() const;
+  /// Sets the end of motion that has followed an equilibrium.
+  void limitMotion();
+  /// The stable step of motion, by waves alone [s].
+  double stepOfWaves() const
+  {
+    return state_.method.cfl * state_.mesh.stepSpacing() / state_.clock.fastestSpeed;
+  }
   /// The first of two passes that strain (USAVG).
   void strainBeforeForces();
   /// A step of the explicit method, but for its sample.

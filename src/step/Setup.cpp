@@ -4,6 +4,7 @@
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
 #include "material/ThermoMaterials.hpp"
+#include "plan/LastStage.hpp"
 #include "state/Ancestry.hpp"
 #include "state/AtRest.hpp"
 #include "step/PlaceBodies.hpp"
@@ -45,6 +46,7 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
                           : analysis == "Quasi-Static" ? Analysis::QuasiStatic
                           : analysis == "Preload"      ? Analysis::Preload
                                                        : Analysis::Dynamic;
+  state.method.handsOver = handsOver(scene);
   state.clock.finalTime = time.get<double>("Final Time");
   const std::string scheme = time.get<std::string>("Update Scheme");
   state.method.scheme = scheme == "USF"     ? UpdateScheme::Usf

@@ -109,6 +109,25 @@ TEST(PathReport, OfGivenLoadsFindsWhereGRises)
   EXPECT_TRUE(summary["propagation"]["unstable_from"]["time"].is_null());
 }
 
+/// Motion that follows has an entry from the start, so that a Reference to it is no mistake.
+TEST(PathReport, OfMotionThatFollows)
+{
+  std::vector<PathState> path{{1.0, 0.0, 0.0, 0.1, -0.02, 0.0, 0.9}};
+  nlohmann::json summary;
+  reportPathOfEquilibrium(path, false, summary, -1.0);
+  EXPECT_TRUE(summary["propagation"]["motion_from"]["time"].is_null());
+  path.push_back({1.5, 0.0, 0.0, 0.1, 0.3, 1.0, 1.5});
+  summary.clear();
+  reportPathOfEquilibrium(path, false, summary, 1.5);
+  EXPECT_EQ(summary["propagation"]["motion_from"], (nlohmann::json{{"new_area", 0.1}, {"time", 1.5}}));
+  EXPECT_EQ(summary["propagation"]["unstable_from"]["time"], 1.5);
+  EXPECT_NE(summary["answers"][1].get<std::string>().find("From there on the run is dynamic"),
+            std::string::npos);
+  summary.clear();
+  reportPathOfEquilibrium(path, false, summary);
+  EXPECT_FALSE(summary["propagation"].contains("motion_from"));
+}
+
 /// In shear alone a crack starts at K_II = sqrt(3)/2 K_Ic, turned by arccos(1/3); without shear at K_Ic.
 /// Between them K_I and K_II of the angle satisfy both equations of Erdogan and Sih.
 TEST(PathReport, LoadOfTheLargestHoopStress)

@@ -168,6 +168,37 @@ TEST(FrontHistory, MeanSpeedIsThatOfAllRuns)
 }
 
 /// Long steps hold several increments.
+/// Increments in equilibrium, an hour apart, have no speed: that of the motion which follows is its own.
+TEST(FrontHistory, MotionBeginsARunOfItsOwn)
+{
+  constexpr double hour = 3600.0, increment = 1e-3, fastest = 1000.0, dt = increment / fastest;
+  const AdvanceRule rule = ruleOf("100", 100.0);
+  FrontHistory history;
+  history.recordAtRest(rule, hour, 99.0);
+  history.advanceInEquilibrium(hour, 100.0, increment);
+  history.advanceInEquilibrium(2.0 * hour, 100.0, increment);
+  history.startMotion();
+  EXPECT_TRUE(history.running());
+  EXPECT_TRUE(history.runs().empty());
+  EXPECT_EQ(history.meanSpeed(), 0.0);
+  for (int k = 1; k <= 20; ++k)
+    history.advance(rule, 2.0 * hour + k * dt, 200.0, increment, fastest);
+  ASSERT_EQ(history.runs().size(), 1U);
+  EXPECT_GE(history.runs()[0].initiation, 2.0 * hour);
+  // The time of an increment is one of two hours, to rounding: of 20 steps of a microsecond 1e-6 is left.
+  EXPECT_NEAR(history.meanSpeed(), fastest, 1e-5 * fastest);
+  EXPECT_EQ(history.increments(), 2 + static_cast<long>(std::lround(history.runs()[0].length / increment)));
+}
+
+TEST(FrontHistory, AFrontThatHasNotGrownIsAtRestWhereMotionBegins)
+{
+  FrontHistory history;
+  history.recordAtRest(ruleOf("100", 100.0), 1.0, 99.0);
+  history.startMotion();
+  EXPECT_FALSE(history.running());
+  EXPECT_TRUE(history.runs().empty());
+}
+
 TEST(FrontHistory, AdvancesSeveralTimesInALargeStep)
 {
   const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);

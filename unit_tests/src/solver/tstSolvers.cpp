@@ -1,5 +1,5 @@
-#include "solver/ConjugateGradients.hpp"
 #include "solver/DirectSolver.hpp"
+#include "solver/KrylovSolver.hpp"
 #include "solver/Multigrid.hpp"
 
 #include <gtest/gtest.h>
@@ -119,7 +119,7 @@ void join(Entries& rows, int a, int b, double stiffness)
 SolveResult solveWith(const Multigrid& multigrid, const SparseMatrix& matrix)
 {
   const int n = matrix.rows();
-  ConjugateGradients gradients(1e-8, 100);
+  KrylovSolver gradients(1e-8, 100);
   gradients.resize(n);
   const View<double*> y = product(matrix, numbers(n));
   for (int k = 0; k < n; ++k)
