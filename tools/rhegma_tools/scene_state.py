@@ -4,9 +4,9 @@ import os
 import subprocess
 import tempfile
 
-from .fields import read_fields
-from .interpreter import Problem
-from .summary import read_summary
+from rhegma.fields import read_fields
+from rhegma.problem import Problem
+from rhegma.summary import read_summary
 
 FINISHED = (0, 4)  # exit statuses of a run that wrote its fields
 

@@ -2,7 +2,8 @@
 
 import os
 
-from .interpreter import Problem
+from rhegma.problem import Problem
+
 from .lengths import metres
 from .study_file import CELL, Run, Study, read_xml
 

@@ -4,7 +4,8 @@ import copy
 import os
 import xml.etree.ElementTree as ElementTree
 
-from .interpreter import Problem
+from rhegma.problem import Problem
+
 from .scene_study import read_scene
 from .study_file import split_array
 

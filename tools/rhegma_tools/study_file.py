@@ -7,7 +7,8 @@ import os
 import re
 import xml.etree.ElementTree as ElementTree
 
-from .interpreter import Problem
+from rhegma.problem import Problem
+
 from .lengths import METRES, unit_of
 
 CELL = "Domain:Cell Size"

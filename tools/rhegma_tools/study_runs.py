@@ -13,8 +13,8 @@ import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from .interpreter import Problem
-from .summary import look_up, read_summary
+from rhegma.problem import Problem
+from rhegma.summary import look_up, read_summary
 
 RECORD = "study_run.json"  # in a run's folder: what was run, so that it needn't be run again
 GOOD = (0, 4)  # exit statuses of a finished run; 4: a reference of the scene itself was missed

@@ -20,7 +20,7 @@ from spatial_tests import DRAWS
 from rhegma_tools.html_text import element, markup
 from rhegma_tools.report_page import chosen_columns
 from rhegma_tools.report_verdict import so_far
-from rhegma_tools.history import History, read_history
+from rhegma.history import History, read_history
 from rhegma_tools.style import plt
 
 
