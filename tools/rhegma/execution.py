@@ -31,6 +31,16 @@ def make_folder(path: str) -> None:
         raise Problem(f"the folder {path} can't be made ({error.strerror}).")
 
 
+def file_for(scene: Scene, folder: str) -> str:
+    """Writes a scene into the folder of its run, under the name of its file or as scene.xml. Returns the path. A Problem where it can't be
+    written or would replace the file that it was read from."""
+    file = os.path.join(folder, os.path.basename(scene.path or SCENE_FILE))
+    if scene.path is not None and os.path.realpath(file) == os.path.realpath(scene.path):
+        raise Problem(f"the run would overwrite its own scene {file}; choose another output.")
+    scene.save(file)
+    return file
+
+
 def output_of(scene: Scene, output: str | os.PathLike[str] | None) -> str:
     """The folder of a run: as given, else the name of the scene's file with .out, next to it."""
     if output is not None:
@@ -80,7 +90,8 @@ def run(scene: Input, *, output: str | os.PathLike[str] | None = None, ranks: in
         show: bool = False, stop_raises: bool = True, settings: Mapping[str, Any] | None = None) -> Run:
     """Runs a scene to its end.
 
-    scene: a Scene, nested dicts, or the path of an XML file. It is written to scene.xml in the folder of the run.
+    scene: the path of an XML file, which the program reads as it is; or a Scene or nested dicts, which are written into the folder of the
+    run under the name of the scene's file, else as scene.xml.
     output: folder of the run; default: the name of the scene's file with .out, next to it.
     ranks: number of MPI ranks; more than one are started by mpirun. threads: OMP_NUM_THREADS of each rank; default: as it is set.
     options: more options of the program, such as ["--strict"]. program: its path; default: the environment variable RHEGMA_PROGRAM,
@@ -94,8 +105,7 @@ def run(scene: Input, *, output: str | os.PathLike[str] | None = None, ranks: in
     found = as_scene(scene).varied(settings or {})
     folder, path = output_of(found, output), find_program(program, REMEDY)
     make_folder(folder)
-    file = os.path.join(folder, SCENE_FILE)
-    found.save(file)
+    file = os.fspath(scene) if isinstance(scene, (str, os.PathLike)) and not settings else file_for(found, folder)
     command = command_for(file, folder, path, ranks, launcher, options)
     environment = {} if threads is None else {"OMP_NUM_THREADS": str(threads)}
     with tempfile.TemporaryFile() as log, tempfile.TemporaryFile() as errors:
@@ -114,10 +124,8 @@ def run(scene: Input, *, output: str | os.PathLike[str] | None = None, ranks: in
 def check(scene: Input, *, program: str | os.PathLike[str] | None = None) -> list[str]:
     """Checks a scene without running it, and returns its warnings. A SceneError has the program's messages where the scene is wrong.
     Arguments are those of run."""
-    found = as_scene(scene)
     with tempfile.TemporaryDirectory(prefix="rhegma-check-") as folder:
-        file = os.path.join(folder, SCENE_FILE)
-        found.save(file)
+        file = file_for(as_scene(scene), folder)
         _, messages = check_file(file, find_program(program, REMEDY))
     return warnings_of(messages)
 

@@ -200,6 +200,13 @@ class Runs(ToolTest):
     def test_the_folder_of_a_run(self):
         self.scene.save(self.path("beam.xml"))
         self.assertEqual(rhegma.run(self.path("beam.xml"), program=PROGRAM).folder, self.path("beam.out"))
+        self.assertFalse(os.path.exists(self.path("beam.out", "beam.xml")))  # the program reads the file itself
+        loaded = rhegma.Scene.load(self.path("beam.xml")).varied({"Domain > Cell Size": 0.04})
+        self.assertEqual(rhegma.run(loaded, program=PROGRAM).value("cracks.Notch.fronts.0.G_J"), 0.54)
+        self.assertEqual(rhegma.Scene.load(self.path("beam.out", "beam.xml"))["Domain > Cell Size"], 0.04)
+        with self.assertRaisesRegex(rhegma.Problem, "would overwrite its own scene"):
+            rhegma.run(loaded, output=self.folder, program=PROGRAM)
+        self.assertEqual(rhegma.Scene.load(self.path("beam.xml"))["Domain > Cell Size"], 0.05)
         with self.assertRaisesRegex(rhegma.Problem, "give the folder of the run as output"):
             rhegma.run(CONTENT, program=PROGRAM)
 
