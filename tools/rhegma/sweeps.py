@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Sweep(Sequence[Run]):
-    """The runs of a sweep, in the order of their values; `settings` of each has them. runs that stopped or failed are among them, with
+    """The runs of a sweep, in the order of their values; `settings` of each has them. Runs that stopped or failed are among them, with
     their exit status."""
 
     def __init__(self, runs: Sequence[Run]):
