@@ -2,7 +2,7 @@
 
 import os
 
-from .interpreter import Problem
+from rhegma.problem import Problem
 
 LIMITS = (0.1, 0.03, 0.01, 0.003)
 

@@ -2,8 +2,8 @@
 
 import math
 
-from .interpreter import Problem
-from .summary import look_up
+from rhegma.problem import Problem
+from rhegma.summary import look_up
 
 RELEASES = ("G_J", "G_closure")
 MODES = ("K_I", "K_II", "K_III")

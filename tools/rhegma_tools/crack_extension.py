@@ -8,11 +8,13 @@ import csv
 import math
 import os
 
-from .interpreter import Problem
+from rhegma.problem import Problem
+from rhegma.summary import read_summary
+from rhegma.values import split_array
+
 from .lengths import METRES, unit_of
 from .scene_study import read_scene
-from .study_file import Run, Study, split_array
-from .summary import read_summary
+from .study_file import Run, Study
 
 STEP = 4.0  # cells: 0.1 cells of scatter of both ends are then 2 % of G
 ALONG = math.sin(math.radians(0.1))  # of an angle to a grid axis within which a crack is along the cells

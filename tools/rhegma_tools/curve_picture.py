@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from rhegma.history import read_history
+from rhegma.problem import Problem
+
 from . import style
-from .history import read_history
-from .interpreter import Problem
 from .study_picture import group_style, short
 from .style import plt
 

@@ -4,12 +4,13 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize, TwoSlopeNorm
 
+from rhegma.problem import Problem
+from rhegma.summary import stop_time, stopped_part
+
 from . import boxes, style
 from .deformation import automatic_magnification, crack_normals, curved_at_fronts, magnified_faces
-from .interpreter import Problem
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
-from .summary import stop_time, stopped_part
 
 MOST = 250_000  # particles drawn; of more, every second, third, ... is drawn larger
 

@@ -9,12 +9,14 @@ import tempfile
 import numpy as np
 from PIL import Image
 
+from rhegma.components import components_of, parts_of
+from rhegma.fields import read_fields
+from rhegma.problem import Problem
+
 from . import style
 from .field_picture import View, choose_view, colour_scale, heat_scale
-from .fields import read_fields
 from .film_frames import Sample, Stage, common_magnification, spread
-from .interpreter import Problem
-from .quantity import components_of, label_of, parts_of, quantity_shown, unit_of
+from .quantity import label_of, quantity_shown, unit_of
 from .spatial_picture import body_colours_at, camera_of, cut_text, scale_bar, triad
 from .spatial_pieces import body_piece, crack_pieces, cut_open
 from .style import plt

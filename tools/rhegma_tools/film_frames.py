@@ -5,12 +5,13 @@ import io
 import numpy as np
 from PIL import Image
 
+from rhegma.fields import read_fields
+from rhegma.problem import Problem
+
 from . import style
 from .deformation import automatic_magnification, magnified_faces
 from .field_picture import choose_view, colour_scale, crack_segments, draw_crack, draw_particles, heat_scale, in_slice, limits
 from .field_picture import particle_outlines, picture_size
-from .fields import read_fields
-from .interpreter import Problem
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 

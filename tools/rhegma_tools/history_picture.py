@@ -4,10 +4,11 @@ import re
 
 import numpy as np
 
+from rhegma.problem import Problem
+from rhegma.summary import stopped_part
+
 from . import style
-from .interpreter import Problem
 from .style import plt
-from .summary import stopped_part
 
 METHODS = [("G_J", "J integral", "-"), ("G_closure", "crack closure", (0, (5, 1.5)))]
 ENERGIES = [

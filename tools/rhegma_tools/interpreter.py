@@ -5,12 +5,10 @@ import importlib
 import os
 import sys
 
+from rhegma.problem import Problem
+
 SYSTEM_PYTHON = "/usr/bin/python3"
 TRIED = "RHEGMA_TOOLS_TRIED_SYSTEM_PYTHON"
-
-
-class Problem(Exception):
-    """A mistake of the user, as a message."""
 
 
 class Arguments(argparse.ArgumentParser):

@@ -3,12 +3,13 @@
 import csv
 import os
 
+from rhegma.problem import Problem
+from rhegma.summary import read_summary
+
 from .answers import answers_of
-from .interpreter import Problem
 from .lengths import metres
 from .richardson import find_limit
 from .study_file import CELL
-from .summary import read_summary
 
 COLUMNS = ["family", "answer", "unit", "finest", "order", "extrapolated", "from", "to", "reference", "why not"]
 

@@ -2,36 +2,14 @@
 
 import numpy as np
 
+from rhegma.components import parts_of
+from rhegma.units import FIELD_UNITS
+
 from . import style
 
 NAMES = {"principal": "largest principal stress", "mises": "von Mises stress", "temperature": "temperature",
          "principal_stress": "largest principal stress", "energy_density": "elastic energy density"}
-UNITS = {"principal": "Pa", "mises": "Pa", "von_mises": "Pa", "stress": "Pa", "velocity": "m/s", "displacement": "m", "position": "m",
-         "temperature": "K", "mass": "kg", "principal_stress": "Pa", "energy_density": "J/m³", "edge": "m", "edges": "m"}
-VECTOR, TENSOR = ("x", "y", "z"), ("xx", "yy", "zz", "xy", "yz", "xz")
-MATRIX = tuple(one + other for one in VECTOR for other in VECTOR)
-
-
-def parts_of(quantity):
-    """(field, component or "") of a quantity such as "velocity:x"."""
-    name, _, component = quantity.partition(":")
-    return name, component
-
-
-def components_of(values):
-    """Names of the components of a field (n) or (n, components)."""
-    count = 1 if values.ndim == 1 else values.shape[1]
-    return {1: (), 3: VECTOR, 6: TENSOR, 9: MATRIX}.get(count, tuple(str(i) for i in range(count)))
-
-
-def component_values(values, component):
-    """A component of a field; without one, the values of a scalar or the magnitude of a vector. None where there is no such component."""
-    names = components_of(values)
-    if not names:
-        return None if component else values.reshape(len(values))
-    if component:
-        return values[:, names.index(component)] if component in names else None
-    return np.linalg.norm(values, axis=1) if names == VECTOR else None
+UNITS = {"principal": "Pa", "mises": "Pa", **{name: unit.replace("m3", "m³") for name, unit in FIELD_UNITS.items()}}
 
 
 def quantity_shown(fields, quantity):

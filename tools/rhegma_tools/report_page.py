@@ -4,14 +4,15 @@ import os
 
 import numpy as np
 
+from rhegma.fields import read_fields
+from rhegma.history import read_history
+from rhegma.problem import Problem
+from rhegma.summary import read_summary
+
 from . import report_facts as facts
-from .fields import read_fields
 from .front_table import front_table
-from .history import read_history
 from .html_text import Markup, data_block, element, folded, markup, picture, table
-from .interpreter import Problem
 from .report_pictures import field_pictures, film, front_maps, front_pictures, history_pictures, seconds
-from .summary import read_summary
 from .report_verdict import so_far, verdict
 from .style import COLOURS
 from .whole_folder import Found, check_scene, how_it_stands, read_manifest

@@ -2,16 +2,17 @@
 
 import io
 
+from rhegma.fields import read_fields
+from rhegma.fronts import read_series
+from rhegma.problem import Problem
+
 from . import style
 from .cell_picture import draw_cells
 from .field_picture import choose_view, draw_fields
-from .fields import read_fields
 from .film_frames import draw_film
 from .front_map import draw_maps, plain
 from .front_picture import draw_surface, panels_along
-from .front_series import read_series
 from .history_picture import panels_of
-from .interpreter import Problem
 from .path_picture import curves, draw_factor, draw_force, is_path
 from .quantity import label_of, quantity_shown
 from .spatial_picture import draw_cracks_in_body, draw_cut_body

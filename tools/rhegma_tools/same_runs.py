@@ -12,7 +12,8 @@ import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from .interpreter import Problem
+from rhegma.problem import Problem
+
 from .same_numbers import compare_histories, compare_summaries
 
 FOLDERS = ("examples", "verification", os.path.join("studies", "scenes"))

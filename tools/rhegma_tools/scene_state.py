@@ -1,14 +1,12 @@
 """What the program understands of a scene: its messages, and its fields after one step, from a run in a folder of its own."""
 
 import os
-import subprocess
 import tempfile
 
-from .fields import read_fields
-from .interpreter import Problem
-from .summary import read_summary
-
-FINISHED = (0, 4)  # exit statuses of a run that wrote its fields
+from rhegma.fields import read_fields
+from rhegma.problem import Problem
+from rhegma.program import FINISHED, capture, check_file, errors_of, lines_of
+from rhegma.summary import read_summary
 
 
 class State:
@@ -16,26 +14,6 @@ class State:
 
     def __init__(self, fields, summary, forces, warnings):
         self.fields, self.summary, self.forces, self.warnings = fields, summary, forces, warnings
-
-
-def start(command):
-    """(exit status, standard output, standard error) of the program."""
-    try:
-        result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, errors="replace")
-    except OSError as error:
-        raise Problem(f"{command[0]} can't be started ({error.strerror}).")
-    return result.returncode, result.stdout, result.stderr
-
-
-def lines_of(messages):
-    """Messages of the program without its name."""
-    return [line[len("rhegma: "):] if line.startswith("rhegma: ") else line for line in messages.splitlines() if line.strip()]
-
-
-def refused(messages, what):
-    """A Problem with the program's own message."""
-    errors = [line for line in lines_of(messages) if not line.startswith("warning: ")]
-    return Problem("\n".join(errors) or what)
 
 
 def forces_of(report):
@@ -50,10 +28,7 @@ def forces_of(report):
 
 def check(scene, program):
     """(forces, warnings) of rhegma --check; a Problem with its message where the scene is wrong."""
-    settings = [part for setting in scene.settings for part in ("--set", setting)]
-    status, report, messages = start([program, scene.path, "--check", *settings])
-    if status != 0:
-        raise refused(messages, f"{program} --check ended with exit status {status}.")
+    report, messages = check_file(scene.path, program, scene.settings)
     return forces_of(report), [line for line in lines_of(messages) if line.startswith("warning: ")]
 
 
@@ -72,10 +47,10 @@ def first_step(scene, program, folder):
     for text in attempts(scene):
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
-        status, _, messages = start([program, path, "--output", results, "--quiet"])
+        status, _, messages = capture([program, path, "--output", results, "--quiet"])
         if status in FINISHED:
             return results
-    raise refused(messages, f"{program} can't run the scene: exit status {status}.")
+    raise Problem("\n".join(errors_of(messages)) or f"{program} can't run the scene: exit status {status}.")
 
 
 def state_of(scene, program):

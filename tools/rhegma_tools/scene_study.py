@@ -2,9 +2,11 @@
 
 import os
 
-from .interpreter import Problem
+from rhegma.problem import Problem
+from rhegma.scene import read_xml
+
 from .lengths import metres
-from .study_file import CELL, Run, Study, read_xml
+from .study_file import CELL, Run, Study
 
 
 def read_scene(path):

@@ -4,9 +4,11 @@ import copy
 import os
 import xml.etree.ElementTree as ElementTree
 
-from .interpreter import Problem
+from rhegma.problem import Problem
+from rhegma.scene import move_files
+from rhegma.values import split_array
+
 from .scene_study import read_scene
-from .study_file import split_array
 
 
 def as_values(element):
@@ -65,13 +67,6 @@ def remove(root, *path):
         root.remove(entry)
 
 
-def find_files(root, folder):
-    """Makes the paths of bodies' files, which are relative to the scene, independent of where a copy of the scene is."""
-    for entry in [entry for bodies in root if bodies.get("name") == "Bodies" for entry in bodies.iter("Parameter")]:
-        if entry.get("name") == "File":
-            entry.set("value", os.path.join(folder, (entry.get("value") or "").strip()))
-
-
 class Scene:
     """A scene file with the values of --set. path: of the file; settings: texts such as "Domain:Cell Size=1e-3"."""
 
@@ -84,7 +79,8 @@ class Scene:
             if not equals or len(names) < 2:
                 raise Problem(f'--set is "{setting}"; write it as Section:Parameter=value.')
             write_value(self.root, names, value.strip())
-        find_files(self.root, os.path.dirname(os.path.abspath(path)))
+        folder = os.path.dirname(os.path.abspath(path))
+        move_files(self.root, lambda file: os.path.join(folder, file))  # a copy of the scene is elsewhere
         self.values = as_values(self.root)
 
     @property
@@ -107,8 +103,4 @@ class Scene:
                 remove(root, "Time", name)
             if self.values.get("Thermal", {}).get("Conduction") == "Steady":
                 remove(root, "Thermal", "Conduction")
-        for crack, values in lists(self.values, "Cracks"):
-            if "Surface File" in values:
-                folder = os.path.dirname(os.path.abspath(self.path))
-                write_value(root, ["Cracks", crack, "Surface File"], os.path.join(folder, values["Surface File"]))
         return ElementTree.tostring(root, encoding="unicode")

@@ -5,9 +5,11 @@ import itertools
 import math
 import os
 import re
-import xml.etree.ElementTree as ElementTree
 
-from .interpreter import Problem
+from rhegma.problem import Problem
+from rhegma.scene import read_xml
+from rhegma.values import split_array
+
 from .lengths import METRES, unit_of
 
 CELL = "Domain:Cell Size"
@@ -106,25 +108,6 @@ class Study:
         self.title = title
         self.runs = runs
         self.swept = swept
-
-
-def split_array(text, where):
-    """The entries of {a, b, {c, d}}; braces nest."""
-    text = text.strip()
-    if not (text.startswith("{") and text.endswith("}")):
-        raise Problem(f"{where}: an array is written in braces, such as {{0.1, 0.2}}, not {text}.")
-    entries, depth, entry = [], 0, ""
-    for letter in text[1:-1]:
-        depth += {"{": 1, "}": -1}.get(letter, 0)
-        if letter == "," and depth == 0:
-            entries.append(entry.strip())
-            entry = ""
-        else:
-            entry += letter
-    entries.append(entry.strip())
-    if depth != 0 or "" in entries:
-        raise Problem(f"{where}: the array {text} has an empty entry or a brace that is not closed.")
-    return [entry.strip("\"'") for entry in entries]
 
 
 def name_of(element, where):
@@ -279,18 +262,6 @@ def read_curve(values, runs):
         return None
     label = read_text(values, "Curve Label", "Study") if "Curve Label" in values else None
     return Curve(1.0 if unit is None else unit, label)
-
-
-def read_xml(path, kind):
-    """The top element of a file. kind: "scene" or "study", for the message where there is none"""
-    if not os.path.isfile(path):
-        raise Problem(f"there is no file {path}; give the XML file of a {kind}.")
-    try:
-        return ElementTree.parse(path).getroot()
-    except ElementTree.ParseError as error:
-        raise Problem(f"{path} is no XML, or it is cut off ({error}).")
-    except OSError as error:
-        raise Problem(f"{path} can't be read ({error.strerror}).")
 
 
 def read_study(path):

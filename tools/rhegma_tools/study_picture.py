@@ -2,8 +2,9 @@
 
 import math
 
+from rhegma.problem import Problem
+
 from . import style
-from .interpreter import Problem
 from .lengths import metres
 from .style import plt
 

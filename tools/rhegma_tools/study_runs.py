@@ -6,18 +6,14 @@ import hashlib
 import json
 import math
 import os
-import re
-import shutil
 import subprocess
-import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from .interpreter import Problem
-from .summary import look_up, read_summary
-
-RECORD = "study_run.json"  # in a run's folder: what was run, so that it needn't be run again
-GOOD = (0, 4)  # exit statuses of a finished run; 4: a reference of the scene itself was missed
+from rhegma.problem import Problem
+from rhegma.program import FINISHED, start
+from rhegma.records import RECORD, done_before, folder_name, forget, write_record
+from rhegma.summary import look_up, read_summary
 
 
 class Outcome:
@@ -33,49 +29,16 @@ class Outcome:
         self.value = self.error = self.wall_seconds = self.processor_seconds = self.particle_steps = None
 
 
-def find_program(given):
-    """The rhegma to run: the one given, else that on the PATH, else that of the build next to this tool."""
-    neighbour = os.path.join(os.path.dirname(os.path.realpath(sys.argv[0])), "..", "build", "rhegma")
-    program = given or shutil.which("rhegma") or neighbour
-    if not (os.path.isfile(program) and os.access(program, os.X_OK)):
-        raise Problem(
-            f"there is no program {program}; give rhegma's path with --rhegma."
-            if given
-            else "rhegma is neither on the PATH nor built next to this tool; give its path with --rhegma."
-        )
-    return os.path.abspath(program)
-
-
-def plain(text):
-    return re.sub(r"[^A-Za-z0-9.+-]+", "-", text).strip("-") or "x"
-
-
 def run_folder(output, run):
     """A folder that follows from scene and settings alone: the values and a digest that distinguishes similar ones. Families
     that look at different quantities of the same run share it."""
-    digest = hashlib.sha256(json.dumps([run.scene, sorted(run.settings.items())]).encode()).hexdigest()[:8]
-    values = "_".join(plain(f"{path.split(':')[-1]}-{value}") for path, value in run.settings.items())[:80]
-    return os.path.join(output, f"{values}_{digest}" if values else digest)
+    return os.path.join(output, folder_name(run.settings, [run.scene, sorted(run.settings.items())]))
 
 
 def record_of(run, launcher):
     with open(run.scene, "rb") as file:
         digest = hashlib.sha256(file.read()).hexdigest()
     return {"scene": run.scene, "scene_sha256": digest, "settings": run.settings, "launcher": launcher}
-
-
-def done_before(folder, record):
-    """The exit status of the same run if the folder holds it whole; else None."""
-    try:
-        with open(os.path.join(folder, RECORD), encoding="utf-8") as file:
-            found = json.load(file)
-    except (OSError, ValueError):
-        return None
-    status = found.pop("exit", None) if isinstance(found, dict) else None
-    if isinstance(found, dict):
-        found.pop("processor_seconds", None)
-    finished = os.path.exists(os.path.join(folder, "summary.json"))
-    return status if found == record and status in GOOD and finished else None
 
 
 def command_of(run, folder, program, launcher):
@@ -110,39 +73,16 @@ def check_all(study, output, program, launcher, again):
             checked.add(folder)
 
 
-def start(command, log, watch):
-    """Runs a command to its end and calls watch() now and then. Returns the exit status and the processor time [s]."""
-    process = subprocess.Popen(command, stdout=log, stderr=log)
-    try:
-        while True:
-            child, status, used = os.wait4(process.pid, os.WNOHANG if watch else 0)
-            if child == process.pid:
-                process.returncode = os.waitstatus_to_exitcode(status)
-                return process.returncode, used.ru_utime + used.ru_stime
-            watch()
-            time.sleep(0.2)
-    except BaseException:  # such as a KeyboardInterrupt, which the child got too
-        try:
-            process.wait(timeout=10)
-        except subprocess.TimeoutExpired:
-            process.kill()
-        raise
-
-
 def execute(run, folder, program, launcher, watch=None):
     """Runs a scene; its output goes to rhegma.log in its folder. Returns the exit status."""
     record = record_of(run, launcher)
-    os.makedirs(folder, exist_ok=True)
-    for name in ("summary.json", RECORD):  # of an older run; must not pass for this one's
-        if os.path.exists(os.path.join(folder, name)):
-            os.remove(os.path.join(folder, name))
+    forget(folder)
     with open(os.path.join(folder, "rhegma.log"), "w", encoding="utf-8") as log:
         try:
             status, seconds = start(command_of(run, folder, program, launcher), log, watch)
         except OSError as error:
             raise Problem(f"{(launcher or [program])[0]} can't be started ({error.strerror}).")
-    with open(os.path.join(folder, RECORD), "w", encoding="utf-8") as file:
-        json.dump(dict(record, exit=status, processor_seconds=None if launcher else seconds), file, indent=1)
+    write_record(folder, record, status, None if launcher else seconds)
     return status
 
 
@@ -155,7 +95,7 @@ def processor_seconds(folder):
 def measure(run, folder, status):
     """The outcome of a run in its folder."""
     outcome = Outcome(run, folder, status)
-    if status not in GOOD:
+    if status not in FINISHED:
         return outcome
     summary = read_summary(folder)
     if summary is None:
@@ -223,7 +163,7 @@ def run_all(study, output, program, launcher, again, say, show=None, jobs=1):
             error = "" if outcome.error is None else f"error {outcome.error:.3g}, "
             say(f"{head}: {error}{outcome.wall_seconds:.3g} s{' (done before)' if before else ''}")
         else:
-            why = f"{run.quantity} is not finite" if status in GOOD else last_line(folder)
+            why = f"{run.quantity} is not finite" if status in FINISHED else last_line(folder)
             say(f"{head}: failed with status {status}: {why}")
         outcomes.append(outcome)
     return outcomes

@@ -4,7 +4,7 @@ import math
 
 import matplotlib
 
-from .interpreter import Problem
+from rhegma.problem import Problem
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the back end is chosen first)

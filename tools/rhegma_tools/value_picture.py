@@ -5,11 +5,12 @@ import csv
 import math
 import re
 
+from rhegma.problem import Problem
+from rhegma.summary import look_up, read_summary
+
 from . import style
-from .interpreter import Problem
 from .study_picture import group_style
 from .style import plt
-from .summary import look_up, read_summary
 
 FUNCTIONS = {"exp": math.exp, "sqrt": math.sqrt, "tanh": math.tanh, "log": math.log}
 OPERATIONS = {ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,

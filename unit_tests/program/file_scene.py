@@ -1,9 +1,11 @@
 """Scenes of files, to be changed at random."""
 
 import re
-import xml.etree.ElementTree as ElementTree
 
-from scenes import Scene, typed
+from scenes import Scene
+
+from rhegma.scene import read_xml
+from rhegma.values import typed
 
 # Parameters that are lengths in every section that has them.
 LENGTHS = {"Lower Corner", "Upper Corner", "Cell Size", "Points", "Centre", "Radius", "From", "To", "Point", "Position",
@@ -24,15 +26,12 @@ class FileScene(Scene):
     """A scene of a file."""
 
     def __init__(self, path):
+        super().__init__()
         self.path = path
-        self.root = ElementTree.parse(path).getroot()
+        self.root = read_xml(path, "scene")
 
     def has(self, place):
-        try:
-            self.find(place)
-        except StopIteration:
-            return False
-        return True
+        return place in self
 
     def get(self, place, otherwise=None):
         return value_of(self.find(place)) if self.has(place) else otherwise

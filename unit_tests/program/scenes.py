@@ -1,89 +1,11 @@
 """Right scenes, and changes that make them wrong."""
 
-import xml.etree.ElementTree as ElementTree
+import os
+import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "tools"))
 
-def number(value):
-    return repr(value) if isinstance(value, (int, float)) else str(value)
-
-
-def array(values):
-    return "{" + ", ".join(number(v) for v in values) + "}"
-
-
-def typed(value):
-    """Type and text of a Python value as Teuchos writes them."""
-    if isinstance(value, bool):
-        return "bool", str(value).lower()
-    if isinstance(value, int):
-        return "int", str(value)
-    if isinstance(value, float):
-        return "double", repr(value)
-    if isinstance(value, (list, tuple)):
-        return "Array(double)", array(value)
-    return "string", value
-
-
-class Scene:
-    """A scene as a tree; paths are such as "Bodies > Plate > Material"."""
-
-    def __init__(self, content):
-        self.root = ElementTree.Element("ParameterList", name="Rhegma")
-        self._fill(self.root, content)
-
-    def _fill(self, element, content):
-        for name, value in content.items():
-            if isinstance(value, dict):
-                self._fill(ElementTree.SubElement(element, "ParameterList", name=name), value)
-            else:
-                kind, text = typed(value)
-                ElementTree.SubElement(element, "Parameter", name=name, type=kind, value=text)
-
-    def find(self, path):
-        element = self.root
-        for name in path.split(" > "):
-            element = next(child for child in element if child.get("name") == name)
-        return element
-
-    def _parent(self, path):
-        above, _, name = path.rpartition(" > ")
-        return (self.find(above) if above else self.root), name
-
-    def set(self, path, value):
-        """Changes a parameter, or adds a parameter or, from a dict, a section."""
-        parent, name = self._parent(path)
-        for child in [c for c in parent if c.get("name") == name]:
-            parent.remove(child)
-        self._fill(parent, {name: value})
-        return self
-
-    def raw(self, path, kind, text):
-        """A parameter of any type and text."""
-        self.set(path, "")
-        self.find(path).set("type", kind)
-        self.find(path).set("value", text)
-        return self
-
-    def remove(self, path):
-        parent, _ = self._parent(path)
-        parent.remove(self.find(path))
-        return self
-
-    def rename(self, path, name):
-        self.find(path).set("name", name)
-        return self
-
-    def again(self, path, name=None):
-        """A copy of an entry next to it, under the same name or another."""
-        parent, _ = self._parent(path)
-        copy = ElementTree.fromstring(ElementTree.tostring(self.find(path)))
-        if name:
-            copy.set("name", name)
-        parent.append(copy)
-        return self
-
-    def text(self):
-        return ElementTree.tostring(self.root, encoding="unicode")
+from rhegma.scene import Scene  # noqa: E402
 
 
 def plate():

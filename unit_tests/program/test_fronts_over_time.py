@@ -27,7 +27,7 @@ from restart_case import RestartTest, scene  # noqa: E402
 from test_full_disk import files_up_to  # noqa: E402
 
 sys.path.insert(0, os.path.join(SOURCE, "tools"))
-from rhegma_tools.front_series import read_series  # noqa: E402
+from rhegma.fronts import read_series  # noqa: E402
 from rhegma_tools.whole_folder import check_folder  # noqa: E402
 
 PENNY = os.path.join(SOURCE, "xml_inputs", "examples", "penny_growth.xml")

@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image
 
 from rhegma_tools.front_map import SMALL, draw_maps, edges_between, map_of, quantities_of
-from rhegma_tools.front_series import read_series
+from rhegma.fronts import read_series
 from rhegma_tools.whole_folder import check_folder
 
 GC = {"propagation": {"initiation_toughness": 10.0}}

@@ -8,13 +8,13 @@ import made_up_run
 import numpy as np
 
 from rhegma_tools import style
-from rhegma_tools.history import read_history
+from rhegma.history import read_history
 from rhegma_tools.history_picture import draw_energies, draw_growth, draw_history, draw_pressures, draw_release, draw_temperatures
 from rhegma_tools.history_picture import ends, error_estimate, growth, pressures, references, temperatures, widen
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.state_picture import draw_group, draw_state, draw_table, groups_of
 from rhegma_tools.style import plt, scale
-from rhegma_tools.summary import look_up, read_summary
+from rhegma.summary import look_up, read_summary
 
 
 class History(ToolTest):

@@ -15,8 +15,8 @@ from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.field_picture import choose_view, close_up, colour_scale, crack_segments, drawn_fronts, in_slice
 from rhegma_tools.field_picture import read_slice, stop_after, stopped_nodes
-from rhegma_tools.fields import Crack, far_frame, read_fields
-from rhegma_tools.history import read_history
+from rhegma.fields import Crack, far_frame, read_fields
+from rhegma.history import read_history
 
 
 class Plot(ToolTest):

@@ -2,6 +2,7 @@
 
 import fcntl
 import glob
+import itertools
 import json
 import os
 import random
@@ -20,7 +21,7 @@ from spatial_tests import DRAWS
 from rhegma_tools.html_text import element, markup
 from rhegma_tools.report_page import chosen_columns
 from rhegma_tools.report_verdict import so_far
-from rhegma_tools.history import History, read_history
+from rhegma.history import History, read_history
 from rhegma_tools.style import plt
 
 
@@ -242,10 +243,11 @@ class Report(ToolTest):
         """Laid out as the rules of cmake/RhegmaInstall.cmake do, the tool finds its style and its script."""
         made_up_run.beam(self.folder)
         with open(os.path.join(TOOLS, "..", "cmake", "RhegmaInstall.cmake"), encoding="utf-8") as file:
-            rule = re.search(r"install\(DIRECTORY \S*/tools/rhegma_tools DESTINATION (\S+)\s+FILES_MATCHING ([^)]*)\)", file.read())
-        for pattern in re.findall(r"PATTERN (\S+)", rule[2]):
-            for path in glob.glob(os.path.join(TOOLS, "rhegma_tools", pattern)):
-                target = self.path("prefix", rule[1], "rhegma_tools")
+            rule = re.search(r"install\(DIRECTORY ([^)]*/tools/rhegma_tools) DESTINATION (\S+)\s+FILES_MATCHING ([^)]*)\)", file.read())
+        folders = [os.path.basename(path) for path in rule[1].split()]
+        for folder, pattern in itertools.product(folders, re.findall(r"PATTERN (\S+)", rule[3])):
+            for path in glob.glob(os.path.join(TOOLS, folder, pattern)):
+                target = self.path("prefix", rule[2], folder)
                 os.makedirs(target, exist_ok=True)
                 shutil.copy(path, target)
         os.makedirs(self.path("prefix", "bin"))

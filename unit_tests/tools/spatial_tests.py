@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image
 
 from rhegma_tools import scene_spatial, spatial_picture, style
-from rhegma_tools.fields import read_fields
+from rhegma.fields import read_fields
 from rhegma_tools.scene_symbols import LOAD, Arrows
 from rhegma_tools.spatial_pieces import cell_piece, crack_pieces, cut_open, edge_piece, front_segments, outer_faces
 from rhegma_tools.spatial_picture import camera_of, fronts_at_end, scale_bar

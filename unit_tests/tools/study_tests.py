@@ -7,8 +7,9 @@ import unittest
 
 from tool import HERE, ToolTest, picture_size, run
 
+from rhegma.values import split_array
 from rhegma_tools.lengths import metres
-from rhegma_tools.study_file import Run, combine, read_study, split_array
+from rhegma_tools.study_file import Run, combine, read_study
 from rhegma_tools.study_picture import by_chance, frontier, group_style
 from rhegma_tools.study_runs import Outcome
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from rhegma_tools.front_table import front_table
 from rhegma_tools.report_facts import SHAPE, analysis_of, cells_of, certainty, duration, readable, reference_rows, run_facts, short, sound
-from rhegma_tools.history import History
+from rhegma.history import History
 from rhegma_tools.report_verdict import so_far, verdict
 
 

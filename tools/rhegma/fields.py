@@ -1,48 +1,61 @@
 """Reads one written time of fields.h5."""
 
+from __future__ import annotations
+
 import os
+from typing import Any, Iterable
 
 import h5py
 import numpy as np
 
-from .interpreter import Problem
-from .quantity import component_values, parts_of
+from .components import component_values, parts_of
+from .fronts import written_samples
+from .problem import Problem
+from .units import FIELD_UNITS
 
 
 class Crack:
-    """points (v, 3) [m] as they are now, cells (s, 2 or 3), opening (v, 3) [m]: position of one face minus that of the other; number (s):
-    which crack of the scene a cell belongs to."""
+    """All cracks at one time. points (v, 3) [m] as they are now, cells (s, 2 or 3): numbers of their points, opening (v, 3) [m]: position of
+    one face minus that of the other; number (s): which crack of the scene a cell belongs to."""
 
-    def __init__(self, points, cells, opening, number=None):
+    def __init__(self, points: np.ndarray, cells: np.ndarray, opening: np.ndarray, number: np.ndarray | None = None):
         self.points = points
         self.cells = cells
         self.opening = opening
         self.number = np.zeros(len(cells), dtype=int) if number is None else number
 
     @property
-    def is_surface(self):
+    def is_surface(self) -> bool:
+        """Whether cells are triangles (3D); in 2D they are lines."""
         return self.cells.shape[1] == 3
 
 
 class Leaves:
     """The cells that hold particles. corners (k, 4 or 8, 3) [m], level (k): 0 for the scene's own Cell Size."""
 
-    def __init__(self, corners, level):
+    def __init__(self, corners: np.ndarray, level: np.ndarray):
         self.corners = corners
         self.level = level
 
     @property
-    def refined(self):
+    def refined(self) -> bool:
+        """Whether there are cells that are smaller than the scene's own."""
         return bool(np.any(self.level > 0))
 
 
 class Fields:
-    """Particles and cracks at one time; arrays as in the file. deformation (n, 3, 3): F; edges (n, 3, 3): the undeformed
-    edge vectors of a particle's box, one a row, in 2D two and a row of zeros [m]. written: times of all frames of the file [s]."""
+    """Particles and cracks at one time; arrays as in the file. time [s]; position, displacement (n, 3) [m]; stress (n, 6) [Pa]: xx, yy, zz, xy,
+    yz, xz; von_mises (n) [Pa]; temperature (n) [K]; deformation (n, 3, 3): F; edges (n, 3, 3): the undeformed edge vectors of a particle's
+    box, one a row, in 2D two and a row of zeros [m]; body (n): number in the scene. What the run did not compute is None. crack: all
+    cracks, or None; leaves: cells, or None. written: times of all frames of the file [s]. source: (path of the file, name of the frame).
 
-    def __init__(self, time, particles, crack, leaves=None, written=()):
+    `fields["velocity"]` reads any field of the particles, `names` lists them."""
+
+    def __init__(self, time: float, particles: dict[str, np.ndarray], crack: Crack | None, leaves: Leaves | None = None,
+                 written: Iterable[float] = (), source: tuple[str, str] | None = None):
         self.time = time
         self.written = sorted(written)
+        self.source = source
         self.position = particles["position"]
         self.displacement = particles["displacement"]
         self.stress = particles.get("stress")  # None where the run had heat alone
@@ -58,21 +71,43 @@ class Fields:
         self.leaves = leaves
 
     @property
-    def dimension(self):
+    def names(self) -> list[str]:
+        """Names of all fields of the particles in the file."""
+        if self.source is None:
+            return []
+        with h5py.File(self.source[0], "r") as file:
+            return sorted(file[self.source[1]]["particles"])
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """A field (n) or (n, components) of the particles by its name, read from the file. A Problem names those that there are."""
+        if self.source is None:
+            raise Problem("these fields are from no file.")
+        try:
+            with h5py.File(self.source[0], "r") as file:
+                return read_chosen(file[self.source[1]]["particles"], name)
+        except (OSError, KeyError, RuntimeError) as error:
+            raise Problem(f"{self.source[0]} can't be read any more ({error}).")
+
+    def unit(self, name: str) -> str:
+        """Unit of a field of the particles; "" for numbers without a unit, such as deformation, and where it isn't known."""
+        return FIELD_UNITS.get(parts_of(name)[0], "")
+
+    @property
+    def dimension(self) -> int:
         """2 where the particles' boxes have no extent along z, else 3."""
         return 3 if np.any(self.edges[:, :, 2]) else 2
 
     @property
-    def size(self):
+    def size(self) -> float:
         """A particle's edge [m]: the median."""
         return float(np.median(np.linalg.norm(self.edges[:, 0], axis=1)))
 
-    def boxes(self, chosen=slice(None), magnification=1.0):
+    def boxes(self, chosen: Any = slice(None), magnification: float = 1.0) -> np.ndarray:
         """Edge vectors (n, 3, 3) of boxes as they are now, with displacements magnified: (1 + m (F - 1)) E."""
         change = self.deformation[chosen] - np.eye(3)
         return self.edges[chosen] + magnification * np.einsum("nij,nej->nei", change, self.edges[chosen])
 
-    def values(self, quantity):
+    def values(self, quantity: str) -> np.ndarray | None:
         """What to colour particles by: "principal" or "mises" [Pa], "temperature" [K]; the last where nothing else is. Any other is a component
         of the field that was asked for."""
         if self.chosen is not None:
@@ -81,14 +116,14 @@ class Fields:
             return self.temperature
         return self.largest_principal_stress() if quantity == "principal" else self.von_mises
 
-    def largest_principal_stress(self):
-        """Largest eigenvalue of every particle's stress [Pa]."""
+    def largest_principal_stress(self) -> np.ndarray:
+        """Largest eigenvalue (n) of every particle's stress [Pa]."""
         xx, yy, zz, xy, yz, xz = self.stress.T
         tensor = np.stack([np.stack([xx, xy, xz], -1), np.stack([xy, yy, yz], -1), np.stack([xz, yz, zz], -1)], -2)
         return np.linalg.eigvalsh(tensor)[:, -1]
 
 
-def far_frame(fields, time):
+def far_frame(fields: Fields, time: float) -> str | None:
     """A line that names the time of the frame where that is not the time asked for [s], else None: where this lies outside of
     the frames, or more than half of their usual interval from the nearest one."""
     first, last = fields.written[0], fields.written[-1]
@@ -101,7 +136,8 @@ def far_frame(fields, time):
     return f"There are no fields at {time:.6g} s; those at {fields.time:.6g} s are drawn ({frames})."
 
 
-def read_crack(group):
+def read_crack(group: h5py.Group | None) -> Crack | None:
+    """The cracks of a frame, or None."""
     if group is None or "points" not in group or group["points"].shape[0] == 0:
         return None
     points = np.asarray(group["points"], dtype=float)
@@ -111,29 +147,30 @@ def read_crack(group):
     return Crack(points, cells, opening, number) if cells.size else None
 
 
-def read_leaves(group):
+def read_leaves(group: h5py.Group | None) -> Leaves | None:
+    """The cells of a frame, or None."""
     if group is None or "level" not in group or group["level"].shape[0] == 0:
         return None
     points = np.asarray(group["points"], dtype=float)
     return Leaves(points[np.asarray(group["cells"], dtype=int)], np.asarray(group["level"], dtype=int))
 
 
-def read_chosen(group, field):
+def read_chosen(group: h5py.Group, field: str) -> np.ndarray:
     """A field of the particles by its name; a Problem names those that there are."""
     if field not in group:
         raise Problem(f"the particles have no field {field}; they have {', '.join(sorted(group))}, and principal and mises.")
     return np.asarray(group[field], dtype=float)
 
 
-def read_fields(folder, time=None, field=None):
+def read_fields(folder: str, time: float | None = None, field: str | None = None) -> Fields | None:
     """The fields of a run nearest to a time [s], or the last ones, or None where the run left none. field: another one of the particles that is
-    read, too"""
+    read, too. A Problem where the file can't be read, or holds no particle or numbers that are not finite"""
     path = os.path.join(folder, "fields.h5")
     if not os.path.exists(path):
         return None
     try:
         with h5py.File(path, "r") as file:
-            times = sorted((name for name in file if name[:1] == "t" and name[1:].isdigit()), key=lambda n: int(n[1:]))
+            times = written_samples(file)
             if not times:
                 raise Problem(f"{path} holds no written time; the run was cut off before its first fields.")
             written = {name: float(file[name].attrs["time"]) for name in times}
@@ -147,7 +184,7 @@ def read_fields(folder, time=None, field=None):
             if field is not None:
                 particles["chosen"] = read_chosen(group, field)
             fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
-                            read_leaves(chosen.get("leaves")), written.values())
+                            read_leaves(chosen.get("leaves")), written.values(), (path, name))
     except (OSError, KeyError, RuntimeError, ValueError, IndexError) as error:
         raise Problem(f"{path} can't be read; it is truncated, still being written or not a file of fields ({error}).")
     if fields.position.shape[0] == 0:
@@ -155,3 +192,15 @@ def read_fields(folder, time=None, field=None):
     if not all(np.isfinite(v).all() for v in (fields.position, fields.stress, fields.temperature) if v is not None):
         raise Problem(f"{path} holds numbers that are not finite at {fields.time:g} s; the run was unstable.")
     return fields
+
+
+def read_times(folder: str) -> list[float]:
+    """Times of all frames of fields.h5 [s], in order; empty where the run left none. A Problem where the file can't be read."""
+    path = os.path.join(folder, "fields.h5")
+    if not os.path.exists(path):
+        return []
+    try:
+        with h5py.File(path, "r") as file:
+            return sorted(float(file[name].attrs["time"]) for name in written_samples(file))
+    except (OSError, KeyError, RuntimeError) as error:
+        raise Problem(f"{path} can't be read; it is truncated, still being written or not a file of fields ({error}).")

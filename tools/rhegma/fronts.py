@@ -1,35 +1,39 @@
 """Reads fronts.h5: values along fronts in 3D over time."""
 
+from __future__ import annotations
+
 import os
+from typing import Any
 
 import h5py
 import numpy as np
 
-from .interpreter import Problem
+from .problem import Problem
 
 COLUMNS = ("s", "G", "K_I", "K_II", "K_III", "speed")
 
 
 class FrontSample:
-    """A front at a time [s]. s, G, K_I, K_II, K_III, speed: (n) over its nodes, NaN where there is no value; position (n, 3); line (n)"""
+    """A front at a time [s]. s: arc length [m], G [J/m2], K_I, K_II, K_III [Pa sqrt(m)], speed [m/s]: (n) over its nodes, NaN where
+    there is no value; position (n, 3) [m]; line (n): number of the node's line"""
 
-    def __init__(self, time, table):
+    def __init__(self, time: float, table: Any):
         self.time = time
-        for name in COLUMNS:
-            setattr(self, name, np.asarray(table[name], dtype=float))
+        self.s, self.G, self.K_I, self.K_II, self.K_III, self.speed = (np.asarray(table[name], dtype=float) for name in COLUMNS)
         self.position = np.asarray(table["position"], dtype=float)
         self.line = np.asarray(table["line"], dtype=int)
 
 
-def written_samples(file):
+def written_samples(file: h5py.File) -> list[str]:
     """Names of the groups of samples, in the order of time."""
     return sorted((name for name in file if name[:1] == "t" and name[1:].isdigit()), key=lambda name: int(name[1:]))
 
 
-def read_series(folder):
-    """{"CRACK.N": [FrontSample, ...]} of a run, in the order of time; empty where the run wrote none."""
+def read_series(folder: str) -> dict[str, list[FrontSample]]:
+    """{"CRACK.N": [FrontSample, ...]} of a run, in the order of time; empty where the run wrote none, such
+    as in 2D. A Problem where the file can't be read."""
     path = os.path.join(folder, "fronts.h5")
-    found = {}
+    found: dict[str, list[FrontSample]] = {}
     if not os.path.exists(path):
         return found
     try:

@@ -1,35 +1,65 @@
 """Reads history.csv."""
 
+from __future__ import annotations
+
 import csv
+import difflib
 import os
 
 import numpy as np
 
-from .interpreter import Problem
+from .problem import Problem
+from .units import unit_of_column
 
 
 class History:
     """Columns of numbers over time.
 
-    column[name]: samples, as many as time has [SI]; fronts: (crack's name, number) in the order of the columns.
+    column[name]: samples (n), as many as time has [SI]; time (n) [s]; fronts: (crack's name, number) in the order of the columns.
+    `history["Notch.0.G_J"]` is a column, too, with a message where there is none.
     """
 
-    def __init__(self, column):
+    def __init__(self, column: dict[str, np.ndarray]):
         self.column = column
         self.time = column["time"]
-        self.fronts = []
+        self.fronts: list[tuple[str, int]] = []
         for name in column:
             parts = name.rsplit(".", 2)  # a crack's own name may hold dots
             if len(parts) == 3 and parts[1].isdigit() and (parts[0], int(parts[1])) not in self.fronts:
                 self.fronts.append((parts[0], int(parts[1])))
 
-    def of_front(self, front, quantity):
-        """Samples of a quantity of a front, or None."""
+    def __getitem__(self, name: str) -> np.ndarray:
+        """The samples (n) of a column, in the unit `unit(name)`. A Problem names similar columns where there is no such one."""
+        if name not in self.column:
+            near = difflib.get_close_matches(name, self.column, 3) or list(self.column)
+            raise Problem(f"the history has no column {name}; it has {', '.join(near)}.")
+        return self.column[name]
+
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a column of this name."""
+        return name in self.column
+
+    def __len__(self) -> int:
+        """Number of samples."""
+        return len(self.time)
+
+    @property
+    def names(self) -> list[str]:
+        """Names of all columns, in the order of the file."""
+        return list(self.column)
+
+    def unit(self, name: str) -> str | None:
+        """Unit of a column, such as "J/m2"; "" for plain numbers, None where it isn't known (such as of an extreme of a field)."""
+        return unit_of_column(name)
+
+    def of_front(self, front: tuple[str, int], quantity: str) -> np.ndarray | None:
+        """Samples (n) of a quantity of a front, such as (("Notch", 0), "G_J"), or None."""
         return self.column.get(f"{front[0]}.{front[1]}.{quantity}")
 
 
-def read_history(folder):
-    """The history of a run, or None where the run left none. A last row that was cut off is dropped."""
+def read_history(folder: str) -> History | None:
+    """The history of a run, or None where the run left none. A last row that was cut off is dropped. A Problem where the file
+    can't be read or holds no sample."""
     path = os.path.join(folder, "history.csv")
     if not os.path.exists(path):
         return None

@@ -1,0 +1,44 @@
+"""Writes files of bodies: polygons of a drawing as text, and a STEP file as triangles by gmsh."""
+
+import os
+import shutil
+
+from rhegma.problem import Problem
+from rhegma.program import capture
+
+GMSH = "gmsh is not on the PATH; it makes the triangles of STEP files. Install it, on Debian or Ubuntu with apt-get install gmsh."
+CURVATURE = 40  # edges of triangles around a full circle
+
+
+def write_polygons(polygons, path, source):
+    """Writes polygons [m]: two numbers a line, an empty line between polygons. source: name of the drawing, for the comment"""
+    blocks = ["\n".join(f"{x:.9g} {y:.9g}" for x, y in points) + "\n" for points in polygons]
+    write(path, lambda file: file.write(f"# polygons of {source}, in metres\n" + "\n".join(blocks)))
+
+
+def write(path, fill):
+    """Replaces a file by what fill(file) writes; an older one stays where that fails."""
+    temporary = path + ".part"
+    try:
+        with open(temporary, "w", encoding="utf-8") as file:
+            fill(file)
+        os.replace(temporary, path)
+    except OSError as error:
+        raise Problem(f"{path} can't be written ({error.strerror}).")
+
+
+def convert_step(path, output, size=None):
+    """Writes the triangles of a STEP file as a binary STL file in metres. size: largest edge of a triangle [m], or None"""
+    if not os.path.isfile(path):
+        raise Problem(f"there is no file {path}; give a STEP file or an SVG drawing.")
+    gmsh = shutil.which("gmsh")
+    if gmsh is None:
+        raise Problem(GMSH)
+    temporary = output + ".part.stl"
+    command = [gmsh, path, "-2", "-format", "stl", "-bin", "-o", temporary, "-setstring", "Geometry.OCCTargetUnit", "M",
+               "-clcurv", str(CURVATURE), *(["-clmax", repr(size)] if size else [])]
+    status, text, messages = capture(command)
+    if status != 0 or not os.path.exists(temporary):
+        errors = [line for line in (text + messages).splitlines() if "Error" in line]
+        raise Problem(f"gmsh can't convert {path}: " + (errors[0].partition(":")[2].strip() if errors else f"exit status {status}."))
+    os.replace(temporary, output)
