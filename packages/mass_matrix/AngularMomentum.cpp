@@ -1,5 +1,6 @@
 #include "mass_matrix/AngularMomentum.hpp"
 
+#include "state/ParticlePlace.hpp"
 #include "state/Subdomain.hpp"
 
 namespace Rhegma::mass_matrix
@@ -9,7 +10,7 @@ template <int D>
 Vector<3> angularMomentum(const State<D>& state)
 {
   const auto mass = state.particles.scalar(fields::mass);
-  const auto position = state.particles.template real<D>(fields::position);
+  const ParticlePlace<D> place(state.particles);
   const auto velocity = state.particles.template real<D>(fields::velocity);
   Vector<3> total{{0.0, 0.0, 0.0}};
   Kokkos::parallel_reduce(
@@ -18,10 +19,10 @@ Vector<3> angularMomentum(const State<D>& state)
         const double m = mass(p);
         if constexpr (D == 3)
         {
-          aboutX += m * (position(p, 1) * velocity(p, 2) - position(p, 2) * velocity(p, 1));
-          aboutY += m * (position(p, 2) * velocity(p, 0) - position(p, 0) * velocity(p, 2));
+          aboutX += m * (place.now(p, 1) * velocity(p, 2) - place.now(p, 2) * velocity(p, 1));
+          aboutY += m * (place.now(p, 2) * velocity(p, 0) - place.now(p, 0) * velocity(p, 2));
         }
-        aboutZ += m * (position(p, 0) * velocity(p, 1) - position(p, 1) * velocity(p, 0));
+        aboutZ += m * (place.now(p, 0) * velocity(p, 1) - place.now(p, 1) * velocity(p, 0));
       },
       total[0], total[1], total[2]);
   sumParts(state, total.c, 3);

@@ -53,10 +53,18 @@ Vector<D> positionOf(const State<D>& state, int particle, bool here)
   Vector<D> where{};
   if (here)
   {
-    const auto x = state.particles.template real<D>(fields::position);
-    const auto host = onHost(Kokkos::subview(x, std::make_pair(particle, particle + 1), Kokkos::ALL));
-    for (int d = 0; d < D; ++d)
-      where[d] = host(0, d);
+    const auto row = [&](const std::string& field)
+    {
+      const auto all = state.particles.template real<D>(field);
+      const auto one = onHost(Kokkos::subview(all, std::make_pair(particle, particle + 1), Kokkos::ALL));
+      Vector<D> values;
+      for (int d = 0; d < D; ++d)
+        values[d] = one(0, d);
+      return values;
+    };
+    where = row(fields::position);
+    if (state.particles.has(fields::displacement))
+      where = where + row(fields::displacement);
   }
   if (!state.ranks.many())
     return where;

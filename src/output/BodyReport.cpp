@@ -1,6 +1,7 @@
 #include "output/BodyReport.hpp"
 
 #include "material/Tensors.hpp"
+#include "state/ParticlePlace.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -30,7 +31,8 @@ struct BodySums
   int which;
   BorrowedView<int*> body;
   BorrowedView<double*> mass, volume;
-  BorrowedView<double*[D]> position, velocity;
+  ParticlePlace<D> place;
+  BorrowedView<double* [D]> velocity;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<double * [symmetricSize<D>]> stress;
   bool mechanics;
@@ -40,7 +42,7 @@ struct BodySums
         body(state.particles.integer(fields::body)),
         mass(state.particles.scalar(fields::mass)),
         volume(state.particles.scalar(fields::volume)),
-        position(state.particles.template real<D>(fields::position)),
+        place(state.particles),
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
         mechanics(state.method.mechanics)
   {
@@ -59,7 +61,7 @@ struct BodySums
     sum[2] += volume(p) * determinant<D>(&deformation(p, 0));
     for (int d = 0; d < D; ++d)
     {
-      sum[positionAt + d] += mass(p) * position(p, d);
+      sum[positionAt + d] += mass(p) * place.now(p, d);
       sum[velocityAt + d] += mechanics ? mass(p) * velocity(p, d) : 0.0;
     }
     for (int k = 0; k < gradientSize<D>; ++k)
