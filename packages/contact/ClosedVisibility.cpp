@@ -86,7 +86,7 @@ void ClosedVisibility::prepare(const State<2>& state)
     separation_ = View<double*>("rhegma::closedSeparation", points_.count());
     reserveRows();
   }
-  setAround(state.mesh.grid.spacing);
+  setAround(state);
   pointStencils(state, behind_, below_, true);
   pointStencils(state, ahead_, above_, true);
   whole_ = false;
@@ -116,8 +116,11 @@ void ClosedVisibility::serialize(Archive& archive)
     reserveRows();
 }
 
-void ClosedVisibility::setAround(double cell)
+void ClosedVisibility::setAround(const State<2>& state)
 {
+  const double cell = state.mesh.grid.spacing;
+  const View<double* [2]> normal = state.cracks.normal; // in the cells
+  const View<int*> simplex = points_.simplex();
   const FacePoints<2> points = points_;
   const View<double*[2]> behind = behind_.position, ahead = ahead_.position;
   Kokkos::parallel_for(
@@ -125,8 +128,8 @@ void ClosedVisibility::setAround(double cell)
       KOKKOS_LAMBDA(const int k) {
         for (int d = 0; d < 2; ++d)
         {
-          behind(k, d) = points.position(k, d) - 0.5 * cell * points.normal(k, d);
-          ahead(k, d) = points.position(k, d) + 0.5 * cell * points.normal(k, d);
+          behind(k, d) = points.position(k, d) - 0.5 * cell * normal(simplex(k), d);
+          ahead(k, d) = points.position(k, d) + 0.5 * cell * normal(simplex(k), d);
         }
       });
 }

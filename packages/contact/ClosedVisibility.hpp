@@ -34,7 +34,7 @@ public:
   int closedPoints(int crack) const;
 
   /// Part of `prepare`; public because compilers for devices want kernels in public functions.
-  void setAround(double cell);
+  void setAround(const State<2>& state);
 
 private:
   void reserveRows();

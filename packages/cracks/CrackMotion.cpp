@@ -3,6 +3,7 @@
 #include "base/SmallLoops.hpp"
 #include "base/UnstableStep.hpp"
 #include "cracks/CrackFrames.hpp"
+#include "cracks/FaceRotation.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -51,14 +52,70 @@ void findShifts(const Nodes<D>& nodes, const StencilTable<D>& stencils, int coun
       });
 }
 
-/// Moves the faces; where the cells are undeformed only apart, so that the crack stays where it is in them.
-/// \return how many vertices lie beyond all cells now
+/// Displacement of both faces of a vertex in this step along an axis: at a front the same.
 template <int D>
-int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, bool undeformed, const View<double*>& shifts)
+KOKKOS_INLINE_FUNCTION void shiftsOf(const View<int*>& kind, const View<double*>& shifts, int v, int axis,
+                                     double (&shift)[2])
+{
+  for (int side = 0; side < 2; ++side)
+    shift[side] = shifts((2 * v + side) * (D + 1) + axis);
+  if ((kind(v) & vertexKind::front) != 0)
+    shift[0] = shift[1] = 0.5 * (shift[0] + shift[1]);
+}
+
+/// Moves the faces of undeformed cells: the crack stays in them, and its faces part by their opening, which
+/// is turned back with the rotation of the crack, so that it is that of the cells' axes.
+template <int D>
+void partFaces(CrackSet<D>& cracks, const View<double*>& shifts)
+{
+  const int count = static_cast<int>(cracks.vertex.extent(0));
+  if (static_cast<int>(cracks.carried.extent(0)) != count)
+    cracks.carried = View<double* [D]>("rhegma::crackDisplacement", count);
+  const View<double*[D]> carried("rhegma::crackDisplacement", count), before = cracks.carried;
+  const View<int*> kind = cracks.kind;
+  parallelForSmall(
+      "rhegma::cracks::carryVertices", count, KOKKOS_LAMBDA(const int v) {
+        for (int d = 0; d < D; ++d)
+        {
+          double shift[2];
+          shiftsOf<D>(kind, shifts, v, d, shift);
+          carried(v, d) = before(v, d) + 0.5 * (shift[0] + shift[1]);
+        }
+      });
+  const FaceRotation<D> was(cracks, before), is(cracks, carried);
+  const View<double* [2][D]> face = cracks.face;
+  const View<double* [D]> vertex = cracks.vertex;
+  parallelForSmall(
+      "rhegma::cracks::partFaces", count, KOKKOS_LAMBDA(const int v) {
+        double old[D][D], now[D][D], jump[D];
+        was.at(v, old);
+        is.at(v, now);
+        for (int i = 0; i < D; ++i)
+        {
+          double shift[2];
+          shiftsOf<D>(kind, shifts, v, i, shift);
+          jump[i] = shift[1] - shift[0];
+          for (int j = 0; j < D; ++j)
+            jump[i] += old[i][j] * (face(v, 1, j) - face(v, 0, j));
+        }
+        for (int i = 0; i < D; ++i)
+        {
+          double back = 0.0;
+          for (int j = 0; j < D; ++j)
+            back += now[j][i] * jump[j];
+          face(v, 0, i) = vertex(v, i) - 0.5 * back;
+          face(v, 1, i) = vertex(v, i) + 0.5 * back;
+        }
+      });
+  cracks.carried = carried;
+}
+
+/// Moves the faces. \return how many vertices lie beyond all cells now
+template <int D>
+int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, const View<double*>& shifts)
 {
   const View<double* [2][D]> face = cracks.face;
   const View<double* [D]> vertex = cracks.vertex;
-  const View<double* [D]> carried = cracks.carried;
   const View<int*> kind = cracks.kind;
   return parallelSumSmall<int>(
       "rhegma::cracks::moveFaces", static_cast<int>(vertex.extent(0)), KOKKOS_LAMBDA(const int v, int& lost) {
@@ -66,26 +123,14 @@ int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, bool undeformed, c
         for (int d = 0; d < D; ++d)
         {
           double shift[2];
-          for (int side = 0; side < 2; ++side)
-            shift[side] = shifts((2 * v + side) * (D + 1) + d);
-          if ((kind(v) & vertexKind::front) != 0)
-            shift[0] = shift[1] = 0.5 * (shift[0] + shift[1]);
-          if (undeformed)
-          {
-            const double mean = 0.5 * (shift[0] + shift[1]);
-            carried(v, d) += mean;
-            shift[0] -= mean;
-            shift[1] -= mean;
-          }
+          shiftsOf<D>(kind, shifts, v, d, shift);
           for (int side = 0; side < 2; ++side)
           {
             face(v, side, d) += shift[side];
             const double cell = grid.inCells(face(v, side, d), d);
-            in = in && (undeformed || shifts((2 * v + side) * (D + 1) + D) == 0.0 ||
-                        (cell >= 0.0 && cell < grid.cells[d]));
+            in = in && (shifts((2 * v + side) * (D + 1) + D) == 0.0 || (cell >= 0.0 && cell < grid.cells[d]));
           }
-          if (!undeformed)
-            vertex(v, d) = 0.5 * (face(v, 0, d) + face(v, 1, d));
+          vertex(v, d) = 0.5 * (face(v, 0, d) + face(v, 1, d));
         }
         lost += in ? 0 : 1;
       });
@@ -108,14 +153,18 @@ void CrackMotion<D>::move(State<D>& state)
     shift_ = View<double*>("rhegma::crackFaceShift", 2 * vertices * (D + 1));
   }
   const bool undeformed = state.method.totalLagrangian;
-  if (undeformed && static_cast<int>(cracks.carried.extent(0)) != vertices)
-    cracks.carried = View<double* [D]>("rhegma::crackDisplacement", vertices);
   setPoints(cracks, undeformed, points_);
   pointStencils(state, points_, stencils_, true);
   findShifts(state.mesh.nodes, stencils_, points_.count, state.clock.dt,
              state.method.scheme == UpdateScheme::Usl, shift_);
   sumParts(state, shift_);
-  const int lost = moveFaces(cracks, wholeLattice(state), undeformed, shift_);
+  if (undeformed)
+  {
+    partFaces(cracks, shift_);
+    updateFronts(cracks);
+    return;
+  }
+  const int lost = moveFaces(cracks, wholeLattice(state), shift_);
   if (lost > 0 && state.failure.empty())
     state.failure = "a crack left the domain (" + unstableStep(state.mesh.subcycledLevels) +
                     "; or enlarge the domain, or end the run earlier)";

@@ -1,6 +1,7 @@
 #include "cracks/Release.hpp"
 
 #include "base/SmallLoops.hpp"
+#include "cracks/FaceRotation.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -256,7 +257,7 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
-  const HoldingForce<D> holding{nodes, side, state.cracks.normal, surroundings.nearest,
+  const HoldingForce<D> holding{nodes, side, normalsInBody(state.cracks), surroundings.nearest,
                                 forceSumOverRanks(state)};
   const View<double*> range =
       releaseRanges(state, measurePassed(state, surroundings, springs, holding), toughness);

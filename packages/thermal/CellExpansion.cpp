@@ -22,6 +22,7 @@ struct Correction
   BorrowedView<double * [gradientSize<D>]> deformation;
   Nodes<D> nodes;
   NodePositions<D> positions;
+  bool undeformed; ///< whether the cells are: slopes are along axes of the undeformed body
 
   Correction(const State<D>& state, const Connect& with)
       : connect(with),
@@ -31,7 +32,8 @@ struct Correction
         position(state.particles.template real<D>(fields::position)),
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
         nodes(state.mesh.nodes),
-        positions(nodePositions(state))
+        positions(nodePositions(state)),
+        undeformed(state.method.totalLagrangian)
   {
   }
 
@@ -66,7 +68,8 @@ struct Correction
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
         for (int k = 0; k < D; ++k)
-          deformation(p, i * D + j) -= half * (missed[i][k] + missed[k][i]) * F[k * D + j];
+          deformation(p, i * D + j) -= half * (undeformed ? F[i * D + k] * (missed[k][j] + missed[j][k])
+                                                          : (missed[i][k] + missed[k][i]) * F[k * D + j]);
   }
 
   /// Whether F of a particle is 1, but for the thickness in plane stress.

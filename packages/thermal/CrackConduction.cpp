@@ -214,13 +214,15 @@ void CrackConduction<D>::searchAround(const State<D>& state)
   const FacePoints<D> points = points_;
   const View<double* [D]> position = around_.position;
   const double reach = 0.5 * state.mesh.smallestSpacing();
+  const View<double* [D]> normal = state.cracks.normal; // in the cells
+  const View<int*> simplex = points_.simplex();
   Kokkos::parallel_for(
       "rhegma::thermal::lookAroundFaces", Kokkos::RangePolicy<ExecSpace>(0, count),
       KOKKOS_LAMBDA(const int k) {
         for (int d = 0; d < D; ++d)
         {
-          position(2 * k, d) = points.position(k, d) - reach * points.normal(k, d);
-          position(2 * k + 1, d) = points.position(k, d) + reach * points.normal(k, d);
+          position(2 * k, d) = points.position(k, d) - reach * normal(simplex(k), d);
+          position(2 * k + 1, d) = points.position(k, d) + reach * normal(simplex(k), d);
         }
       });
   pointStencils(state, around_, stencils_, false);
@@ -233,6 +235,8 @@ void CrackConduction<D>::addFaces(const State<D>& state)
   const StencilTable<D> stencils = stencils_;
   const View<FaceLaw*> laws = laws_;
   const View<double * [D + 2]> faces = faces_;
+  const View<double* [D]> normal = state.cracks.normal;
+  const View<int*> simplex = points_.simplex();
   const double gap = closedGap * state.mesh.smallestSpacing();
   forEachPushing(
       "rhegma::thermal::facesAroundNodes", 2 * points_.count(), KOKKOS_LAMBDA(const int s) {
@@ -246,7 +250,7 @@ void CrackConduction<D>::addFaces(const State<D>& state)
           Kokkos::atomic_add(&faces(n, 0), passes ? area * law.conductance : 0.0);
           Kokkos::atomic_add(&faces(n, 1), area);
           for (int d = 0; d < D; ++d)
-            Kokkos::atomic_add(&faces(n, 2 + d), area * points.normal(k, d));
+            Kokkos::atomic_add(&faces(n, 2 + d), area * normal(simplex(k), d));
         }
       });
 }

@@ -31,13 +31,12 @@ template <int D>
 Extremes<D> extremes(const State<D>& state)
 {
   const auto T = state.particles.scalar(fields::temperature);
-  const auto x = state.particles.template real<D>(fields::position);
   using Most = Kokkos::MaxLoc<double, int>;
   Most::value_type most;
   double least = 0.0;
-  const Kokkos::RangePolicy<ExecSpace> all(0, state.particles.size());
+  const Kokkos::RangePolicy<ExecSpace> every(0, state.particles.size());
   Kokkos::parallel_reduce(
-      "rhegma::thermal::highest", all,
+      "rhegma::thermal::highest", every,
       KOKKOS_LAMBDA(const int p, Most::value_type& top) {
         if (T(p) > top.val)
         {
@@ -47,7 +46,7 @@ Extremes<D> extremes(const State<D>& state)
       },
       Most(most));
   Kokkos::parallel_reduce(
-      "rhegma::thermal::lowest", all,
+      "rhegma::thermal::lowest", every,
       KOKKOS_LAMBDA(const int p, double& bottom) { bottom = T(p) < bottom ? T(p) : bottom; },
       Kokkos::Min<double>(least));
   Extremes<D> found;
@@ -58,9 +57,20 @@ Extremes<D> extremes(const State<D>& state)
   const bool here = most.loc >= 0 && most.loc < state.particles.size() && most.val == found.highest;
   if (here)
   {
-    const auto host = onHost(Kokkos::subview(x, std::make_pair(most.loc, most.loc + 1), Kokkos::ALL));
+    const auto row = [&](const std::string& field)
+    {
+      const auto all = state.particles.template real<D>(field);
+      return onHost(Kokkos::subview(all, std::make_pair(most.loc, most.loc + 1), Kokkos::ALL));
+    };
+    const auto at = row(fields::position);
     for (int d = 0; d < D; ++d)
-      where[d] = host(0, d);
+      where[d] = at(0, d);
+    if (state.particles.has(fields::displacement))
+    {
+      const auto moved = row(fields::displacement);
+      for (int d = 0; d < D; ++d)
+        where[d] += moved(0, d);
+    }
   }
   found.where = shared<D>(state.ranks, where, here);
   return found;

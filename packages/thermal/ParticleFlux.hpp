@@ -16,6 +16,7 @@ struct ParticleFlux
   BorrowedView<double*> volume, temperature;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<int*> material, body;
+  bool undeformed; ///< whether the cells are: heat flows as in the undeformed body
 
   /// [W/(m K)]
   KOKKOS_INLINE_FUNCTION double conductivity(int p) const
@@ -28,7 +29,7 @@ struct ParticleFlux
   {
     const double* const F = &deformation(p, 0);
     const ThermoPoint at(tables, material(p), temperature(p));
-    const double k = -determinant<D>(F) * volume(p) * at.conductivity();
+    const double k = -(undeformed ? 1.0 : determinant<D>(F)) * volume(p) * at.conductivity();
     for (int d = 0; d < D; ++d)
       flow[d] = at.material.orthotropic ? 0.0 : k * g[d];
     if (!at.material.orthotropic)
@@ -39,8 +40,9 @@ struct ParticleFlux
       for (int d = 0; d < D; ++d)
       {
         a[d] = 0.0;
-        for (int j = 0; j < D; ++j)
+        for (int j = 0; j < D && !undeformed; ++j)
           a[d] += F[d * D + j] * axes(body(p), e, j);
+        a[d] += undeformed ? axes(body(p), e, d) : 0.0;
         square += a[d] * a[d];
         along += a[d] * g[d];
       }
@@ -60,7 +62,8 @@ ParticleFlux<D> particleFlux(const State<D>& state)
           table.scalar(fields::temperature),
           table.template real<gradientSize<D>>(fields::deformation),
           table.integer(fields::material),
-          table.integer(fields::body)};
+          table.integer(fields::body),
+          state.method.totalLagrangian};
 }
 
 } // namespace Rhegma::thermal

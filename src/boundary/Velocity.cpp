@@ -46,7 +46,12 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
   timed.constraint.upper = readVector<D>(list, "Upper Corner");
   timed.constraint.outside = list.get<std::string>("Nodes") == "Outside";
   const std::string boxMotion = list.get<std::string>("Box Motion");
-  timed.gridMoves = boxMotion == "With Grid" && !state.method.totalLagrangian;
+  timed.gridMoves = boxMotion == "With Grid";
+  if (timed.gridMoves && state.method.totalLagrangian)
+    throw std::invalid_argument(where +
+                                " > Box Motion: cells of the undeformed body do not move, and the box "
+                                "holds the same material throughout; leave it out, or write Domain > "
+                                "Formulation = Updated Lagrangian");
   // Nodes on the rim count as held whatever the rounding, which grows where box and grid move.
   const double least = timed.gridMoves ? 1e-6 : 1e-9;
   const double rim = (timed.constraint.outside ? -least : least) * grid.spacing;
@@ -73,7 +78,8 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
     timed.field = PositionFunction::parse(list.get<std::string>("Field"), D);
     setFieldAtNodes(timed, state);
   }
-  timed.boxMoves = !state.method.totalLagrangian && boxMoves(timed, boxMotion, state);
+  const bool moves = boxMoves(timed, boxMotion, state); // and the box contains particles
+  timed.boxMoves = moves && !state.method.totalLagrangian;
   timed.lag = timed.gridMoves || timed.constraint.outside ? 0.0 : 0.5 * grid.spacing;
   return timed;
 }

@@ -6,6 +6,7 @@
 #include "base/ShortNumber.hpp"
 #include "equilibrium/Newton.hpp"
 #include "state/ContactAdvice.hpp"
+#include "state/FaceLoads.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Scatter.hpp"
@@ -220,7 +221,9 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   }
   account.largestForces = report.forces;
   toMotion(step, state);
-  last.motion = state.method.totalLagrangian ? 0.0 : largestMotion(step, state);
+  // In undeformed cells only forces on faces depend on where these are now.
+  const bool stays = state.method.totalLagrangian && !loadsFollowFaces(state);
+  last.motion = stays ? 0.0 : largestMotion(step, state);
   last.workOfSupports = step.workOfSupports();
   state.energy.externalWork += last.workOfSupports;
   // Bodies that begin with stress out of balance, such as a misfit of temperatures, begin with the energy of

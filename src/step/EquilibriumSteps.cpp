@@ -5,6 +5,7 @@
 #include "base/StopRequest.hpp"
 #include "plan/LoadOverStep.hpp"
 #include "state/EnergySums.hpp"
+#include "state/FaceLoads.hpp"
 #include "state/Subdomain.hpp"
 #include "step/RunStage.hpp"
 
@@ -277,7 +278,7 @@ void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until
     return;
   ++state.clock.step;
   state.particles.particleSteps += allParticles(state);
-  if (ends && !state.method.totalLagrangian)
+  if (ends && !(state.method.totalLagrangian && !loadsFollowFaces(state)))
     settleInPlace(stages, state);
   // Nodes are those of the particles as they lie now, at rest.
   runBetweenSteps(plan, state);

@@ -170,10 +170,12 @@ double displacementOfLoads(const State<D>& state, const equilibrium::LastStep& l
              : 0.0;
 }
 
-/// Advances the cracks by an increment under given loads, where motion follows unstable growth. \return
+/// Advances the cracks by an increment under given loads, where motion follows unstable growth. \param least
+/// G/Gc under these loads so far \return
 /// whether growth is stable so far: there is an equilibrium, in which G has not risen
 template <int D>
-bool growsStably(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last)
+bool growsStably(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last,
+                 double& least)
 {
   UnstableGrowth& unstable = state.cracks.growth.unstable;
   unstable.found = true;
@@ -195,7 +197,9 @@ bool growsStably(State<D>& state, const EquilibriumCalls& calls, const equilibri
     state.failure.clear();
     return false;
   }
-  unstable.rise = state.cracks.growth.drive / unstable.drive - 1.0;
+  // A load step may go past the toughness: growth first takes that off, and may then be unstable.
+  unstable.rise = state.cracks.growth.drive / least - 1.0;
+  least = std::min(least, state.cracks.growth.drive);
   unstable.found = unstable.rise > unstableRise;
   return !unstable.found;
 }
@@ -285,6 +289,7 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
     return;
   const double reached = std::max(timeOfToughness(from, driveBefore, now, growth.drive), growth.startTime);
   const double areaBefore = growth.area;
+  double least = growth.drive;
   while (state.failure.empty() && canAdvance(state) && growth.drive > heldDrive)
   {
     const double before = growth.release;
@@ -293,7 +298,7 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
     };
     if (state.method.handsOver)
     {
-      if (!growsStably(state, calls, last))
+      if (!growsStably(state, calls, last, least))
         return;
       record();
       continue;

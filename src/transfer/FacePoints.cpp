@@ -319,7 +319,7 @@ void FacePoints<D>::serialize(Archive& archive)
 }
 
 template <int D>
-void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks, bool undeformed)
+void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks, bool inCells)
 {
   const FacePoints p = *this;
   const View<int*> simplexOf = simplex_;
@@ -335,12 +335,13 @@ void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks, bool undeformed)
   const double near = nearlyClosed * spacing_;
   Kokkos::parallel_for(
       "rhegma::moveFacePoints", Kokkos::RangePolicy<ExecSpace>(0, count_), KOKKOS_LAMBDA(const int k) {
-        Vector<D> corner[D], at{}, jump{};
+        Vector<D> corner[D], undeformed[D], at{}, jump{};
         for (int i = 0; i < D; ++i)
         {
           const int v = simplex(simplexOf(k), i);
           for (int d = 0; d < D; ++d)
           {
+            undeformed[i][d] = vertex(v, d);
             corner[i][d] = vertex(v, d) + (moved ? carried(v, d) : 0.0);
             at[d] += weight(k, i) * vertex(v, d);
             jump[d] += weight(k, i) * (face(v, 1, d) - face(v, 0, d));
@@ -349,7 +350,9 @@ void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks, bool undeformed)
         const Vector<D> area = sizedNormal(corner), along = corner[1] - corner[0];
         const double now = norm(area), length = norm(along);
         const Vector<D> n = (1.0 / now) * area;
-        const double straight = dot(n, jump);
+        // The opening is along the axes of the cells.
+        const Vector<D> ofCells = sizedNormal(undeformed);
+        const double straight = moved ? dot(ofCells, jump) / norm(ofCells) : dot(n, jump);
         const double apart =
             straight > 0.0 ? frontShape<D>(neighbour, weight, simplexOf(k), k) * straight : straight;
         p.separation(k) = apart;
@@ -361,7 +364,7 @@ void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks, bool undeformed)
           p.normal(k, d) = n[d];
           p.edge(k, d) = along[d] / length;
           p.position(k, d) = at[d];
-          const double off = apart > near && !undeformed ? 0.5 * apart : 0.0;
+          const double off = apart > near && !inCells ? 0.5 * apart : 0.0;
           lower.position(k, d) = at[d] - off * n[d];
           upper.position(k, d) = at[d] + off * n[d];
         }

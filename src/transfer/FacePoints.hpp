@@ -37,7 +37,7 @@ public:
   void serialize(Archive& archive);
 
   /// Part of `update`; public because compilers for devices want kernels in public functions.
-  void moveWithCracks(const CrackSet<D>& cracks, bool undeformed);
+  void moveWithCracks(const CrackSet<D>& cracks, bool inCells);
 
   View<int*> crack;           ///< crack of each point
   View<double*> size;         ///< undeformed length or area of crack that each point stands for [m, m2]
