@@ -68,6 +68,9 @@ void toMotion(const NewtonStep<D>& step, State<D>& state)
 template <int D>
 double largestMotion(const NewtonStep<D>& step, const State<D>& state)
 {
+  // In undeformed cells only forces on faces depend on where these are now.
+  if (state.method.totalLagrangian && !loadsFollowFaces(state))
+    return 0.0;
   const Values& u = step.displacement();
   double largest = 0.0;
   for (std::size_t k = 0; k < u.extent(0); ++k)
@@ -221,9 +224,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   }
   account.largestForces = report.forces;
   toMotion(step, state);
-  // In undeformed cells only forces on faces depend on where these are now.
-  const bool stays = state.method.totalLagrangian && !loadsFollowFaces(state);
-  last.motion = stays ? 0.0 : largestMotion(step, state);
+  last.motion = largestMotion(step, state);
   last.workOfSupports = step.workOfSupports();
   state.energy.externalWork += last.workOfSupports;
   // Bodies that begin with stress out of balance, such as a misfit of temperatures, begin with the energy of
