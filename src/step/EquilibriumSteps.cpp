@@ -5,7 +5,6 @@
 #include "base/StopRequest.hpp"
 #include "plan/LoadOverStep.hpp"
 #include "state/EnergySums.hpp"
-#include "state/FaceLoads.hpp"
 #include "state/Subdomain.hpp"
 #include "step/RunStage.hpp"
 
@@ -24,8 +23,9 @@ namespace
 /// Length of a step that adds no load, in fractions of the run.
 constexpr double shortStep = 1e-9;
 
-/// Equilibrium at the new positions of the particles moves them again, where they move through the cells. A
-/// dynamic run starts at rest: the solution is repeated until the forces that the last motion left out of
+/// Equilibrium at the new positions of the particles moves them again, where they move through the cells, and
+/// what the ghost penalty held in the last step is let go, so that equilibrium does not depend on the steps.
+/// A dynamic run starts at rest: the solution is repeated until the forces that the last motion left out of
 /// balance are this fraction of all, or until a repetition no longer reduces them by `leastGain`. Large
 /// plastic strain needs a few of them.
 constexpr double forcesAtRest = 1e-6, leastGain = 0.8;
@@ -278,7 +278,7 @@ void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until
     return;
   ++state.clock.step;
   state.particles.particleSteps += allParticles(state);
-  if (ends && !(state.method.totalLagrangian && !loadsFollowFaces(state)))
+  if (ends)
     settleInPlace(stages, state);
   // Nodes are those of the particles as they lie now, at rest.
   runBetweenSteps(plan, state);

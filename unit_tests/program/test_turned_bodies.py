@@ -68,7 +68,7 @@ class TurnedBodies(ProgramTest):
 
     def front(self, scene, name):
         answer = rhegma(self.write(name + ".xml", scene.text()), "--quiet")
-        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
+        self.assertEqual(answer.status, 0, answer)  # with warnings of large displacements of supports
         with open(self.path(name + ".out", "summary.json")) as file:
             crack = json.load(file)["cracks"][0]
         return {**crack["fronts"][0], "opening": crack["opening"]}
