@@ -3,8 +3,8 @@
 #include "base/SmallLoops.hpp"
 #include "base/UnstableStep.hpp"
 #include "cracks/CrackFrames.hpp"
-#include "cracks/FaceRotation.hpp"
 #include "state/Subdomain.hpp"
+#include "transfer/FaceRotation.hpp"
 #include "transfer/Stencils.hpp"
 
 namespace Rhegma::cracks

@@ -1,8 +1,12 @@
 #include "cracks/CrackReport.hpp"
 
+#include "base/ShortNumber.hpp"
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
+#include "transfer/FaceRotation.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -64,6 +68,29 @@ void addCrackColumns(State<D>& state, bool grows)
   }
 }
 
+namespace
+{
+
+/// Warns of closed faces that have turned further than this [rad]: contact compares their positions in the
+/// cells, where they have not turned.
+constexpr double turnedFar = 0.1;
+
+template <int D>
+std::string warningOfTurnedContact(const State<D>& state)
+{
+  double largest = 0.0;
+  for (const Rotation<D>& rotation : rotationsOfFaces(state.cracks))
+    largest = std::max(largest, rotation.angle());
+  if (!(largest > turnedFar))
+    return {};
+  const double degrees = largest * 45.0 / std::atan(1.0);
+  return "Contact: the faces of cracks have turned by up to " + formatShort(degrees) +
+         " degrees, and with Domain > Formulation = Total Lagrangian contact acts as if they had not; write "
+         "Updated Lagrangian";
+}
+
+} // namespace
+
 template <int D>
 void reportCracks(const State<D>& state, bool grows, bool touching, bool startsInEquilibrium,
                   nlohmann::json& summary)
@@ -83,6 +110,8 @@ void reportCracks(const State<D>& state, bool grows, bool touching, bool startsI
     entry[D == 2 ? "opening_area" : "opening_volume"] = opening.volume;
     entry[D == 2 ? "length" : "area"] = opening.size;
   }
+  if (const std::string warning = touching ? warningOfTurnedContact(state) : std::string(); !warning.empty())
+    summary["warnings"].push_back(warning);
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     const CrackFront<D>& front = state.cracks.fronts[f];

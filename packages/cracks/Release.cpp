@@ -1,9 +1,9 @@
 #include "cracks/Release.hpp"
 
 #include "base/SmallLoops.hpp"
-#include "cracks/FaceRotation.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "state/Subdomain.hpp"
+#include "transfer/FaceRotation.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "energy_release/NodalDisplacement.hpp"
 #include "state/NodalValues.hpp"
 #include "state/Subdomain.hpp"
+#include "transfer/FaceRotation.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -131,6 +132,10 @@ FaceTractions::FaceTractions(const State<2>& state, const CrackFront<2>& front, 
   {
     const Disk disk{front.position, reach + reachOfFunctions * state.mesh.grid.spacing};
     jumps_ = openingAt(state, displacementOfNodes(state, disk), front.crack, points_);
+    // Tractions are normal to the crack as it lies in the cells.
+    if (const auto turns = rotationsOfFaces(state.cracks); !turns.empty())
+      for (Vector<2>& jump : jumps_)
+        jump = turns[front.vertex].back(jump);
     return;
   }
   const JumpBehind jump(state.cracks, front);

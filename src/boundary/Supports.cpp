@@ -101,6 +101,18 @@ bool boxMoves(const TimedConstraint<D>& timed, const std::string& choice, const 
   for (int d = 0; d < D; ++d)
     moving = moving || (timed.constraint.holds[d] && timed.value[d] != 0.0);
   const bool requested = choice == "With Material" || choice == "With Grid";
+  NodeConstraint<D> reached = timed.constraint; // nodes of its box are touched from a cell away
+  for (int d = 0; d < D; ++d)
+  {
+    reached.lower[d] -= state.mesh.grid.spacing;
+    reached.upper[d] += state.mesh.grid.spacing;
+  }
+  if (state.method.totalLagrangian && !reached.outside && !(particlesIn(reached, state) > 0.0))
+    throw std::invalid_argument(
+        "Boundaries > " + timed.name +
+        ": no particle is near the box at the start, and bodies do not move through the "
+        "cells, so it would never hold anything; move the box, or write Domain > "
+        "Formulation = Updated Lagrangian");
   if (timed.field || (!requested && (choice == "Fixed" || !moving)))
     return false;
   const bool holdsMaterial = particlesIn(timed.constraint, state) > 0.0;

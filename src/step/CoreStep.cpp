@@ -36,10 +36,13 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
   }
   // Laws fail at impossible temperatures.
   const std::string heat = heatFailure(state);
-  state.failure = !heat.empty() ? heat
-                                : "a particle has a negative volume or its velocity is not finite (" +
-                                      unstableStep(state.mesh.subcycledLevels) +
-                                      ", smaller cells or a lower load rate)";
+  state.failure =
+      !heat.empty()
+          ? heat
+          : std::string(state.method.totalLagrangian ? "a particle is compressed to less than a fiftieth"
+                                                     : "a particle has a negative volume") +
+                " or its velocity is not finite (" + unstableStep(state.mesh.subcycledLevels) +
+                ", smaller cells or a lower load rate)";
 }
 
 template <int D>

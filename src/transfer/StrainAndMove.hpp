@@ -34,6 +34,10 @@ struct ParticleHeat
   bool isothermal = false; ///< whether strain is at the temperature of the start of the step
 };
 
+/// Factor of the speed of waves along undeformed axes from which on a particle counts as collapsed:
+/// compressed to a fiftieth. The stable step goes with its inverse, so that the run would not end.
+constexpr double mostCompressed = 50.0;
+
 /// What happens to the particles of one bundle once the nodes have given them a velocity and its gradient:
 /// the same for all shape functions and stencils, so that it is compiled once for each of them.
 template <int D, class Heat>
@@ -106,8 +110,10 @@ struct BundleMotion
       double F[gradientSize<D>];
       for (int k = 0; k < gradientSize<D>; ++k)
         F[k] = at.F[k][l];
+      const double slowest = slowestStretch<D>(F);
       if (std::isfinite(at.speed[l]))
-        at.speed[l] *= slowestStretch<D>(F);
+        at.speed[l] =
+            slowest < mostCompressed ? at.speed[l] * slowest : std::numeric_limits<double>::infinity();
     }
   }
 

@@ -5,8 +5,9 @@
 #include "state/CrackSet.hpp"
 
 #include <cmath>
+#include <vector>
 
-namespace Rhegma::cracks
+namespace Rhegma
 {
 
 /// Rotation of the crack at its vertices from undeformed cells to the deformed body: that between the edges
@@ -119,6 +120,56 @@ private:
   }
 };
 
+/// A rotation on the host, row by row.
+template <int D>
+struct Rotation
+{
+  double of[D][D]; ///< its components
+
+  /// A vector of the deformed body in undeformed cells. \param v the vector
+  Vector<D> back(const Vector<D>& v) const
+  {
+    Vector<D> turned{};
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j)
+        turned[i] += of[j][i] * v[j];
+    return turned;
+  }
+
+  /// Its angle [rad].
+  double angle() const
+  {
+    double trace = 0.0;
+    for (int i = 0; i < D; ++i)
+      trace += of[i][i];
+    const double cosine = D == 2 ? 0.5 * trace : 0.5 * (trace - 1.0);
+    return std::acos(std::fmin(1.0, std::fmax(-1.0, cosine)));
+  }
+};
+
+/// The rotations of the crack at its vertices; none where the cells are not undeformed. \param cracks the
+/// cracks
+template <int D>
+std::vector<Rotation<D>> rotationsOfFaces(const CrackSet<D>& cracks)
+{
+  const int count = static_cast<int>(cracks.carried.extent(0));
+  const View<double * [D * D]> rows("rhegma::rotationsOfFaces", count);
+  const FaceRotation<D> rotation(cracks, cracks.carried);
+  Kokkos::parallel_for(
+      "rhegma::rotationsOfFaces", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int v) {
+        double R[D][D];
+        rotation.at(v, R);
+        for (int k = 0; k < D * D; ++k)
+          rows(v, k) = R[k / D][k % D];
+      });
+  const auto host = onHost(rows);
+  std::vector<Rotation<D>> all(count);
+  for (int v = 0; v < count; ++v)
+    for (int k = 0; k < D * D; ++k)
+      all[v].of[k / D][k % D] = host(v, k);
+  return all;
+}
+
 /// Unit normals of the simplices in the deformed body: those of the cracks, turned with it where the cells
 /// are undeformed. \param cracks the cracks
 template <int D>
@@ -127,10 +178,10 @@ View<double* [D]> normalsInBody(const CrackSet<D>& cracks)
   if (cracks.carried.extent(0) == 0)
     return cracks.normal;
   const int count = static_cast<int>(cracks.simplex.extent(0));
-  const View<double*[D]> normals("rhegma::cracks::normalsInBody", count), undeformed = cracks.normal;
+  const View<double*[D]> normals("rhegma::normalsInBody", count), undeformed = cracks.normal;
   const FaceRotation<D> rotation(cracks, cracks.carried);
   Kokkos::parallel_for(
-      "rhegma::cracks::normalsInBody", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int s) {
+      "rhegma::normalsInBody", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int s) {
         Vector<D> n;
         for (int d = 0; d < D; ++d)
           n[d] = undeformed(s, d);
@@ -141,4 +192,4 @@ View<double* [D]> normalsInBody(const CrackSet<D>& cracks)
   return normals;
 }
 
-} // namespace Rhegma::cracks
+} // namespace Rhegma
