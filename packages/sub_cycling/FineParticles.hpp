@@ -139,7 +139,7 @@ public:
 private:
   int first_ = 0;
   StencilSource madeOf_; ///< of the stencils that are listed
-  int numListed_ = 0; ///< with neighbours
+  int numListed_ = 0;    ///< with neighbours
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
   double onAllRanks_[deepestLevel + 2] = {};
