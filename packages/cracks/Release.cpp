@@ -241,7 +241,7 @@ View<double*> releaseRanges(State<D>& state, const View<double * [D + 3]>& rows,
       if (energy[k] > 0.0)
         range[first[f] + k] = releaseRange(energy[k], sums[first[f] + k].force);
   }
-  const View<double*> rangeOf("rhegma::cracks::releaseRanges", state.mesh.nodes.numEnriched);
+  View<double*> rangeOf("rhegma::cracks::releaseRanges", state.mesh.nodes.numEnriched);
   const auto host = Kokkos::create_mirror_view(rangeOf);
   for (const PassedNode& node : passed)
     host(node.second) = range[node.at];

@@ -178,7 +178,8 @@ View<double* [D]> normalsInBody(const CrackSet<D>& cracks)
   if (cracks.carried.extent(0) == 0)
     return cracks.normal;
   const int count = static_cast<int>(cracks.simplex.extent(0));
-  const View<double*[D]> normals("rhegma::normalsInBody", count), undeformed = cracks.normal;
+  View<double* [D]> normals("rhegma::normalsInBody", count);
+  const View<double* [D]> undeformed = cracks.normal;
   const FaceRotation<D> rotation(cracks, cracks.carried);
   Kokkos::parallel_for(
       "rhegma::normalsInBody", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int s) {
