@@ -128,6 +128,8 @@ def toughness_in_megajoule(scene, rng):
     if Gc is None:
         return None
     scene.set("Propagation > Toughness", repr(Gc * 10 ** rng.uniform(-6.5, -5)))
+    if scene.get("Propagation > Initiation Toughness", None) is not None:
+        scene.remove("Propagation > Initiation Toughness")
     return where("Propagation", "Toughness")
 
 

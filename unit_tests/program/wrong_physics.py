@@ -52,7 +52,7 @@ TOO_STRAINED = "strains the body by about .* (linear law|more than a solid withs
 
 # What must be said of the place, for each template: words of the reason, as a regular expression.
 REASONS = {
-    support_away: "contains no node of any body|can (move|turn)",
+    support_away: "contains no node of any body|no particle is in the box|can (move|turn)",
     mirror_away: "contains no node of any body|touches the domain's edge|can (move|turn)",
     load_away: "the load misses the body",
     no_load: "is zero, so this boundary does nothing",
