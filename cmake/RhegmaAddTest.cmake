@@ -60,7 +60,8 @@ if(NOT RHEGMA_PYTHON)
   endforeach()
 endif()
 
-# One test in Python: a file tst*.py or test_*.py, run by itself; the exit status tells.
+# One test in Python: a file tst*.py or test_*.py, run by itself; the exit status tells. With WHILE_TIME_IS_LEFT as a fourth
+# argument it does not start after the time that `setup test --minutes` sets; it has the label limited, too.
 function(rhegma_add_python_test file label timeout)
   get_filename_component(name ${file} NAME_WE)
   get_filename_component(folder ${file} DIRECTORY)
@@ -69,8 +70,16 @@ function(rhegma_add_python_test file label timeout)
     message(STATUS "no python3 with numpy, h5py and matplotlib: without the test of ${file}")
     return()
   endif()
-  add_test(NAME ${name} COMMAND ${RHEGMA_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  set(command ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  if(ARGV3 STREQUAL WHILE_TIME_IS_LEFT)
+    list(PREPEND command ${PROJECT_SOURCE_DIR}/unit_tests/while_time_is_left.py)
+  endif()
+  add_test(NAME ${name} COMMAND ${RHEGMA_PYTHON} ${command})
   rhegma_set_test(${name} ${label} ${timeout})
+  if(ARGV3 STREQUAL WHILE_TIME_IS_LEFT)
+    set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77)
+    set_property(TEST ${name} APPEND PROPERTY LABELS limited)
+  endif()
   set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg
     RHEGMA_SOURCE_DIR=${PROJECT_SOURCE_DIR})
   if(TARGET rhegma_program)
