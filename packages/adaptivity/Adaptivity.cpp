@@ -151,6 +151,12 @@ Section section()
            "size; choose another formulation");
   s.refuse({when::present("Adaptivity"), when::is("Contact", "Law", {"Visibility"})},
            "it can't be combined with Contact > Law = Visibility; choose another contact law");
+  s.refuse(
+      {when::present("Cracks"), when::above("Adaptivity", "Front Cells", 0.0),
+       when::is("Time", "Initial State", {"Equilibrium Without Cracks"})},
+      "without cracks cells are not refined at fronts, and bodies start with other particles; refine with "
+      "boxes, and write Adaptivity > Front Cells = 0",
+      1);
   s.refuse({when::given("Adaptivity", "Temperature Change"), when::unprovided(capability::heat)},
            "the scene has no temperature; add the section Thermal or leave this parameter out");
   s.refuse({when::satisfies("Adaptivity", "without Velocity Change, Temperature Change or a box",

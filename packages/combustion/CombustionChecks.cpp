@@ -64,13 +64,9 @@ void checkHeat(const Teuchos::ParameterList& list, const std::string& path, std:
   }
 }
 
-void checkModel(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
-                const std::string& path, std::vector<SceneError>& errors)
+void checkModel(const Teuchos::ParameterList& list, const std::string& path, std::vector<SceneError>& errors)
 {
   const bool flows = list.isType<std::string>("Gas Model") && list.get<std::string>("Gas Model") == "Flow";
-  if (flows && scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
-      scene.sublist("Domain").get<int>("Dimension") == 3)
-    errors.push_back({path + " > Gas Model", "Flow is available in 2D only; write Uniform"});
   for (const char* name : {"Viscosity", "Friction Factor"})
     if (!flows && realOf(list, name, 0.0) > 0.0)
       errors.push_back({path + " > " + name,
@@ -104,7 +100,7 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
   checkDensity(scene, list, path, errors);
   checkIgnition(list, path, errors);
   checkHeat(list, path, errors);
-  checkModel(scene, list, path, errors);
+  checkModel(list, path, errors);
   if (!list.isParameter("Solid Density") && scene.isSublist("Materials") &&
       sublistNames(scene.sublist("Materials")).size() > 1)
     errors.push_back(

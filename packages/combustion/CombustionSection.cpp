@@ -176,6 +176,8 @@ Section combustionSection()
            "it can't be combined with Thermal > Mechanics = false; remove one of the two");
   s.refuse({when::present("Combustion > *"), when::present("Face Pressure > *")},
            "Face Pressure prescribes a pressure in this crack too; remove one of the two");
+  s.refuse({when::is("Combustion > *", "Gas Model", {"Flow"})},
+           "flow along a crack is available in 2D only; write Uniform", 0, 3);
   s.refuse({when::given("Combustion > *", "Ignition Temperature"), when::unprovided(capability::heat)},
            "it needs the section Thermal; add it or leave this parameter out");
   for (const char* name : {"Wall Heat Fraction", "Heat Transfer Coefficient"})

@@ -66,6 +66,7 @@ void refuseOtherFormulations(Section& s)
       "in equilibrium it has been verified with dual fields only; write Formulation = Dual Field";
   s.refuse({when::present("Contact"), brokenCells, when::equilibrium()}, verified);
   s.refuse({when::present("Propagation"), brokenCells, when::equilibrium()}, verified);
+  s.refuse({brokenCells}, "broken cells are available in 2D only; write Dual Field", 0, 3);
 }
 
 } // namespace
@@ -140,13 +141,6 @@ void checkCracks(const Teuchos::ParameterList& scene, std::vector<SceneError>& e
                       "the section holds no crack; write one as <ParameterList name=\"...\"> or leave "
                       "the section out"});
   checkShapes(scene, errors);
-  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension") ||
-      scene.sublist("Domain").get<int>("Dimension") != 3)
-    return;
-  const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
-  if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
-    errors.push_back({"Cracks > Formulation",
-                      cracks.get<std::string>("Formulation") + " is available in 2D only; write Dual Field"});
 }
 
 } // namespace Rhegma::cracks

@@ -128,19 +128,10 @@ Section section()
   s.refuse({when::is("Mass Matrix", "Velocity Update", {"PIC", "XPIC", "FMPM"}),
             when::above("Time", "PIC Fraction", 0.0)},
            "it can't be combined with Time > PIC Fraction; remove one of them");
+  s.refuse({when::is("Mass Matrix", "Velocity Update", {"XPIC", "FMPM"}),
+            when::is("Mass Matrix", "Type", {"Full", "Partial"})},
+           "it is a series about the lumped mass; write FLIP or PIC, or another Type");
   return s;
-}
-
-void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-{
-  const Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
-  const auto text = [&](const char* name)
-  { return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string(); };
-  const std::string type = text("Type"), update = text("Velocity Update");
-  if ((type == "Full" || type == "Partial") && (update == "XPIC" || update == "FMPM"))
-    errors.push_back(
-        {"Mass Matrix > Velocity Update",
-         update + " is a series about the lumped mass; with Type " + type + " write FLIP or PIC"});
 }
 
 Options readOptions(const Teuchos::ParameterList& scene)
@@ -379,7 +370,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 EffectEntry massMatrixEntry()
 {
-  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  EffectEntry entry{section(), {}, make<2>, make<3>, true};
   entry.declare = declareMass;
   entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
   return entry;
