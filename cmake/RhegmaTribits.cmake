@@ -1,4 +1,4 @@
-# Rhegma as a package of Trilinos (docs/embedding/trilinos.md): the library and the program, without tests.
+# Rhegma as a package of Trilinos (docs/how-to/build-within-trilinos.md): the library and the program, without tests.
 
 tribits_package(Rhegma)
 

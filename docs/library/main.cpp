@@ -2,7 +2,8 @@
 ///
 ///     will_it_run SCENE.xml TOUGHNESS     [J/m2]
 ///
-/// With OpenMP on a machine with other work, start it with OMP_WAIT_POLICY=passive (docs/user-guide.md).
+/// With OpenMP on a machine with other work, start it with OMP_WAIT_POLICY=passive
+/// (docs/tutorials/your-own-program.md).
 
 #include <Simulation.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Whether the numbers of burning are those of a burning solid (docs/plausibility.md).
+/// Whether the numbers of burning are those of a burning solid
+/// (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"

@@ -14,7 +14,7 @@ namespace Rhegma::contact
 /// state; below, the faces are closer than undeformed. A particle uses its nearest face point.
 ///
 /// This contact serves for comparison: it changes the shape functions of particles during the motion, which
-/// changes energy (docs/contact.md).
+/// changes energy (docs/explanation/contact.md).
 class ClosedVisibility
 {
 public:

@@ -170,8 +170,9 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
 /// largest ones, so that it adds less; with Sub-Cycling it follows the substeps of the nodes.
 ///
 /// Extrapolated weights (Cracks > Formulation Corrected Broken Cell) see a face at up to 2 and -1 times two
-/// nodes and feed back up to 3.2 times what is scattered (docs/broken_cells.md): at worst, a crack a tenth of
-/// a cell above a row of nodes, the largest eigenvalue of the step is (25 + 16 alpha) c^2 / h^2.
+/// nodes and feed back up to 3.2 times what is scattered (docs/explanation/broken-cells.md): at worst, a
+/// crack a tenth of a cell above a row of nodes, the largest eigenvalue of the step is (25 + 16 alpha) c^2 /
+/// h^2.
 template <int D>
 double timeStepLimit(const State<D>& state, double alpha, bool extrapolated)
 {

@@ -9,9 +9,9 @@
 namespace Rhegma::cracks
 {
 
-/// Reports the nodes next to cracks, where broken cells strain in a rotation (docs/broken_cells.md): a free
-/// body with such a crack can move, but is held to the axes of the cells as if by springs. It has no force of
-/// its own.
+/// Reports the nodes next to cracks, where broken cells strain in a rotation
+/// (docs/explanation/broken-cells.md): a free body with such a crack can move, but is held to the axes of the
+/// cells as if by springs. It has no force of its own.
 template <int D>
 class BrokenCellsInEquilibrium : public StepForce<D>
 {

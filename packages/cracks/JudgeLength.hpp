@@ -1,5 +1,5 @@
 #pragma once
-/// Whether cells resolve a crack (docs/plausibility.md).
+/// Whether cells resolve a crack (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"

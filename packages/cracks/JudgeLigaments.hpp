@@ -1,5 +1,6 @@
 #pragma once
-/// Whether cells resolve the material between a crack and what is next to it (docs/plausibility.md).
+/// Whether cells resolve the material between a crack and what is next to it
+/// (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "boundary/DomainEdges.hpp"
 #include "scene/SceneBodies.hpp"

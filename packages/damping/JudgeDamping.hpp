@@ -1,5 +1,5 @@
 #pragma once
-/// Whether damping leaves any motion (docs/plausibility.md).
+/// Whether damping leaves any motion (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"

@@ -40,7 +40,8 @@ void refuseThinRing(const GivenRadii& given, double cell)
                                 ", or a smaller Inner Radius");
 }
 
-/// Cells in the outer radius from which on G and K depend on it by less than 1 % (docs/plausibility.md).
+/// Cells in the outer radius from which on G and K depend on it by less than 1 %
+/// (docs/reference/warnings-of-cracks-and-runs.md).
 constexpr double enoughCells = 4.0;
 
 /// Warns of a contour of the scene that meets a crack.

@@ -153,7 +153,7 @@ struct Integrand
   {
     // Interpolated like the motion, a weighted shift of the body is a motion that the cells can represent:
     // stresses in equilibrium do no work on it, for any rotation of the body next to the crack
-    // (docs/broken_cells.md).
+    // (docs/explanation/broken-cells.md).
     Pack<4> slope[D];
     const Pack<4> weight =
         stencil.template valueAndGradient<FrontRows<D>::width>(rows.data + FrontRows<D>::weightAt, slope);

@@ -47,12 +47,14 @@ double meanOffset(const std::vector<FrontSample<2>>& samples, int crack)
 double offsetOfEnd(const State<2>& state, const std::vector<FrontSample<2>>& samples,
                    const FrontSample<2>& of)
 {
-  constexpr double scatter = 0.03; // cells, rms of the tables in docs/verification.md
+  constexpr double scatter = 0.03; // cells, rms of the tables in docs/explanation/verification/cracks-2d.md
   return std::hypot(meanOffset(samples, of.front.crack), scatter * spacingAt(state, of.front.position));
 }
 double offsetOfEnd(const State<3>& state, const std::vector<FrontSample<3>>&, const FrontSample<3>& of)
 {
-  constexpr double withSprings = 0.1, without = 0.25; // cells: penny cracks of 6 cells, docs/verification.md
+  constexpr double withSprings = 0.1,
+                   without =
+                       0.25; // cells: penny cracks of 6 cells, docs/explanation/verification/cracks-2d.md
   return (state.cracks.frontSprings ? withSprings : without) * spacingAt(state, of.front.position);
 }
 

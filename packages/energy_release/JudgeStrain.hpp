@@ -1,5 +1,5 @@
 #pragma once
-/// Whether strains are small enough for stress intensities (docs/plausibility.md).
+/// Whether strains are small enough for stress intensities (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/ShortNumber.hpp"
 #include "plausibility/LoadEstimate.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether plastic flow leaves K and G their meaning (docs/plausibility.md).
+/// Whether plastic flow leaves K and G their meaning (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"

@@ -40,11 +40,11 @@ std::vector<BoundaryRegion> readLoads(const Teuchos::ParameterList& scene);
 /// side, and of each box of held nodes that reaches into it; with the positions of the start. Supports that
 /// prescribe motion along a straight front only, as in plane strain, do no work on its virtual advance.
 ///
-/// What a load does inside of the ring is in the integral (docs/theory.md), but in the ring the stress next
-/// to it, which no cells resolve, is multiplied by the slope of the weight: two forces on the faces of a
-/// crack change J by 4 and 8 % there and by 0.7 % at most elsewhere (unit test program/test_odd_cracks.py; K
-/// by 0.1 %), a node held six cells ahead of a crack in a plate under tension by 2 % there and by 0.01 %
-/// elsewhere, against crack closure.
+/// What a load does inside of the ring is in the integral (docs/explanation/energy-release.md), but in the
+/// ring the stress next to it, which no cells resolve, is multiplied by the slope of the weight: two forces
+/// on the faces of a crack change J by 4 and 8 % there and by 0.7 % at most elsewhere (unit test
+/// program/test_odd_cracks.py; K by 0.1 %), a node held six cells ahead of a crack in a plate under tension
+/// by 2 % there and by 0.01 % elsewhere, against crack closure.
 template <int D>
 void warnOfLoads(State<D>& state, const CrackFront<D>& front, const ContourRadii& radii,
                  const std::vector<BoundaryRegion>& loads);

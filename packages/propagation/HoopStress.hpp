@@ -28,7 +28,7 @@ void markMeasured(State<3>& state, const Options& options, const std::vector<Fro
 void recordHoopStart(const State<2>& state, const Options& options, std::vector<FrontState<2>>& fronts);
 void recordHoopStart(const State<3>& state, const Options& options, std::vector<FrontState<3>>& fronts);
 
-/// Adds what is recorded to the entry of a front (docs/propagation.md).
+/// Adds what is recorded to the entry of a front (docs/explanation/crack-growth.md).
 void reportHoopStart(const State<2>& state, const Options& options, const FrontState<2>& own,
                      nlohmann::json& entry);
 void reportHoopStart(const State<3>& state, const Options& options, const FrontState<3>& own,

@@ -1,5 +1,6 @@
 #pragma once
-/// Whether a toughness fits the loads, the material and the body (docs/plausibility.md).
+/// Whether a toughness fits the loads, the material and the body
+/// (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"

@@ -146,7 +146,7 @@ Section propagationSection()
                "500:200\". With Thermal the expression may contain the temperature T [K].");
   s.fromLibrary("Toughness From Library")
       .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
-               "absent (docs/materials.md).");
+               "absent (docs/reference/materials.md).");
   s.real("Initiation Toughness")
       .unit("J/m2")
       .positive()

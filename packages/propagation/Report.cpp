@@ -120,7 +120,7 @@ template <int D>
 void warnOfStickSlip(const State<D>& state, const CrackFront<D>& front, const FrontState<D>& own,
                      const Options& options, nlohmann::json& summary)
 {
-  constexpr double slowest = 0.1; // of Rayleigh waves (docs/propagation.md)
+  constexpr double slowest = 0.1; // of Rayleigh waves (docs/explanation/crack-growth.md)
   constexpr double fewest = 4.0;  // increments of each node
   const double time = own.lastTime - own.firstTime;
   if (options.equilibrium || !(time > 0.0) || !(options.waveSpeed > 0.0) ||

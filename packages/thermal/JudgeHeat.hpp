@@ -1,5 +1,5 @@
 #pragma once
-/// Whether the heat of a scene reaches its bodies (docs/plausibility.md).
+/// Whether the heat of a scene reaches its bodies (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether the steps of a run see what heats its bodies (docs/plausibility.md).
+/// Whether the steps of a run see what heats its bodies (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"

@@ -1,5 +1,6 @@
 #pragma once
-/// Bodies whose temperature steady conduction does not determine (docs/plausibility.md).
+/// Bodies whose temperature steady conduction does not determine
+/// (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"

@@ -1,5 +1,6 @@
 #pragma once
-/// Whether the temperatures of a scene are those that its materials are given for (docs/plausibility.md).
+/// Whether the temperatures of a scene are those that its materials are given for
+/// (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"

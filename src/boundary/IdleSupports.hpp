@@ -1,5 +1,5 @@
 #pragma once
-/// Supports that no body touches (docs/plausibility.md).
+/// Supports that no body touches (docs/reference/warnings.md).
 
 #include "boundary/Supports.hpp"
 

@@ -10,7 +10,7 @@ namespace Rhegma::Geometry
 
 /// Parts that fill less of a lattice cell are joined with a neighbour. The box of a part that fills the
 /// fraction f has edges of at least f cells, so this bounds how much lighter a node can become than under
-/// whole particles ([theory](../../docs/theory.md), particles at edges).
+/// whole particles ([theory](../../docs/explanation/method.md), particles at edges).
 constexpr double joinedBelow = 0.5;
 
 /// A particle that fills a lattice cell or a part of it; all lengths in the lattice's axes.

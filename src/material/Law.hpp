@@ -1,5 +1,5 @@
 #pragma once
-/// Interface of constitutive laws. How to add one: docs/guides/add-a-material.md.
+/// Interface of constitutive laws. How to add one: docs/how-to/add-a-material.md.
 ///
 /// A law is a struct that inherits LawDefaults, with static members only. Each of these is a template of the
 /// dimension and of the plane:

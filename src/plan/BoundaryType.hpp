@@ -1,5 +1,5 @@
 #pragma once
-/// Types of boundary: their parameters and what they do (docs/guides/add-a-boundary.md).
+/// Types of boundary: their parameters and what they do (docs/how-to/add-a-boundary.md).
 
 #include "base/Types.hpp"
 #include "scene/Schema.hpp"

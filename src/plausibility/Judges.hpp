@@ -1,5 +1,5 @@
 #pragma once
-/// Judgments of a scene by its own numbers: what would run, and mislead (docs/plausibility.md).
+/// Judgments of a scene by its own numbers: what would run, and mislead (docs/reference/warnings.md).
 
 #include "plausibility/LoadEstimate.hpp"
 

@@ -182,7 +182,7 @@ std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Ranks& 
 
 std::string sizeAsText(const Teuchos::ParameterList& scene)
 {
-  constexpr double bytes = 1.2e3; // of a particle with its nodes and output (docs/performance.md)
+  constexpr double bytes = 1.2e3; // of a particle with its nodes and output (docs/explanation/forecasts.md)
   const double particles = estimateParticles(scene);
   // What does not fit at all is refused, with its reasons, as soon as its lattice is known.
   if (particles < manyParticles || bytes * particles > 2.0 * freeMemoryBytes())

@@ -84,7 +84,8 @@ void compareAtRest(Comparison& comparison, const std::string& name, const json& 
   comparison.value("largest G_J of " + name, "J/m2", numberOrNone(asIs, "largest_G_J"),
                    numberOrNone(half, "largest_G_J"), 0);
   // A front among nodes acts as if the crack ended up to a quarter of a cell earlier: an error of the first
-  // order (docs/accuracy-and-cost.md). Where bending dominates, the order is nearer to 2.
+  // order (docs/explanation/verification/accuracy-and-cost.md). Where bending dominates, the order is nearer
+  // to 2.
   for (const char* release : {"G_J", "G_closure"})
     comparison.value(std::string(release) + " of " + name, "J/m2", numberOrNone(asIs, release),
                      numberOrNone(half, release), 1);
@@ -212,7 +213,7 @@ void compareTemperatures(Comparison& comparison, const json& asIs, const json& h
 {
   if (!asIs.contains("temperature") || !half.contains("temperature"))
     return;
-  // Sources are resolved to the second order (docs/accuracy-and-cost.md).
+  // Sources are resolved to the second order (docs/explanation/verification/accuracy-and-cost.md).
   comparison.value("peak rise of temperature", "K", numberOrNone(asIs["temperature"], "peak_rise"),
                    numberOrNone(half["temperature"], "peak_rise"), 2);
 }

@@ -13,7 +13,7 @@ std::string materialsAsText();
 /// \throws UsageError with near names if there is no such material
 std::string materialAsXml(const std::string& name);
 
-/// Tables of all materials and of the sources, for docs/materials.md.
+/// Tables of all materials and of the sources, for docs/reference/materials.md.
 std::string materialsAsMarkdown();
 
 } // namespace Rhegma::program

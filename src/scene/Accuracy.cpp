@@ -24,11 +24,12 @@ using Teuchos::ParameterList;
 constexpr int mostLevels = 6;
 
 /// How many times smaller cells at fronts are where faces of cracks are loaded: under pressure G is up to 17
-/// % too low over the number of cells in a crack (docs/verification.md), elsewhere it is off by up to 9 %.
+/// % too low over the number of cells in a crack (docs/explanation/verification/cracks-2d.md), elsewhere it
+/// is off by up to 9 %.
 constexpr double loadedFaces = 2.0;
 
 /// The error that scenes in 2D with linear functions keep: where a body or a crack does not lie on rows of
-/// cells, G is wrong by up to 2.3 % in cells of any size (docs/accuracy-and-cost.md).
+/// cells, G is wrong by up to 2.3 % in cells of any size (docs/how-to/accuracy.md).
 constexpr double linearFunctions = 0.03;
 
 /// Cells in the inner radius of a contour that keep it out of the cells of the front.

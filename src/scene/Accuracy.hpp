@@ -12,7 +12,7 @@ namespace Rhegma
 {
 
 /// Requirements of one error. Measured on a beam at rest, a running strip, a moving source of heat and a
-/// penny-shaped crack (docs/accuracy-and-cost.md).
+/// penny-shaped crack (docs/how-to/accuracy.md).
 struct AccuracyRule
 {
   const char* name;   ///< as scenes write it

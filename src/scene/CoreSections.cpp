@@ -46,7 +46,7 @@ Section domain()
           "Target error of G, K or a temperature rise. The program chooses Cell Size if it is absent, "
           "and adds Adaptivity and Sub-Cycling at crack fronts if the scene has neither. Values given "
           "in the scene are kept. A Cell Size that is too large is rejected if cells can't be refined to the "
-          "required size (docs/accuracy-and-cost.md).");
+          "required size (docs/how-to/accuracy.md).");
   s.choice("Shape Functions", {"Linear", "GIMP"})
       .byDefault("GIMP")
       .meaning("Linear: cheap, but stresses jump when particles cross cell boundaries. GIMP: shape functions "
@@ -57,7 +57,7 @@ Section domain()
                "are evaluated. At Particles: at the particle, like normal strain. At Cell Centres: constant "
                "in each cell, which removes the excess bending stiffness of few cells; use it with Particles "
                "Per Cell = 3. It is for beams and plates within 20 degrees of the grid axes; at larger "
-               "angles they become too soft (docs/verification.md).");
+               "angles they become too soft (docs/explanation/verification/beams.md).");
   s.choice("Formulation", {"Updated Lagrangian", "Total Lagrangian"})
       .byDefault("Updated Lagrangian")
       .meaning(
@@ -65,7 +65,7 @@ Section domain()
           "the cells; bodies that meet touch. Total Lagrangian: the undeformed body. Particles stay in their "
           "cells, so that stresses do not change when a body moves or turns through the grid, and supports "
           "and loads stay on the material at which they are at the start; bodies do not meet "
-          "(docs/total-lagrangian.md).");
+          "(docs/explanation/total-lagrangian.md).");
   return s;
 }
 
@@ -229,7 +229,8 @@ Section materials()
   material.chosenBy("Model").meaning("Constitutive law.");
   material.fromLibrary("Material From Library")
       .meaning("Name of a material of the library, such as PMMA, whose constants stand for the parameters "
-               "that are not given here (docs/materials.md). rhegma --materials lists them. Heat constants "
+               "that are not given here (docs/reference/materials.md). rhegma --materials lists them. Heat "
+               "constants "
                "are used with the section Thermal.");
   heat(material);
   addLaws(material, Laws{});

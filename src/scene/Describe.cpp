@@ -395,7 +395,7 @@ std::string describeMarkdown(const SceneSchema& schema)
          "A scene is a Teuchos parameter list `Rhegma` with these sections: " +
          contents +
          ".\nA name in angle brackets is chosen by you. Numbers are in the units of the tables, unless "
-         "a unit\nis given (`unit=\"mm\"`, [how](user-guide.md#units)). A time function is a string: an "
+         "a unit\nis given (`unit=\"mm\"`, [how](how-to/units.md)). A time function is a string: an "
          "expression\nof t [s], such as `100*sin(2000*t)`, or a table of time:value, such as "
          "`0:0, 1e-3:100`.\n\n" +
          text;

@@ -1,5 +1,6 @@
 #pragma once
-/// The library of materials: constants with their sources, from xml_inputs/materials (docs/materials.md).
+/// The library of materials: constants with their sources, from xml_inputs/materials
+/// (docs/reference/materials.md).
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The folders of src include one another only as the table of docs/architecture.md allows, and effects never each other."""
+"""The folders of src include one another only as the table of docs/explanation/architecture.md allows, and effects never each other."""
 
 import os
 import re
@@ -59,7 +59,7 @@ def violations(root, arrows):
     for path, source, target, to in includes(root):
         row = "packages/*" if source.startswith(EFFECT) else source
         if source != to and to not in arrows.get(row, set()):
-            wrong.append(f"{path} includes {target}: {source} may not include {to} (docs/architecture.md)")
+            wrong.append(f"{path} includes {target}: {source} may not include {to} (docs/explanation/architecture.md)")
     return wrong
 
 
@@ -78,7 +78,7 @@ def circle(arrows):
 class Layers(OwnFolder):
     def setUp(self):
         super().setUp()
-        self.arrows = allowed_arrows(os.path.join(SOURCE, "docs", "architecture.md"))
+        self.arrows = allowed_arrows(os.path.join(SOURCE, "docs", "explanation", "architecture.md"))
 
     def test_the_table_lists_every_folder_once_and_has_no_circle(self):
         folders = set(name for name in os.listdir(os.path.join(SOURCE, "src"))

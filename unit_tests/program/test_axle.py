@@ -2,7 +2,7 @@
 """A surface crack in an axle under bending, off the grid: its front grows into the material without a stop by the cells.
 
 RHEGMA_SEED in the environment chooses other positions of the axle in its cells and another tilt of the crack. Of 1 to 16 the
-front folds with 1 and one thread, and a node stops for numerical reasons (docs/propagation.md)."""
+front folds with 1 and one thread, and a node stops for numerical reasons (docs/explanation/where-growth-ends.md)."""
 
 import json
 import math

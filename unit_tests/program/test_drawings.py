@@ -42,7 +42,7 @@ class Drawings(ProgramTest):
         }, self.folder)
         self.assertFalse([text for text in rhegma.check(scene, program=PROGRAM) if "plate.txt" in text])  # nothing had to be mended
         run = rhegma.run(scene, output=self.path("out"), program=PROGRAM)
-        # Particles represent the polygons within 0.1 % (docs/user-guide.md), which have the area within the tolerance times the length of
+        # Particles represent the polygons within 0.1 % (docs/how-to/part-from-a-file.md), which have the area within the tolerance times the length of
         # the outline: 0.01 mm x 203 mm.
         mass = 1200.0 * 2e-3 * AREA
         self.assertAlmostEqual(run.value("bodies.Plate.mass") / mass, 1.0, delta=0.001 + 0.01e-3 * 0.203 / AREA)

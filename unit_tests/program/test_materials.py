@@ -355,7 +355,7 @@ class Print(ProgramTest):
         self.assert_refused(["--materials", "PMMMA"], [("", ['no material "PMMMA"', "did you mean PMMA"])])
 
     def test_docs_have_the_tables(self):
-        with open(os.path.join(SOURCE, "docs", "materials.md"), encoding="utf-8") as file:
+        with open(os.path.join(SOURCE, "docs", "reference", "materials.md"), encoding="utf-8") as file:
             page = file.read()
         answer = rhegma("--materials-markdown")
         self.assertEqual(answer.status, 0, answer)

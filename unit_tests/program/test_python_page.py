@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The examples of docs/python.md and the notebooks of docs/notebooks run with the program, and give what their text says."""
+"""The examples of docs/how-to/python.md and the notebooks of docs/notebooks run with the program, and give what their text says."""
 
 import glob
 import json
@@ -20,7 +20,7 @@ interpreter.need("numpy", "h5py", "matplotlib")
 
 import rhegma  # noqa: E402
 
-PAGE = os.path.join(SOURCE, "docs", "python.md")
+PAGE = os.path.join(SOURCE, "docs", "how-to", "python.md")
 NOTEBOOKS = os.path.join(SOURCE, "docs", "notebooks")
 REFERENCE = 0.12873  # quadratic finite elements, as in xml_inputs/verification/dcb_h4_static.xml [J/m2]
 
@@ -50,7 +50,7 @@ class Page(PythonTest):
         with open(PAGE, encoding="utf-8") as file:
             pieces = re.findall(r"^```python\n(.*?)^```", file.read(), re.MULTILINE | re.DOTALL)
         self.assertEqual(len(pieces), 5)
-        names = self.execute(pieces, "docs/python.md")
+        names = self.execute(pieces, "docs/how-to/python.md")
         # Tolerances are those of the section Reference of the scenes, which run.references_met compares.
         self.assertTrue(names["run"].references_met)
         self.assertTrue(os.path.exists(self.path("release.png")))

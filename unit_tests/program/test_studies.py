@@ -136,7 +136,7 @@ class Studies(ProgramTest):
         self.near(lumped["front"]["G_closure_lumped"], full["front"]["G_closure_lumped"] / REFERENCE - 1.0)
 
     def test_static_J_of_every_mass_matrix(self):
-        """At rest K u = f, whatever the mass, but springs of coupled masses are limited by the step (docs/theory.md): within 0.1 points of
+        """At rest K u = f, whatever the mass, but springs of coupled masses are limited by the step (docs/explanation/cracks.md): within 0.1 points of
         each other at 4 cells an arm, and 0.25 points below the lumped mass."""
         rows = self.study(self.write("equal.xml", EQUAL))
         self.assertEqual([row["Mass Matrix:Type"] for row in rows], list(MASS_MATRICES))

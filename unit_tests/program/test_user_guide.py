@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The scene that the user guide has its reader write, and what it says of it."""
+"""The scene that a tutorial has its reader write, and what it says of it."""
 
 import json
 import os
@@ -13,7 +13,7 @@ sys.dont_write_bytecode = True
 
 from program import SOURCE, ProgramTest, rhegma  # noqa: E402
 
-GUIDE = os.path.join(SOURCE, "docs", "user-guide.md")
+GUIDE = os.path.join(SOURCE, "docs", "tutorials", "your-own-crack.md")
 
 
 class OwnCrack(ProgramTest):

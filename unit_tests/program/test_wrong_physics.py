@@ -3,7 +3,7 @@
 right scenes are not warned of, or say in a comment which warning they deserve.
 
 RHEGMA_SEED and RHEGMA_SCENES in the environment choose other ones and how many. With --table it prints them as the table of
-docs/plausibility.md."""
+docs/explanation/verification/warnings.md."""
 
 import glob
 import os

@@ -1,7 +1,7 @@
 """Errors that make a right scene wrong in its physics, each with the places that a message may name.
 
 Each template changes a scene and gives a regular expression of the places that may be named, or None where the scene has
-nothing to which it applies. A message counts only if it has the place and the reason, REASONS. Its docstring is the error that it makes, for the table of docs/plausibility.md."""
+nothing to which it applies. A message counts only if it has the place and the reason, REASONS. Its docstring is the error that it makes, for the table of docs/explanation/verification/warnings.md."""
 
 from physics_of_loads import (
     support_away, mirror_away, load_away, no_load, late_load, heavy_loads, nothing_acts,

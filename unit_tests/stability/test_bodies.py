@@ -12,7 +12,7 @@ import numpy as np  # noqa: E402
 from hard_case import HardCase, Scene, box, elastic, sized, space, traction, walls  # noqa: E402
 
 
-# Runs at full size are long enough to show that MUSL gains energy in proportion to the step (docs/stability.md). USAVG, which
+# Runs at full size are long enough to show that MUSL gains energy in proportion to the step (docs/explanation/stability.md). USAVG, which
 # strains half before and half after the forces, needs no shorter steps.
 LONG = sized(0.4, 0.1)
 TWICE = "USAVG"

@@ -66,7 +66,7 @@ def beam_sets(cells, shape, particles, front, place):
 
 
 def reference(a):
-    """G of the beam [J/m2], from that at 50 mm (docs/verification.md): of P^2 (a + 0.67 h)^2, the beam on its elastic foundation."""
+    """G of the beam [J/m2], from that at 50 mm (docs/explanation/verification/beams.md): of P^2 (a + 0.67 h)^2, the beam on its elastic foundation."""
     return 0.12873 * ((a + 0.0067) / 0.0567) ** 2
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What --check says that scenes cost, compared with what they then take: the table of docs/performance.md.
+"""What --check says that scenes cost, compared with what they then take: the table of docs/explanation/forecasts.md.
 
     unit_tests/studies/forecast.py build/serial/rhegma xml_inputs/examples/*.xml
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Scenes with their cells in the deformed and in the undeformed body: the tables of docs/total-lagrangian.md.
+"""Scenes with their cells in the deformed and in the undeformed body: the tables of docs/explanation/total-lagrangian.md.
 
     unit_tests/studies/formulations.py build/serial/rhegma                      all scenes of xml_inputs/verification
     unit_tests/studies/formulations.py build/serial/rhegma dcb_h8 penny         some of them

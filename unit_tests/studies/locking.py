@@ -5,7 +5,7 @@
 
 The beam of xml_inputs/examples/dcb.xml in static equilibrium with 4, 8 and 16 cells an arm. G E / (1 - nu^2) of the beam hardly
 depends on Poisson's ratio nu; printed is its error against 16 cells with nu = 0.3, and that error times n^2 over the ratio K / G
-of bulk and shear modulus, which the warning of locking takes for a constant (docs/plausibility.md)."""
+of bulk and shear modulus, which the warning of locking takes for a constant (docs/reference/warnings.md)."""
 
 import json
 import os

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Scenes that are damped until they rest next to the same scenes in static equilibrium: the table of docs/static-or-dynamic.md.
+"""Scenes that are damped until they rest next to the same scenes in static equilibrium: the table of docs/explanation/verification/equilibrium.md.
 
     unit_tests/studies/static_twins.py build/serial/rhegma
     unit_tests/studies/static_twins.py build/serial/rhegma dcb_h4 penny_tilted

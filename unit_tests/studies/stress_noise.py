@@ -5,7 +5,7 @@
     stress_noise.py PROGRAM --updates
 
 The first form runs all scenes of xml_inputs/examples with mechanics, or those given, with `Measure > Stress Alternation` added, and
-prints its ratio and deviation for each body (docs/verification.md): at most 0.05 is wanted. The second form runs examples/kalthoff.xml
+prints its ratio and deviation for each body (docs/explanation/verification/method.md): at most 0.05 is wanted. The second form runs examples/kalthoff.xml
 with other updates of velocity, shape functions and motions of the held box, and prints what they cost, too: `accounted for` is the
 fraction of the supplied energy that the energy balance finds, `turn` the kink angle of the crack."""
 

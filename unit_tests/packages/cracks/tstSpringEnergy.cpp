@@ -189,7 +189,7 @@ double gained(const std::string& scheme, double past, int steps)
   }
   std::printf("%s, %dD, %.3f cells past a node, seed %u: at most %.3f of the energy, damping took %.3f\n",
               scheme.c_str(), D, past, seed, most / first, state.energy.stabilised / first);
-  if (scheme != "USF") // of which the record is wrong in large steps (docs/theory.md)
+  if (scheme != "USF") // of which the record is wrong in large steps (docs/explanation/cracks.md)
   {
     EXPECT_GE(least, -1e-3 * first);
   }

@@ -457,7 +457,7 @@ TEST(Fronts3D, KnowHowMuchTheyAreCurved)
   EXPECT_NEAR(fraction, depth, 1e-12);
 }
 
-/// What docs/theory.md says of the tube.
+/// What docs/explanation/energy-release.md says of the tube.
 TEST(Fronts3D, HaveATubeOfTwoAndAHalfToFiveCells)
 {
   const ContourRadii radii = usualRadii(usualCells<3>(), cell);

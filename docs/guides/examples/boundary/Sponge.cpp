@@ -1,4 +1,4 @@
-/// A boundary type in one file: docs/guides/add-a-boundary.md.
+/// A boundary type in one file: docs/how-to/add-a-boundary.md.
 
 #include "Sponge.hpp"
 

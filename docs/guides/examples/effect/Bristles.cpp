@@ -1,4 +1,4 @@
-/// An effect with a memory on nodes: docs/guides/add-an-effect-with-nodal-memory.md.
+/// An effect with a memory on nodes: docs/how-to/add-an-effect-with-nodal-memory.md.
 
 #include "Bristles.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A viscoelastic solid: the example of docs/guides/add-a-material.md.
+/// A viscoelastic solid: the example of docs/how-to/add-a-material.md.
 
 #include "material/AcousticBound.hpp"
 #include "material/LawParameters.hpp"

@@ -1,4 +1,4 @@
-/// A test with a closed form and a tolerance that is derived: docs/guides/add-a-test.md.
+/// A test with a closed form and a tolerance that is derived: docs/how-to/add-a-test.md.
 
 #include <Simulation.hpp>
 #include <plan/EffectSchema.hpp>
