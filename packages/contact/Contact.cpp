@@ -126,7 +126,7 @@ void observe(State<D>& state, Account<D>& account)
 {
   const EnergyBalance& energy = state.energy;
   // New faces dissipate energy; heat from outside does not change this balance.
-  account.balance.compare(state, energy.damped + energy.plastic + energy.merged + energy.fracture +
+  account.balance.compare(state, energy.damped + energy.filtered + energy.plastic + energy.merged + energy.fracture +
                                      energy.stabilised + energy.thermal - energy.heat +
                                      account.contact.dissipated());
 }

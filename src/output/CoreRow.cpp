@@ -59,6 +59,8 @@ void coreRow(State<D>& state, const std::set<std::string>& given)
       row.emplace_back(entry.column, entry.value);
   if (canDissipate(state.materials.properties))
     row.emplace_back("plastic", state.energy.plastic);
+  if (state.method.picFraction > 0.0)
+    row.emplace_back("filtered", state.energy.filtered);
   const char* names[] = {"momentum_x", "momentum_y", "momentum_z"};
   for (int d = 0; d < D; ++d)
     row.emplace_back(names[d], state.sample.momentum[d]);
@@ -75,6 +77,8 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
     energy[entry.column] = known || !entry.sampled ? entry.value : unknown;
   if (canDissipate(state.materials.properties))
     energy["plastic"] = known ? state.energy.plastic : unknown;
+  if (state.method.picFraction > 0.0)
+    energy["filtered"] = state.energy.filtered;
   energy[atStart] = state.energy.start;
   summary["cells"] = {{"largest", state.mesh.grid.spacing}, {"smallest", state.mesh.smallestSpacing()}};
   nlohmann::json& momentum = summary["momentum"];

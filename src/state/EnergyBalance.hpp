@@ -5,7 +5,7 @@ namespace Rhegma
 {
 
 /// Energies of a run [J]. The residual is kinetic + strain - start + thermal - external work -
-/// heat + damped + plastic + contact + fracture + merged + stabilised - combustion.
+/// heat + damped + filtered + plastic + contact + fracture + merged + stabilised - combustion.
 struct EnergyBalance
 {
   double kinetic = 0.0; ///< of the motion, now
@@ -19,6 +19,7 @@ struct EnergyBalance
   double externalWork = 0.0; ///< done by loads, supports and body forces
   double springs = 0.0;      ///< elastic, of springs just behind crack fronts; a part of `strain`
   double damped = 0.0;       ///< by the damping effect
+  double filtered = 0.0;     ///< kinetic energy that PIC in the velocity update takes from the particles
   double plastic = 0.0;      ///< spent in plastic flow, less what became heat
   double contact = 0.0;      ///< lost by friction and impact of faces
   double fracture = 0.0;     ///< dissipated by new crack faces
@@ -29,8 +30,8 @@ struct EnergyBalance
 
   double residual() const
   {
-    return kinetic + strain - start + thermal - externalWork - heat + damped + plastic + contact + fracture +
-           merged + stabilised - combustion;
+    return kinetic + strain - start + thermal - externalWork - heat + damped + filtered + plastic + contact +
+           fracture + merged + stabilised - combustion;
   }
 };
 

@@ -33,6 +33,7 @@ void archiveEnergyBalance(EnergyBalance& energy, Archive& archive)
   archive("merged", energy.merged);
   archive("combustion", energy.combustion);
   archive("stabilised", energy.stabilised);
+  archive("filtered", energy.filtered);
 }
 
 template <int D>

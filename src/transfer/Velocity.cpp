@@ -17,6 +17,7 @@ struct VelocityBlock
   View<double * [Nodes<D>::projectionWidth]> projection;
   BorrowedView<double*> mass;
   BorrowedView<double* [D]> velocity;
+  View<double*> taken; ///< kinetic energy that PIC takes from each particle [J]; empty without PIC
   double dt, pic;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
@@ -54,23 +55,44 @@ struct VelocityBlock
     else
     {
       const Pack<width> nodal = stencil.template value<rowWidth, width>(moving);
+      double lost = 0.0;
       for (int d = 0; d < D; ++d)
-        velocity(p, d) = (1.0 - pic) * (velocity(p, d) + dt * acceleration[d]) + pic * nodal[d];
+      {
+        const double flip = velocity(p, d) + dt * acceleration[d];
+        const double mixed = (1.0 - pic) * flip + pic * nodal[d];
+        velocity(p, d) = mixed;
+        lost += (flip - mixed) * (flip + mixed);
+      }
+      taken(p) = 0.5 * mass(p) * lost;
     }
   }
 };
 
+double sumOf(const View<double*>& values)
+{
+  double all = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::sumFilteredEnergy", Kokkos::RangePolicy<ExecSpace>(0, static_cast<int>(values.extent(0))),
+      KOKKOS_LAMBDA(const int p, double& sum) { sum += values(p); }, all);
+  return all;
+}
+
 template <bool Gather, bool Project, int D, class Connect>
 void velocityWith(State<D>& state, const Connect& connect, const char* label)
 {
+  const bool filters = Gather && state.method.picFraction > 0.0;
+  const View<double*> taken("rhegma::filteredEnergy", filters ? state.particles.size() : 0);
   const VelocityBlock<D, Connect, Gather, Project> block{connect,
                                                          state.mesh.nodes.motion,
                                                          state.mesh.nodes.projection,
                                                          state.particles.scalar(fields::mass),
                                                          state.particles.template real<D>(fields::velocity),
+                                                         taken,
                                                          state.clock.dt,
                                                          state.method.picFraction};
   forEachBlock(label, state.mesh.blocks, block);
+  if (filters)
+    state.energy.filtered += sumOf(taken);
 }
 
 } // namespace

@@ -15,7 +15,8 @@ enum class VelocityWhat
 };
 
 /// Gather changes the particles' velocity by the nodes' acceleration (FLIP), mixed with the nodes' velocity
-/// (PIC): v = (1 - f)(v + dt sum N a) + f sum N v_node, f the PIC fraction. Keeps momentum to round-off.
+/// (PIC): v = (1 - f)(v + dt sum N a) + f sum N v_node, f the PIC fraction. Keeps momentum to round-off. The
+/// kinetic energy that the fraction of PIC takes goes to EnergyBalance::filtered, on each rank its own.
 /// Source: Brackbill and Ruppel, J. Comput. Phys. 65 (1986) 314.
 ///
 /// Project adds N m v to the nodes' projection, which clearNodes or clearProjection has zeroed.

@@ -8,7 +8,7 @@ import re
 _OF_RUN = {
     "time": "s",
     **{name: "J" for name in ("kinetic", "strain", "thermal", "heat", "external_work", "damped", "contact", "fracture", "merged",
-                              "stabilised", "combustion", "plastic", "residual")},
+                              "stabilised", "combustion", "plastic", "filtered", "residual")},
     "momentum_x": "kg m/s", "momentum_y": "kg m/s", "momentum_z": "kg m/s",
     "temperature_highest": "K", "temperature_lowest": "K", "load_factor": "",
 }

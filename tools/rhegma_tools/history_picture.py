@@ -25,6 +25,7 @@ ENERGIES = [
     ("combustion", "combustion", "#56B4E9"),
     ("merged", "merged", "#999933"),
     ("stabilised", "stabilised", "#AA7755"),
+    ("filtered", "filtered", "#44AA99"),
     ("residual", "residual", "#888888"),
 ]
 SMALLEST_RANGE = 0.02  # of an axis of values, over their size

@@ -155,7 +155,7 @@ def scene_of(drawn, random):
         return [numbers[0], 0.0, numbers[1]] if three else list(numbers)
 
     dynamic = drawn["Analysis"] == "Dynamic"
-    end = 2e-5 if dynamic else 1e-3
+    end = (1e-5 if three else 2e-5) if dynamic else 1e-3
     body = {"Material": "Solid", "Shape": "Box", "Lower Corner": low, "Upper Corner": high}
     if drawn["Rotation"] != "0":
         body.update({"Rotation": float(drawn["Rotation"])})
@@ -261,7 +261,7 @@ def add_effects(scene, drawn, end, heat):
     if drawn["Mass Matrix"] != "none":
         scene.set("Mass Matrix", {"Type": drawn["Mass Matrix"], "Velocity Update": drawn["Velocity Update"]})
     if drawn["Adaptivity"] != "none":
-        scene.set("Adaptivity", {"Maximum Level": int(drawn["Adaptivity"])})
+        scene.set("Adaptivity", {"Maximum Level": int(drawn["Adaptivity"]), "Front Cells": 2.0 if drawn["Dimension"] == "2" else 1.0})
         if drawn["Cracks"] == "none":
             scene.set("Adaptivity > Near", {
                 "Lower Corner": scene["Bodies > Block > Lower Corner"], "Level": int(drawn["Adaptivity"]),
@@ -276,6 +276,10 @@ def add_effects(scene, drawn, end, heat):
             scene.set("Thermal > Mechanics", False)
         else:
             scene.set("Thermal > Conduction", drawn["Thermal"])
+        if drawn["Thermal"] == "Steady":
+            held = scene["Boundaries > Foot"]
+            scene.set("Boundaries > Cold", {"Type": "Temperature", "Temperature": 300.0, "Lower Corner": held["Lower Corner"],
+                                            "Upper Corner": held["Upper Corner"]})
         if drawn["Cracks"] != "none":
             scene.set("Thermal > Crack Faces > Notch > Conduction", drawn["Crack Faces"])
         scene.set("Thermal > Sources > Spot", {

@@ -30,7 +30,7 @@ WITH_SPRINGS = 30.0 * ROUND_OFF
 CLOSURE = 1e3
 
 ENERGIES = ("kinetic", "strain", "external_work", "residual", "damped", "contact", "merged", "plastic", "thermal",
-            "heat", "fracture", "stabilised")
+            "heat", "fracture", "stabilised", "filtered")
 
 
 def kind_of(name):
