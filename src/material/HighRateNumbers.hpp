@@ -13,7 +13,7 @@ enum
   rate,              ///< C [-]
   referenceRate,     ///< strain rate at which C has no effect [1/s]
   softening,         ///< m; 0: no thermal softening [-]
-  roomTemperature,   ///< below which the metal does not soften [K]
+  transition,        ///< below which the metal does not soften [K]
   meltTemperature,   ///< [K]
   saturation,        ///< by how much Voce hardening raises the yield stress in the end [Pa]
   saturationRate,    ///< exponent of Voce hardening [-]

@@ -14,7 +14,8 @@ void describeJohnsonCook(Section& s)
       .unit("Pa")
       .positive()
       .optional("no flow")
-      .meaning("Yield stress in tension of the unused material at Johnson-Cook Rate and room temperature. "
+      .meaning("Yield stress in tension of the unused material at Johnson-Cook Rate and the transition "
+               "temperature. "
                "Without it "
                "the material does not flow.");
   s.real("Johnson-Cook B").unit("Pa").notNegative().byDefault(0.0).meaning("Hardening by plastic strain^n.");
@@ -33,11 +34,11 @@ void describeJohnsonCook(Section& s)
       .positive()
       .byDefault(1.0)
       .meaning("Plastic strain rate below which the flow stress does not depend on it.");
-  s.real("Room Temperature")
+  s.real("Transition Temperature")
       .unit("K")
       .positive()
       .optional("Reference Temperature")
-      .meaning("Temperature of the tests; colder material does not harden.");
+      .meaning("Temperature below which the flow stress does not depend on temperature.");
   s.real("Melting Temperature")
       .unit("K")
       .positive()
@@ -114,14 +115,14 @@ void readJohnsonCook(const Reader& reader, Properties& m)
   if (!reader.has("Johnson-Cook m"))
     return;
   m.own[softening] = reader.positive("Johnson-Cook m", "exponent");
-  m.own[roomTemperature] =
-      reader.has("Room Temperature") ? reader.positive("Room Temperature", "temperature [K]") : m.temperature;
+  m.own[transition] = reader.has("Transition Temperature")
+                          ? reader.positive("Transition Temperature", "temperature [K]")
+                          : m.temperature;
   m.own[meltTemperature] = reader.positive("Melting Temperature", "temperature [K]");
-  if (!(m.own[meltTemperature] > m.own[roomTemperature]))
-    reader.refuse("Melting Temperature",
-                  "is " + text(m.own[meltTemperature]) + " K, but must exceed that of " +
-                      "the tests: Melting Temperature > Room Temperature = " + text(m.own[roomTemperature]) +
-                      " K.");
+  if (!(m.own[meltTemperature] > m.own[transition]))
+    reader.refuse("Melting Temperature", "is " + text(m.own[meltTemperature]) +
+                                             " K; give Melting Temperature > " +
+                                             "Transition Temperature = " + text(m.own[transition]) + " K.");
   if (!(m.own[heatCapacity] > 0.0))
     reader.refuse("Specific Heat", "is missing; thermal softening (Johnson-Cook m) follows from the heat of "
                                    "plastic work, which needs it [J/(kg K)].");

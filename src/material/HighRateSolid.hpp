@@ -24,8 +24,9 @@ namespace Rhegma
 /// of viscosity warm it. The parts are chosen in the kernel, not by its type, so that one kernel serves all.
 ///
 /// The history holds Cp^-1 - 1, the equivalent plastic strain alpha, the dissipated energy, the temperature
-/// rise, the internal energy E of the volume, the heat Q in it (both zero without Mie-Grueneisen), and the
-/// viscous part of -tr tau / 3. Stored is E - Q and the energy of shape.
+/// rise, the internal energy E of the volume, the heat Q in it (both zero without Mie-Grueneisen), the
+/// viscous part of -tr tau / 3, the logarithm of the last plastic rate over the reference rate, and the speed
+/// of waves. Stored is E - Q and the energy of shape.
 struct HighRateSolid : LawDefaults
 {
   static constexpr const char* name = "High-Rate Solid";
@@ -47,7 +48,16 @@ struct HighRateSolid : LawDefaults
   template <int D>
   static constexpr int viscousIndex = symmetricSize<D> + 5;
   template <int D>
-  static constexpr int historySize = symmetricSize<D> + 6;
+  static constexpr int rateIndex = symmetricSize<D> + 6;
+  template <int D>
+  static constexpr int speedIndex = symmetricSize<D> + 7;
+  template <int D>
+  static constexpr int historySize = symmetricSize<D> + 8;
+  template <int D>
+  KOKKOS_INLINE_FUNCTION static constexpr Mean meanOf(int variable)
+  {
+    return variable == speedIndex<D> ? Mean::Largest : Mean::Volume;
+  }
 
   static double firstYield(const Properties& m) { return m.own[HighRateNumber::yield]; }
   static const char* refusesHeat(const Properties& m)
@@ -73,14 +83,15 @@ struct HighRateSolid : LawDefaults
                                             double* history)
   {
     const bool shocked = isShocked(m);
+    double& alpha = history[plasticStrainIndex<D>];
     double warmth = m.heated ? step.temperature : step.temperature + history[warmingIndex<D>];
     if constexpr (P == Plane::Stress)
     {
       if (!(planeDeterminant(F) > 0.0))
         return noStress<D>(tau);
-      F[4] = thicknessStretch(m, JohnsonCook(m, warmth, step.dt), F, history);
+      F[4] = thicknessStretch(JohnsonCook(m, alpha, warmth, step.dt), m, F, history);
     }
-    const double J = determinant<D>(F), volumeBefore = determinant<D>(step.before);
+    const double J = determinant<D>(F), volumeBefore = shocked ? determinant<D>(step.before) : 1.0;
     if (!(J > 0.0) || !(volumeBefore > 0.0) || (shocked && !MieGrueneisen(m).allows(J)))
       return noStress<D>(tau);
     if (shocked)
@@ -93,37 +104,42 @@ struct HighRateSolid : LawDefaults
     }
 
     double strain[symmetricSize<D>]; // deviator of be
-    const double excess = elasticStrain<D>(F, J, history, strain);
+    const double scale = isochoricScale(J);
+    double excess = elasticStrain<D>(F, scale, history, strain);
     const double trial = m.mu * std::sqrt(squaredNorm<D>(strain));
-    double& alpha = history[plasticStrainIndex<D>];
-    const JohnsonCook flow(m, warmth, step.dt);
+    JohnsonCook metal(m, alpha, warmth, step.dt);
     double heat = 0.0;
-    if (flow.flows(trial, alpha))
+    if (metal.flows(trial))
     {
-      const Return back = flow.solve(trial, m.mu * (1.0 + excess), alpha);
-      const double shrink = back.norm / trial;
-      const double work =
-          flow.work(alpha, back.plasticStrain) * flowBack<D>(F, J, strain, excess, shrink, history);
-      alpha += back.plasticStrain;
+      const JohnsonCook::Flow flow = metal.solve(trial, m.mu * (1.0 + excess), history[rateIndex<D>]);
+      const double shrink = flow.back.norm / trial;
+      const double work = flow.work * flowBack<D>(F, J, scale, strain, shrink, excess, history);
+      alpha += flow.back.plasticStrain;
       history[dissipationIndex<D>] += work;
       heat = m.own[HighRateNumber::heatFraction] * work;
       for (int i = 0; i < symmetricSize<D>; ++i)
         strain[i] *= shrink;
     }
-    const double viscous = shocked ? viscousPressure<D>(step, m, J, volumeBefore, history, heat) : 0.0;
-    store<D>(m, shocked, heat, history);
     for (int i = 0; i < symmetricSize<D>; ++i)
       tau[i] = m.mu * strain[i];
-    double shift = 0.5 * m.bulk * (J - 1.0) * (J + 1.0);
+
+    double shift = 0.5 * m.bulk * (J - 1.0) * (J + 1.0), modulus = 0.5 * m.bulk * (J * J + 1.0);
+    double viscous = 0.0;
     if constexpr (P == Plane::Stress)
       shift = -tau[normalIndex<D>(2)];
     else if (shocked)
     {
       const MieGrueneisen volume(m);
-      shift = -J * (volume.cold(1.0 - J) + volume.gamma * history[energyIndex<D>]) - viscous;
+      volume.pressure(J, history[energyIndex<D>] + heat, modulus);
+      viscous = viscousPressure<D>(step, m, J, volumeBefore, speedOf(modulus, m.density), history, heat);
+      shift = -J * volume.pressure(J, history[energyIndex<D>] + heat, modulus) - viscous;
     }
     for (int i = 0; i < 3; ++i)
       tau[normalIndex<D>(i)] += shift;
+    warm<D>(m, shocked, heat, history);
+    for (int i = 0; i < 3; ++i)
+      strain[normalIndex<D>(i)] += 1.0 + excess;
+    history[speedIndex<D>] = speed<D, P>(m, J, strain, modulus, viscous);
     return true;
   }
 
@@ -142,39 +158,13 @@ struct HighRateSolid : LawDefaults
                                  : 0.25 * m.bulk * (std::expm1(twiceLogJ) - twiceLogJ));
   }
 
-  /// Of the elastic response, with artificial viscosity on top: the stable step of a viscous wave is that of
-  /// the speed Q + sqrt(Q^2 + c^2), Q = C1 c + C2 l |d|, which follows from q.
+  /// That of the last stress.
   template <int D, Plane P>
-  KOKKOS_INLINE_FUNCTION static double waveSpeed(const Properties& m, const double* F, const double* history)
+  KOKKOS_INLINE_FUNCTION static double waveSpeed(const Properties& m, const double* /*F*/,
+                                                 const double* history)
   {
-    const double J = determinant<D>(F);
-    double be[symmetricSize<D>];
-    const double excess = elasticStrain<D>(F, J, history, be);
-    for (int i = 0; i < 3; ++i)
-      be[normalIndex<D>(i)] += 1.0 + excess;
-    const EigenvalueRange range = directionalRange<D>(be);
-    if constexpr (P == Plane::Stress)
-    {
-      const double volumetric = m.bulk * J * J, theta = relaxation(thicknessModulus(m.mu, be), volumetric);
-      return speedOf(isochoricPlaneModulus(m.mu, be, range, theta, volumetric, 0.5 * m.bulk * (J * J + 1.0)),
-                     m.density);
-    }
-    else
-    {
-      const bool shocked = isShocked(m);
-      const double volume =
-          shocked ? MieGrueneisen(m).modulus(J, history[energyIndex<D>]) : 0.5 * m.bulk * (J * J + 1.0);
-      const double elastic =
-          speedOf(0.5 * m.mu * firstInvariantBound(trace<D>(be), range) + volume, m.density);
-      const double q = history[viscousIndex<D>];
-      if (!(q > 0.0))
-        return elastic;
-      using namespace HighRateNumber;
-      const double linear = m.own[linearViscosity] * speedOf(volume, m.density);
-      const double viscous =
-          0.5 * (linear + std::sqrt(linear * linear + 4.0 * m.own[quadraticViscosity] * q / m.density));
-      return viscous + std::sqrt(viscous * viscous + elastic * elastic);
-    }
+    const double speed = history[speedIndex<D>];
+    return speed > 0.0 ? speed : speedOf(m.planeLambda + 2.0 * m.mu, m.density);
   }
 
 private:
@@ -183,24 +173,49 @@ private:
     return m.own[HighRateNumber::hugoniotSlope] > 0.0;
   }
 
+  /// Bound of the speed of waves of the elastic response, with artificial viscosity on top: the stable step
+  /// of a viscous wave is that of the speed V + sqrt(V^2 + c^2), V = C1 c + C2 l |d|, which follows from q.
+  /// \param be left elastic tensor \param modulus of the volume [Pa] \param q viscous pressure [Pa]
+  template <int D, Plane P>
+  KOKKOS_INLINE_FUNCTION static double speed(const Properties& m, double J, const double* be, double modulus,
+                                             double q)
+  {
+    const EigenvalueRange range = directionalRange<D>(be);
+    if constexpr (P == Plane::Stress)
+    {
+      const double volumetric = m.bulk * J * J, theta = relaxation(thicknessModulus(m.mu, be), volumetric);
+      return speedOf(isochoricPlaneModulus(m.mu, be, range, theta, volumetric, modulus), m.density);
+    }
+    const double elastic =
+        speedOf(0.5 * m.mu * firstInvariantBound(trace<D>(be), range) + modulus, m.density);
+    if (!(q > 0.0))
+      return elastic;
+    using namespace HighRateNumber;
+    const double linear = m.own[linearViscosity] * speedOf(modulus, m.density);
+    const double viscous =
+        0.5 * (linear + std::sqrt(linear * linear + 4.0 * m.own[quadraticViscosity] * q / m.density));
+    return viscous + std::sqrt(viscous * viscous + elastic * elastic);
+  }
+
   /// Part of -tr tau / 3 by artificial viscosity [Pa]. The forces on nodes do its work by the trapezoidal
   /// rule, which is what is dissipated; the heat is by the new value, so that it is never negative. Over a
-  /// shock both are the same. \param heat gains the heat [J/m3]
+  /// shock both are the same. \param sound speed of sound in the volume [m/s] \param heat gains the heat
+  /// [J/m3]
   template <int D>
   KOKKOS_INLINE_FUNCTION static double viscousPressure(const LawStep& step, const Properties& m, double J,
-                                                       double before, double* history, double& heat)
+                                                       double before, double sound, double* history,
+                                                       double& heat)
   {
     using namespace HighRateNumber;
     double& q = history[viscousIndex<D>];
-    const double strain = std::log(before / J); // positive in compression
     if (!(step.dt > 0.0))
       return q;
+    const double strain = compression(before, J);
     double now = 0.0;
     if (strain > 0.0)
     {
-      const double speed = speedOf(MieGrueneisen(m).modulus(J, history[energyIndex<D>]), m.density);
       const double closing = m.cellSize * strain / step.dt;
-      now = m.density * closing * (m.own[linearViscosity] * speed + m.own[quadraticViscosity] * closing);
+      now = m.density * closing * (m.own[linearViscosity] * sound + m.own[quadraticViscosity] * closing);
     }
     history[dissipationIndex<D>] += 0.5 * (q + now) * strain;
     heat += now * strain;
@@ -208,9 +223,17 @@ private:
     return now;
   }
 
-  /// Warms the material.
+  /// ln(before / J), by its series where a step changes the volume little; the first term left out is 1e-17.
+  KOKKOS_INLINE_FUNCTION static double compression(double before, double J)
+  {
+    const double z = (before - J) / (before + J), square = z * z;
+    if (square > 1.0e-4)
+      return std::log(before / J);
+    return 2.0 * z * (1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0 + square / 7.0)));
+  }
+
   template <int D>
-  KOKKOS_INLINE_FUNCTION static void store(const Properties& m, bool shocked, double heat, double* history)
+  KOKKOS_INLINE_FUNCTION static void warm(const Properties& m, bool shocked, double heat, double* history)
   {
     if (shocked)
     {
@@ -221,25 +244,30 @@ private:
       history[warmingIndex<D>] += heat / m.own[HighRateNumber::heatCapacity];
   }
 
-  KOKKOS_INLINE_FUNCTION static double thicknessStretch(const Properties& m, const JohnsonCook& flow,
-                                                        const double* F, const double* history)
-  {
-    return plasticThickness(ThicknessFlow{flow}, m, F, history, history[plasticStrainIndex<2>]);
-  }
-
   /// Yield condition and return, for the thickness stretch.
   struct ThicknessFlow
   {
-    const JohnsonCook& flow;
-    KOKKOS_INLINE_FUNCTION double norm(double alpha) const
+    const JohnsonCook& metal;
+    double logRate;
+
+    KOKKOS_INLINE_FUNCTION double norm() const
     {
-      return flow.flows(1.0e300, alpha) ? flow.norm(alpha) : 1.0e300;
+      constexpr double never = 1.0e300;
+      return metal.canFlow() ? metal.norm() : never;
     }
-    KOKKOS_INLINE_FUNCTION Return solve(double trial, double shear, double alpha) const
+    KOKKOS_INLINE_FUNCTION Return solve(double trial, double shear) const
     {
-      return flow.solve(trial, shear, alpha);
+      double rate = logRate;
+      return metal.solve(trial, shear, rate).back;
     }
   };
+
+  KOKKOS_INLINE_FUNCTION static double thicknessStretch(JohnsonCook metal, const Properties& m,
+                                                        const double* F, const double* history)
+  {
+    metal.harden();
+    return plasticThickness(ThicknessFlow{metal, history[rateIndex<2>]}, m, F, history);
+  }
 };
 
 } // namespace Rhegma

@@ -95,14 +95,14 @@ struct J2Plastic : LawDefaults
       return noStress<D>(tau);
 
     double strain[symmetricSize<D>]; // deviator of be
-    const double excess = elasticStrain<D>(F, J, history, strain);
+    const double scale = isochoricScale(J), excess = elasticStrain<D>(F, scale, history, strain);
     const double trial = m.mu * std::sqrt(squaredNorm<D>(strain));
     const double limit = yieldNorm(m, history[plasticStrainIndex<D>]);
     if (trial > limit)
     {
       const Return flow = radialReturn(m, trial, m.mu * (1.0 + excess), history[plasticStrainIndex<D>]);
       const double shrink = flow.norm / trial;
-      storeFlow<D>(m, F, J, strain, excess, shrink, flow, history);
+      storeFlow<D>(m, F, J, scale, strain, excess, shrink, flow, history);
       for (int i = 0; i < symmetricSize<D>; ++i)
         strain[i] *= shrink;
     }
@@ -134,7 +134,7 @@ struct J2Plastic : LawDefaults
   {
     const double J = determinant<D>(F);
     double be[symmetricSize<D>];
-    const double excess = elasticStrain<D>(F, J, history, be);
+    const double excess = elasticStrain<D>(F, isochoricScale(J), history, be);
     for (int i = 0; i < 3; ++i)
       be[normalIndex<D>(i)] += 1.0 + excess;
     const EigenvalueRange range = directionalRange<D>(be);
@@ -151,11 +151,11 @@ struct J2Plastic : LawDefaults
 private:
   /// Moves the history along a return that shrinks the trial deviator of be by `shrink`.
   template <int D>
-  KOKKOS_INLINE_FUNCTION static void storeFlow(const Properties& m, const double* F, double J,
+  KOKKOS_INLINE_FUNCTION static void storeFlow(const Properties& m, const double* F, double J, double scale,
                                                const double* deviator, double excess, double shrink,
                                                const Return& flow, double* history)
   {
-    const double factor = flowBack<D>(F, J, deviator, excess, shrink, history);
+    const double factor = flowBack<D>(F, J, scale, deviator, shrink, excess, history);
     double& alpha = history[plasticStrainIndex<D>];
     const double before = yieldStress(m, alpha);
     alpha += flow.plasticStrain;
@@ -167,8 +167,9 @@ private:
   struct Flow
   {
     const Properties& m;
-    KOKKOS_INLINE_FUNCTION double norm(double alpha) const { return yieldNorm(m, alpha); }
-    KOKKOS_INLINE_FUNCTION Return solve(double trial, double shear, double alpha) const
+    double alpha;
+    KOKKOS_INLINE_FUNCTION double norm() const { return yieldNorm(m, alpha); }
+    KOKKOS_INLINE_FUNCTION Return solve(double trial, double shear) const
     {
       return radialReturn(m, trial, shear, alpha);
     }
@@ -177,7 +178,7 @@ private:
   KOKKOS_INLINE_FUNCTION static double thicknessStretch(const Properties& m, const double* F,
                                                         const double* history)
   {
-    return plasticThickness(Flow{m}, m, F, history, history[plasticStrainIndex<2>]);
+    return plasticThickness(Flow{m, history[plasticStrainIndex<2>]}, m, F, history);
   }
 };
 

@@ -88,6 +88,13 @@ struct LawDefaults
   {
     return Mean::Volume;
   }
+  /// What a law computes once for all particles of a material in a step without heat; a law with `prepares =
+  /// true` gets it before the LawStep.
+  static constexpr bool prepares = false;
+  struct Ready
+  {
+    KOKKOS_INLINE_FUNCTION Ready(const Properties& /*m*/, double /*dt*/, double /*temperature*/) {}
+  };
   /// Whether the law has a use for Specific Heat in scenes without heat.
   static constexpr bool warms = false;
   /// Why the law can't be used in a scene with heat; null where it can.

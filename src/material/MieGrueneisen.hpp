@@ -29,40 +29,48 @@ struct MieGrueneisen
   /// Whether the material can have this volume: compression has a limit at eta = 1/s.
   KOKKOS_INLINE_FUNCTION bool allows(double J) const { return slope * (1.0 - J) < 1.0; }
 
-  /// f [Pa]
-  KOKKOS_INLINE_FUNCTION double cold(double eta) const
+  /// f and df / d eta [Pa].
+  struct Cold
   {
-    if (!(eta > 0.0))
-      return stiffness * eta;
-    const double room = 1.0 / (1.0 - slope * eta);
-    return stiffness * eta * (1.0 - 0.5 * gamma * eta) * room * room;
-  }
+    double pressure, slope;
+  };
 
-  /// df / d eta [Pa]
-  KOKKOS_INLINE_FUNCTION double coldSlope(double eta) const
+  KOKKOS_INLINE_FUNCTION Cold cold(double eta) const
   {
     if (!(eta > 0.0))
-      return stiffness;
-    const double room = 1.0 / (1.0 - slope * eta);
-    return stiffness * room * room *
-           ((1.0 + slope * eta) * room * (1.0 - 0.5 * gamma * eta) - 0.5 * gamma * eta);
+      return {stiffness * eta, stiffness};
+    const double inverse = 1.0 / (1.0 - slope * eta), square = stiffness * inverse * inverse;
+    const double rest = 1.0 - 0.5 * gamma * eta;
+    return {square * eta * rest, square * ((1.0 + slope * eta) * inverse * rest - 0.5 * gamma * eta)};
   }
 
   /// Internal energy after a change of volume without heat, by Simpson's rule for the integral of f
   /// exp(Gamma_0 (eta' - eta)): an error of fifth order in the change. \param factor out: exp(Gamma_0 change)
   KOKKOS_INLINE_FUNCTION double compress(double energy, double from, double to, double& factor) const
   {
-    const double change = to - from, half = std::exp(0.5 * gamma * change);
+    const double change = to - from, half = exponential(0.5 * gamma * change);
     factor = half * half;
-    return energy * factor +
-           change / 6.0 * (cold(from) * factor + 4.0 * cold(0.5 * (from + to)) * half + cold(to));
+    return energy * factor + change / 6.0 *
+                                 (cold(from).pressure * factor +
+                                  4.0 * cold(0.5 * (from + to)).pressure * half + cold(to).pressure);
   }
 
-  /// rho_0 times the square of the speed of sound in the volume, in space [Pa].
-  KOKKOS_INLINE_FUNCTION double modulus(double J, double energy) const
+  /// Pressure, and rho_0 times the square of the speed of sound in the volume, relative to the material [Pa].
+  KOKKOS_INLINE_FUNCTION double pressure(double J, double energy, double& modulus) const
   {
-    const double eta = 1.0 - J;
-    return J * J * (coldSlope(eta) + gamma * (cold(eta) + gamma * energy));
+    const Cold at = cold(1.0 - J);
+    const double p = at.pressure + gamma * energy;
+    modulus = J * J * (at.slope + gamma * p);
+    return p;
+  }
+
+private:
+  /// exp(x), by its series where a step changes the volume little; the first term left out is 2e-18.
+  KOKKOS_INLINE_FUNCTION static double exponential(double x)
+  {
+    if (std::fabs(x) > 0.01)
+      return std::exp(x);
+    return 1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0)))));
   }
 };
 

@@ -9,16 +9,21 @@
 namespace Rhegma
 {
 
-/// Splits be = J^(-2/3) F Cp^-1 F^T. \param deviator out: dev be. \return tr be / 3 - 1
+/// J^(-2/3).
+KOKKOS_INLINE_FUNCTION double isochoricScale(double J)
+{
+  const double root = std::cbrt(J);
+  return 1.0 / (root * root);
+}
+
+/// Splits be = J^(-2/3) F Cp^-1 F^T. \param scale J^(-2/3) \param deviator out: dev be. \return tr be / 3 - 1
 template <int D>
-KOKKOS_INLINE_FUNCTION double elasticStrain(const double* F, double J, const double* history,
+KOKKOS_INLINE_FUNCTION double elasticStrain(const double* F, double scale, const double* history,
                                             double* deviator)
 {
   double g[symmetricSize<D>];
   leftStrain<D>(F, g);
   pushForward<D>(F, history, deviator);
-  const double root = std::cbrt(J);
-  const double scale = 1.0 / (root * root);
   for (int i = 0; i < symmetricSize<D>; ++i)
     deviator[i] = scale * (deviator[i] + g[i]);
   const double mean = trace<D>(deviator) / 3.0;
@@ -28,11 +33,11 @@ KOKKOS_INLINE_FUNCTION double elasticStrain(const double* F, double J, const dou
 }
 
 /// Moves Cp^-1 along a return that shrinks the trial deviator of be by `shrink`.
-/// \param excess tr be / 3 - 1 of the trial \return what the work sigma_y Delta alpha is to be multiplied
-/// with
+/// \param excess tr be / 3 - 1 of the trial; out: after the return
+/// \return what the work sigma_y Delta alpha is to be multiplied with
 template <int D>
-KOKKOS_INLINE_FUNCTION double flowBack(const double* F, double J, const double* deviator, double excess,
-                                       double shrink, double* history)
+KOKKOS_INLINE_FUNCTION double flowBack(const double* F, double J, double scale, const double* deviator,
+                                       double shrink, double& excess, double* history)
 {
   const double half = 0.5 * shrink * shrink * squaredNorm<D>(deviator);
   const double cube = shrink * shrink * shrink * symmetricDeterminant<D>(deviator);
@@ -40,23 +45,23 @@ KOKKOS_INLINE_FUNCTION double flowBack(const double* F, double J, const double* 
 
   // Cp^-1 = J^(2/3) F^-1 be F^-T, by the change of be so that it keeps its digits.
   double change[symmetricSize<D>];
-  const double root = std::cbrt(J);
   for (int i = 0; i < symmetricSize<D>; ++i)
-    change[i] = -root * root * (1.0 - shrink) * deviator[i];
+    change[i] = -(1.0 - shrink) / scale * deviator[i];
   for (int i = 0; i < 3; ++i)
-    change[normalIndex<D>(i)] += root * root * (relaxed - excess);
+    change[normalIndex<D>(i)] += (relaxed - excess) / scale;
   double back[gradientSize<D>];
   inverse<D>(F, J, back);
   double plastic[symmetricSize<D>];
   pushForward<D>(back, change, plastic);
   for (int i = 0; i < symmetricSize<D>; ++i)
     history[i] += plastic[i];
+  excess = relaxed;
   return workFactor(half, cube, 1.0 + relaxed);
 }
 
 /// tau_zz after the return as a function of the thickness stretch s. The return only shrinks the deviator, so
 /// that the zero is between the s of no volume change and the s of no trial deviator in zz.
-/// \tparam Flow has norm(alpha), of the deviator at yield, and solve(trial, shear, alpha), a Return
+/// \tparam Flow has norm(), of the deviator at yield, and solve(trial, shear), a Return
 template <class Flow>
 struct PlasticThickness
 {
@@ -65,8 +70,7 @@ struct PlasticThickness
   double area;   ///< of the plane, j
   double xx, yy; ///< of F Cp^-1 F^T, less 1
   double xy;
-  double zz;    ///< of Cp^-1, less 1
-  double alpha; ///< equivalent plastic strain
+  double zz; ///< of Cp^-1, less 1
 
   KOKKOS_INLINE_FUNCTION double operator()(double s, double& slope) const
   {
@@ -81,10 +85,10 @@ struct PlasticThickness
     double rise = 2.0 / 3.0 * (pull - sz);
 
     const double trial = std::sqrt(sx * sx + sy * sy + sz * sz + 2.0 * sxy * sxy);
-    if (trial > flow.norm(alpha))
+    if (trial > flow.norm())
     {
       const double current = mu * (1.0 + mean);
-      const Return back = flow.solve(trial, current, alpha);
+      const Return back = flow.solve(trial, current);
       const double trialRise = pull * sz / trial - 2.0 / 3.0 * trial;
       const double shearRise = (pull - 2.0 * current) / 3.0;
       const double normRise = back.slope * (trialRise - 2.0 * shearRise * back.multiplier);
@@ -97,18 +101,17 @@ struct PlasticThickness
 };
 
 /// Thickness stretch of plane stress, for K/2 ((J^2 - 1)/2 - ln J) as energy of the volume.
-/// \param alpha equivalent plastic strain
 template <class Flow>
 KOKKOS_INLINE_FUNCTION double plasticThickness(const Flow& flow, const Properties& m, const double* F,
-                                               const double* history, double alpha)
+                                               const double* history)
 {
   double g[4];
   leftStrain<2>(F, g);
   double plastic[4];
   pushForward<2>(F, history, plastic);
   const PlasticThickness<Flow> residual{
-      flow,       m.mu, m.bulk, planeDeterminant(F), g[0] + plastic[0], g[1] + plastic[1], g[2] + plastic[2],
-      history[3], alpha};
+      flow,      m.mu, m.bulk, planeDeterminant(F), g[0] + plastic[0], g[1] + plastic[1], g[2] + plastic[2],
+      history[3]};
   const double isochoric = 1.0 / residual.area;
   const double even = std::sqrt((1.0 + 0.5 * (residual.xx + residual.yy)) / (1.0 + residual.zz));
   return thicknessRoot(residual, std::fmin(isochoric, even), std::fmax(isochoric, even), F[4]);

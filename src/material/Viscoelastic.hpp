@@ -22,7 +22,7 @@ namespace Rhegma
 /// Solids Struct. 33 (1996) 3019). The update is exact where the rates of Eb and ln J are constant over a
 /// step; so is the dissipation.
 ///
-/// The history holds e_i, v_i, the dissipated energy and how much of rho c^2 the strains e_i and v_i may add.
+/// The history holds e_i, v_i, the dissipated energy and the speed of waves.
 struct Viscoelastic : LawDefaults
 {
   static constexpr const char* name = "Viscoelastic";
@@ -30,18 +30,19 @@ struct Viscoelastic : LawDefaults
       "Polymer: shear and bulk moduli that relax by a Prony series, for large strain.";
 
   static constexpr bool usesStep = true;
+  static constexpr bool prepares = true;
   template <int D>
   static constexpr int volumeIndex = maxwellElements* symmetricSize<D>;
   template <int D>
   static constexpr int dissipationIndex = volumeIndex<D> + maxwellElements;
   template <int D>
-  static constexpr int stiffeningIndex = dissipationIndex<D> + 1;
+  static constexpr int speedIndex = dissipationIndex<D> + 1;
   template <int D>
   static constexpr int historySize = dissipationIndex<D> + 2;
   template <int D>
   KOKKOS_INLINE_FUNCTION static constexpr Mean meanOf(int variable)
   {
-    return variable == stiffeningIndex<D> ? Mean::Largest : Mean::Volume;
+    return variable == speedIndex<D> ? Mean::Largest : Mean::Volume;
   }
 
   template <class Section>
@@ -55,23 +56,43 @@ struct Viscoelastic : LawDefaults
     readViscoelasticity(reader, m);
   }
 
+  /// The elements over one step.
+  struct Ready
+  {
+    int count;
+    MaxwellStep step[maxwellElements];
+
+    KOKKOS_INLINE_FUNCTION Ready(const Properties& m, double dt, double temperature)
+        : count(static_cast<int>(m.own[PronyNumber::count] + 0.5))
+    {
+      using namespace PronyNumber;
+      const double faster =
+          inverseTimeShift(m.own[shift], m.own[first], m.own[second], m.own[reference], temperature);
+      for (int i = 0; i < count; ++i)
+        step[i] = maxwellStep(dt * faster / m.own[time + i]);
+    }
+  };
+
   template <int D, Plane P>
-  KOKKOS_INLINE_FUNCTION static bool stress(const LawStep& step, const Properties& m, double* F, double* tau,
-                                            double* history)
+  KOKKOS_INLINE_FUNCTION static bool stress(const Ready& elements, const LawStep& step, const Properties& m,
+                                            double* F, double* tau, double* history)
   {
     using namespace PronyNumber;
     if constexpr (P == Plane::Stress)
       if (!(planeDeterminant(F) > 0.0))
         return noStress<D>(tau);
-    Elements elements(m, step);
-    Strain<D> start;
-    if (!start.set(step.before))
-      return noStress<D>(tau);
+    Strain<D> start, now;
     if constexpr (P == Plane::Stress)
+    {
+      if (!start.set(step.before))
+        return noStress<D>(tau);
       F[4] = thicknessStretch(m, elements, start, F, history);
-    Strain<D> now;
+    }
     if (!now.set(F))
       return noStress<D>(tau);
+    if constexpr (P != Plane::Stress)
+      if (!start.setNear(step.before, now))
+        return noStress<D>(tau);
 
     double change[symmetricSize<D>], S[symmetricSize<D>];
     for (int k = 0; k < symmetricSize<D>; ++k)
@@ -99,14 +120,20 @@ struct Viscoelastic : LawDefaults
     spherical += relaxing;
     history[dissipationIndex<D>] += lost;
 
-    double g[symmetricSize<D>];
-    leftStrain<D>(F, g);
+    double b[symmetricSize<D>]; // J^(-2/3) F F^T, first less J^(-2/3)
+    leftStrain<D>(F, b);
     pushForward<D>(F, S, tau);
     for (int k = 0; k < symmetricSize<D>; ++k)
+    {
+      b[k] *= now.scale;
       tau[k] *= now.scale;
-    history[stiffeningIndex<D>] = stiffening<D, P>(tau) + larger(-relaxing, 0.0);
+    }
+    const double stiffer = stiffening<D, P>(tau) + larger(-relaxing, 0.0);
     for (int k = 0; k < symmetricSize<D>; ++k)
-      tau[k] += m.own[longShear] * now.scale * g[k];
+      tau[k] += m.own[longShear] * b[k];
+    for (int i = 0; i < 3; ++i)
+      b[normalIndex<D>(i)] += now.scale;
+    history[speedIndex<D>] = speedOf(waveModulus<D, P>(m, now.J, b) + stiffer, m.density);
     // In plane stress the pressure is the one that cancels tau_zz.
     const double shift = P == Plane::Stress ? -tau[normalIndex<D>(2)] : spherical - trace<D>(tau) / 3.0;
     for (int i = 0; i < 3; ++i)
@@ -131,58 +158,16 @@ struct Viscoelastic : LawDefaults
     return sum;
   }
 
-  /// Of the moduli before relaxation. The second derivative of the elements' energy is at most 2 G |dEb|^2 <=
-  /// 4/3 G b^2, with b the largest eigenvalue of J^(-2/3) F F^T, and what `stiffening` adds.
+  /// That of the last stress; of the moduli before relaxation.
   template <int D, Plane P>
-  KOKKOS_INLINE_FUNCTION static double waveSpeed(const Properties& m, const double* F, const double* history)
+  KOKKOS_INLINE_FUNCTION static double waveSpeed(const Properties& m, const double* /*F*/,
+                                                 const double* history)
   {
-    using namespace PronyNumber;
-    const double J = determinant<D>(F), root = std::cbrt(J), scale = 1.0 / (root * root);
-    double b[symmetricSize<D>];
-    leftStrain<D>(F, b);
-    for (int i = 0; i < 3; ++i)
-      b[normalIndex<D>(i)] += 1.0;
-    for (int k = 0; k < symmetricSize<D>; ++k)
-      b[k] *= scale;
-    const EigenvalueRange range = directionalRange<D>(b);
-    const double largest = larger(range.largest, b[normalIndex<D>(2)]);
-    const double fast = m.mu - m.own[longShear], fastBulk = m.bulk - m.own[longBulk];
-    const double dilatational = 0.5 * m.own[longBulk] * (J * J + 1.0);
-    if constexpr (P == Plane::Stress)
-    {
-      // The thickness follows by theta times the dilatation of the plane, as at small strain.
-      const double theta = m.thicknessRatio, rest = 1.0 - theta;
-      const double elements =
-          0.5 * fast * largest * largest * (4.0 + 4.0 * theta * theta - 4.0 / 3.0 * rest * rest);
-      const double spring =
-          isochoricPlaneModulus(m.own[longShear], b, range, theta, m.own[longBulk] * J * J, dilatational);
-      return speedOf(spring + rest * rest * fastBulk + elements + history[stiffeningIndex<D>], m.density);
-    }
-    else
-      return speedOf(0.5 * m.own[longShear] * firstInvariantBound(trace<D>(b), range) +
-                         4.0 / 3.0 * fast * largest * largest + dilatational + fastBulk +
-                         history[stiffeningIndex<D>],
-                     m.density);
+    const double speed = history[speedIndex<D>];
+    return speed > 0.0 ? speed : speedOf(m.planeLambda + 2.0 * m.mu, m.density);
   }
 
 private:
-  /// The elements over one step.
-  struct Elements
-  {
-    int count;
-    MaxwellStep step[maxwellElements];
-
-    KOKKOS_INLINE_FUNCTION Elements(const Properties& m, const LawStep& at)
-        : count(static_cast<int>(m.own[PronyNumber::count] + 0.5))
-    {
-      using namespace PronyNumber;
-      const double faster =
-          inverseTimeShift(m.own[shift], m.own[first], m.own[second], m.own[reference], at.temperature);
-      for (int i = 0; i < count; ++i)
-        step[i] = maxwellStep(at.dt * faster / m.own[time + i]);
-    }
-  };
-
   /// Eb, J and J^(-2/3).
   template <int D>
   struct Strain
@@ -198,18 +183,73 @@ private:
         return false;
       const double root = std::cbrt(J);
       scale = 1.0 / (root * root);
+      strain(F);
+      return true;
+    }
+
+    /// The same of an F whose volume is near that of another one: without a cube root.
+    KOKKOS_INLINE_FUNCTION bool setNear(const double* F, const Strain& other)
+    {
+      J = determinant<D>(F);
+      if (!(J > 0.0))
+        return false;
+      const double change = other.J / J - 1.0;
+      if (std::fabs(change) > seriesLimit)
+        return set(F);
+      scale = other.scale * twoThirdsPower(change);
+      strain(F);
+      return true;
+    }
+
+  private:
+    static constexpr double seriesLimit = 0.02;
+
+    /// (1 + x)^(2/3); the first term left out is 1e-14 at the limit.
+    KOKKOS_INLINE_FUNCTION static double twoThirdsPower(double x)
+    {
+      return 1.0 + x * (2.0 / 3.0 -
+                        x * (1.0 / 9.0 - x * (4.0 / 81.0 -
+                                              x * (7.0 / 243.0 - x * (14.0 / 729.0 - x * (91.0 / 6561.0))))));
+    }
+
+    KOKKOS_INLINE_FUNCTION void strain(const double* F)
+    {
       rightStrain<D>(F, E);
       for (int k = 0; k < symmetricSize<D>; ++k)
         E[k] *= 0.5 * scale;
       for (int i = 0; i < 3; ++i)
         E[normalIndex<D>(i)] += 0.5 * (scale - 1.0);
-      return true;
     }
   };
 
+  /// Bound of rho c^2 without the stress of the elements [Pa]. The second derivative of their energy is at
+  /// most 2 G |dEb|^2 <= 4/3 G b^2, with b the largest eigenvalue of J^(-2/3) F F^T, and what `stiffening`
+  /// adds.
+  template <int D, Plane P>
+  KOKKOS_INLINE_FUNCTION static double waveModulus(const Properties& m, double J, const double* b)
+  {
+    using namespace PronyNumber;
+    const EigenvalueRange range = directionalRange<D>(b);
+    const double largest = larger(range.largest, b[normalIndex<D>(2)]);
+    const double fast = m.mu - m.own[longShear], fastBulk = m.bulk - m.own[longBulk];
+    const double dilatational = 0.5 * m.own[longBulk] * (J * J + 1.0);
+    if constexpr (P == Plane::Stress)
+    {
+      // The thickness follows by theta times the dilatation of the plane, as at small strain.
+      const double theta = m.thicknessRatio, rest = 1.0 - theta;
+      const double elements =
+          0.5 * fast * largest * largest * (4.0 + 4.0 * theta * theta - 4.0 / 3.0 * rest * rest);
+      return isochoricPlaneModulus(m.own[longShear], b, range, theta, m.own[longBulk] * J * J, dilatational) +
+             rest * rest * fastBulk + elements;
+    }
+    else
+      return 0.5 * m.own[longShear] * firstInvariantBound(trace<D>(b), range) +
+             4.0 / 3.0 * fast * largest * largest + dilatational + fastBulk;
+  }
+
   /// Strains the elements of the volume. \param lost gains what they dissipate \return sum K_i v_i
-  KOKKOS_INLINE_FUNCTION static double relaxVolume(const Properties& m, const Elements& elements,
-                                                   double change, double* v, double& lost)
+  KOKKOS_INLINE_FUNCTION static double relaxVolume(const Properties& m, const Ready& elements, double change,
+                                                   double* v, double& lost)
   {
     using namespace PronyNumber;
     double sum = 0.0;
@@ -263,7 +303,7 @@ private:
   };
 
   /// Thickness stretch of plane stress: tau_zz rises from minus to plus infinity.
-  KOKKOS_INLINE_FUNCTION static double thicknessStretch(const Properties& m, const Elements& elements,
+  KOKKOS_INLINE_FUNCTION static double thicknessStretch(const Properties& m, const Ready& elements,
                                                         const Strain<2>& start, const double* F,
                                                         const double* history)
   {

@@ -17,7 +17,7 @@ using LongHistory = std::array<double, historyCapacity>;
 struct Metal
 {
   double density = 8960.0, young = 124e9, poisson = 0.34;
-  double A = 90e6, B = 292e6, n = 0.31, C = 0.025, m = 1.09, rate = 1.0, room = 293.0, melt = 1356.0;
+  double A = 90e6, B = 292e6, n = 0.31, C = 0.025, m = 1.09, rate = 1.0, transition = 293.0, melt = 1356.0;
   double voce = 0.0, voceRate = 0.0, capacity = 383.0, fraction = 0.9, temperature = 293.0;
   bool shocked = false;
   double speed = 3940.0, slope = 1.489, gamma = 2.02, linear = 0.0, quadratic = 0.0;
@@ -46,7 +46,7 @@ struct Metal
       if (m > 0.0)
       {
         p.set("Johnson-Cook m", m);
-        p.set("Room Temperature", room);
+        p.set("Transition Temperature", transition);
         p.set("Melting Temperature", melt);
       }
     }
@@ -69,7 +69,7 @@ struct Metal
   {
     return A + B * std::pow(std::max(alpha, 0.0), n) + voce * (1.0 - std::exp(-voceRate * alpha));
   }
-  double thermal(double T) const { return T > room ? 1.0 - std::pow((T - room) / (melt - room), m) : 1.0; }
+  double thermal(double T) const { return T > transition ? 1.0 - std::pow((T - transition) / (melt - transition), m) : 1.0; }
   /// Plastic strain rate of an equivalent stress: sigma = sigma_y solved for the rate, which is at least the
   /// reference rate where there is flow.
   double flowRate(double stress, double alpha, double T) const

@@ -171,7 +171,8 @@ TEST(HighRateSolid, GivesItsStressAgain)
     updateStress<3>(LawStep{at.F.data(), 0.0, m.temperature}, m, F.data(), again.data(), at.history.data());
     for (int k = 0; k < 6; ++k)
       EXPECT_NEAR(again[k], at.tau[k], 1e-12 * p.K());
-    EXPECT_EQ(history, at.history);
+    for (int k = 0; k < HighRateSolid::historySize<3>; ++k)
+      EXPECT_NEAR(at.history[k], history[k], 1e-12 * std::fabs(history[k]));
   }
 }
 
@@ -185,17 +186,19 @@ TEST(MieGrueneisen, HasTheHugoniotForItsReference)
   for (const double eta : {0.01, 0.05, 0.1, 0.2})
   {
     const double hugoniot = p.K() * eta / std::pow(1.0 - p.slope * eta, 2);
-    EXPECT_NEAR((volume.cold(eta) + p.gamma * 0.5 * hugoniot * eta) / hugoniot, 1.0, 1e-14);
+    double modulus = 0.0;
+    EXPECT_NEAR(volume.pressure(1.0 - eta, 0.5 * hugoniot * eta, modulus) / hugoniot, 1.0, 1e-14);
     constexpr double h = 1e-5;
-    EXPECT_NEAR(volume.coldSlope(eta) / ((volume.cold(eta + h) - volume.cold(eta - h)) / (2.0 * h)), 1.0,
-                1e-7);
+    const double rise = volume.cold(eta + h).pressure - volume.cold(eta - h).pressure;
+    EXPECT_NEAR(volume.cold(eta).slope / (rise / (2.0 * h)), 1.0, 1e-7);
     // The modulus is the second derivative of the energy along the isentrope.
     double factor = 0.0;
     const double E = volume.compress(1e8, 0.0, eta, factor);
     const double up = volume.compress(E, eta, eta + h, factor),
                  down = volume.compress(E, eta, eta - h, factor);
     const double J = 1.0 - eta;
-    EXPECT_NEAR(volume.modulus(J, E) / (J * J * (up - 2.0 * E + down) / (h * h)), 1.0, 1e-4);
+    volume.pressure(J, E, modulus);
+    EXPECT_NEAR(modulus / (J * J * (up - 2.0 * E + down) / (h * h)), 1.0, 1e-4);
   }
   EXPECT_FALSE(volume.allows(1.0 - 1.0 / p.slope));
 }
@@ -255,7 +258,7 @@ TEST(HighRateSolid, RefusesImpossibleConstants)
   expectRefused(p, "Johnson-Cook A: is -1; give a positive");
   p = Metal();
   p.melt = 200.0;
-  expectRefused(p, "Melting Temperature > Room Temperature = 293");
+  expectRefused(p, "give Melting Temperature > Transition Temperature = 293");
   p = Metal();
   p.capacity = 0.0;
   expectRefused(p, "Specific Heat: is missing");
