@@ -181,11 +181,11 @@ class Taylor(ProgramTest):
             last = max((float(file[name].attrs["time"]), name) for name in file if "time" in file[name].attrs)[1]
             group = file[last]["particles"]
             x = numpy.asarray(group["position"])
-            # Each particle reaches half of its edge beyond its centre, along the axes of the undeformed body.
-            reach = 0.5 * abs(numpy.asarray(group["edges"]).reshape(len(x), 3, 3)).sum(axis=1)
-        size = numpy.hypot(x[:, 0], x[:, 1])
-        outer = size + (reach[:, 0] * x[:, 0] + reach[:, 1] * x[:, 1]) / numpy.maximum(size, 1e-9)
-        # Along an axis, where the surface of the undeformed cylinder lies on faces of cells.
+            # Each particle reaches half of its present edges beyond its centre.
+            gradient = numpy.asarray(group["deformation"]).reshape(-1, 3, 3)
+            reach = 0.5 * abs(numpy.einsum("pij,pej->pei", gradient, numpy.asarray(group["edges"]).reshape(-1, 3, 3))).sum(axis=1)
+        # Next to an axis, where the surface of the undeformed cylinder lies on faces of cells.
+        outer = numpy.where(x[:, 1] < 0.5 * cell, x[:, 0] + reach[:, 0], 0.0)
         found = {"length": (x[:, 2] + reach[:, 2]).max(),
                  "foot": 2 * outer[x[:, 2] < cell].max(),
                  "fifth": 2 * outer[abs(x[:, 2] - 0.2 * length) < 0.5 * cell].max()}
