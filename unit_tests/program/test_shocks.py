@@ -155,6 +155,53 @@ class Impact(ProgramTest):
         self.shocked(speed, COPPER, 0.02, False)
 
 
+class Heating(ProgramTest):
+    def test_by_the_law_or_by_the_scene(self):
+        """A block that all nodes stretch evenly. Without heat the law warms itself, with the section Thermal the scene does: both have
+        the same stress, and the temperature that follows from the plastic work."""
+        rate, end, size = 2e3, 1e-4, 4e-3
+        found = {}
+        for heated in (False, True):
+            scene = Scene({
+                "Domain": {"Dimension": 3, "Lower Corner": [-2e-3] * 3, "Upper Corner": [size + 4e-3] * 3, "Cell Size": 1e-3},
+                "Time": {"Final Time": end},
+                "Materials": {"Copper": {"Material From Library": "OFHC Copper", "Model": "High-Rate Solid", "Reference Temperature": 293.0,
+                                         **({"Thermal Expansion": 0.0, "Conductivity": 0.0} if heated else {})}},
+                "Bodies": {"Block": {"Material": "Copper", "Shape": "Box", "Lower Corner": [0.0] * 3, "Upper Corner": [size] * 3}},
+                "Boundaries": {"All": {"Type": "Velocity", "Lower Corner": [-1.0] * 3, "Upper Corner": [1.0] * 3, "Box Motion": "Fixed",
+                                       "Field": f"{rate}*x, {-0.4 * rate}*y, {-0.4 * rate}*z"}},
+                "Output": {"Fields": False, "Checkpoints": False},
+            })
+            if heated:
+                scene.set("Thermal", {"Initial Temperature": 293.0})
+            answer = rhegma(self.write("scene.xml", scene.text()), "--output", self.path("out"), "--quiet")
+            self.assertEqual(answer.status, 0, answer)
+            with open(self.path("out", "summary.json"), encoding="utf-8") as file:
+                found[heated] = json.load(file)
+        rise = 0.9 * found[False]["energy"]["plastic"] / (DENSITY * 383.0 * size**3)
+        stresses = [found[heated]["bodies"][0]["stress"]["xx"] for heated in (False, True)]
+        print(f"rise {found[True]['temperature']['peak_rise']:.3f} K, by plastic work {rise:.3f}; stress {stresses}")
+        self.assertGreater(rise, 5.0)
+        self.assertAlmostEqual(found[True]["temperature"]["peak_rise"] / rise, 1.0, delta=2e-3)
+        self.assertAlmostEqual(stresses[1] / stresses[0], 1.0, delta=1e-3)
+
+
+class Wrong(ProgramTest):
+    def refused(self, material, where, words, more=()):
+        scene = impact(500.0, material, 1e-7, 1e-4)
+        for path, value in more:
+            scene.set(path, value)
+        self.write("scene.xml", scene.text())
+        self.assert_refused(["scene.xml"], [(f"Materials > Copper > {where}", words)])
+
+    def test_constants(self):
+        self.refused({**COPPER, "Johnson-Cook A": 0.0}, "Johnson-Cook A", ["above 0"])
+        self.refused({**COPPER, "Melting Temperature": 100.0}, "Melting Temperature", ["give Melting Temperature > Transition Temperature"])
+        self.refused({**COPPER, "Grueneisen Coefficient": 5.0}, "Grueneisen Coefficient", ["< 2 Hugoniot Slope"])
+        self.refused(COPPER, "Model", ["internal energy", "Equation Of State = Elastic"], [("Thermal", {"Initial Temperature": 293.0})])
+        self.refused(COPPER, "Equation Of State", ["plane stress"], [("Domain > Plane", "Stress")])
+
+
 class Taylor(ProgramTest):
     def test_the_lengths_of_a_cylinder(self):
         """A quarter of a cylinder of 25.4 by 7.62 mm that hits a wall at 190 m/s: length, diameter of the foot and diameter at a fifth of
