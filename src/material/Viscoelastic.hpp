@@ -94,26 +94,10 @@ struct Viscoelastic : LawDefaults
       if (!start.setNear(step.before, now))
         return noStress<D>(tau);
 
-    double change[symmetricSize<D>], S[symmetricSize<D>];
+    double change[symmetricSize<D>], S[symmetricSize<D>] = {};
     for (int k = 0; k < symmetricSize<D>; ++k)
-    {
       change[k] = now.E[k] - start.E[k];
-      S[k] = 0.0;
-    }
-    const double square = squaredNorm<D>(change);
-    double lost = 0.0;
-    for (int i = 0; i < elements.count; ++i)
-    {
-      double* const e = history + i * symmetricSize<D>;
-      const MaxwellStep& at = elements.step[i];
-      const double twice = 2.0 * m.own[shear + i], keep = 1.0 - at.loss;
-      lost += m.own[shear + i] * at.dissipated(squaredNorm<D>(e), contraction<D>(e, change), square);
-      for (int k = 0; k < symmetricSize<D>; ++k)
-      {
-        e[k] = keep * e[k] + at.gain * change[k];
-        S[k] += twice * e[k];
-      }
-    }
+    double lost = relaxShape<D>(m, elements, change, history, S);
     double spherical = 0.5 * m.own[longBulk] * (now.J - 1.0) * (now.J + 1.0), relaxing = 0.0;
     if (m.own[volumetric] > 0.0)
       relaxing = relaxVolume(m, elements, std::log(now.J / start.J), history + volumeIndex<D>, lost);
@@ -245,6 +229,29 @@ private:
     else
       return 0.5 * m.own[longShear] * firstInvariantBound(trace<D>(b), range) +
              4.0 / 3.0 * fast * largest * largest + dilatational + fastBulk;
+  }
+
+  /// Strains the elements of the shape. \param S gains sum 2 G_i e_i \return what they dissipate [J/m3]
+  template <int D>
+  KOKKOS_INLINE_FUNCTION static double relaxShape(const Properties& m, const Ready& elements,
+                                                  const double* change, double* history, double* S)
+  {
+    using namespace PronyNumber;
+    const double square = squaredNorm<D>(change);
+    double lost = 0.0;
+    for (int i = 0; i < elements.count; ++i)
+    {
+      double* const e = history + i * symmetricSize<D>;
+      const MaxwellStep& at = elements.step[i];
+      const double twice = 2.0 * m.own[shear + i], keep = 1.0 - at.loss;
+      lost += m.own[shear + i] * at.dissipated(squaredNorm<D>(e), contraction<D>(e, change), square);
+      for (int k = 0; k < symmetricSize<D>; ++k)
+      {
+        e[k] = keep * e[k] + at.gain * change[k];
+        S[k] += twice * e[k];
+      }
+    }
+    return lost;
   }
 
   /// Strains the elements of the volume. \param lost gains what they dissipate \return sum K_i v_i
