@@ -63,6 +63,7 @@ void useReferenceProperties(State<D>& state, const Teuchos::ParameterList& mater
     const double reference =
         list.isParameter("Reference Temperature") ? list.get<double>("Reference Temperature") : initial;
     state.materials.properties[m] = makeProperties(materialAt(list, reference), name, state.method.plane);
+    state.materials.properties[m].heated = true;
     host(m) = state.materials.properties[m];
   }
   Kokkos::deep_copy(state.materials.device, host);

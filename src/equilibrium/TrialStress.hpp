@@ -86,14 +86,47 @@ KOKKOS_INLINE_FUNCTION bool invert(const double (&B)[9], double (&inverse)[9])
   return J > 0.0;
 }
 
+/// The history variables that change where a law flows: first and one past the last. A law with a plastic
+/// strain flows where that grows, whatever else it stores.
+struct FlowVariables
+{
+  int first, end;
+};
+
+struct FlowVariablesCall
+{
+  int width;
+
+  template <class Law, int D, Plane>
+  KOKKOS_INLINE_FUNCTION FlowVariables run() const
+  {
+    return of<Law, D>(0);
+  }
+
+private:
+  template <class Law, int D>
+  KOKKOS_INLINE_FUNCTION auto of(int /*preferred*/) const
+      -> decltype(Law::template plasticStrainIndex<D>, FlowVariables())
+  {
+    return {Law::template plasticStrainIndex<D>, Law::template plasticStrainIndex<D> + 1};
+  }
+  template <class, int>
+  KOKKOS_INLINE_FUNCTION FlowVariables of(long /*otherwise*/) const
+  {
+    return {0, width};
+  }
+};
+
 /// Whether a law's history changes by more than rounding, as in plastic flow. A particle that lies on the
 /// yield surface at the start of a step does not flow yet.
 template <int D>
 KOKKOS_INLINE_FUNCTION bool historyChanges(const ParticleBefore<D>& before, const double* history)
 {
   constexpr double relative = 1e-10, absolute = 1e-13;
+  const Properties& law = before.properties;
+  const FlowVariables at = withLaw<D>(law.law, law.plane, FlowVariablesCall{before.historyWidth});
   bool changes = false;
-  for (int k = 0; k < before.historyWidth; ++k)
+  for (int k = at.first; k < at.end && k < before.historyWidth; ++k)
     changes = changes || !(std::fabs(history[k] - before.history[k]) <=
                            relative * std::fabs(before.history[k]) + absolute);
   return changes;

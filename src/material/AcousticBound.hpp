@@ -81,6 +81,29 @@ KOKKOS_FORCEINLINE_FUNCTION double relaxation(double isochoric, double volumetri
   return theta > 0.0 && theta < 1.0 ? theta : 1.0;
 }
 
+/// Second derivative of mu/2 (tr be - 3) by the logarithm of the thickness [Pa].
+/// \param be isochoric left tensor, of unit determinant, in 2D
+KOKKOS_FORCEINLINE_FUNCTION double thicknessModulus(double mu, const double* be)
+{
+  return 0.5 * mu * (4.0 * (be[0] + be[1]) + 16.0 * be[3]) / 9.0;
+}
+
+/// Bound of rho0 c^2 in plane stress of mu/2 (tr be - 3) plus an energy of the volume [Pa].
+/// \param range of the directions of be in the plane \param theta thickness that follows
+/// \param volumetric second derivative of the energy of the volume by ln J \param dilatational the same along
+/// J
+/// -> J (1 + e)
+KOKKOS_FORCEINLINE_FUNCTION double isochoricPlaneModulus(double mu, const double* be, EigenvalueRange range,
+                                                         double theta, double volumetric, double dilatational)
+{
+  const double inPlane = be[0] + be[1];
+  const double gamma =
+      0.5 * mu * (10.0 * (inPlane + be[3]) - 2.0 * theta * (4.0 * inPlane - 8.0 * be[3])) / 9.0 +
+      theta * theta * thicknessModulus(mu, be) + dilatational - 2.0 * theta * volumetric +
+      theta * theta * volumetric;
+  return planeBound(mu, 4.0 / 3.0 * mu * (1.0 - theta), gamma, range);
+}
+
 /// rho0 c^2 [Pa] -> c [m/s].
 KOKKOS_FORCEINLINE_FUNCTION double speedOf(double modulus, double density)
 {

@@ -4,7 +4,7 @@
 #include "material/AcousticBound.hpp"
 #include "material/J2Return.hpp"
 #include "material/LawParameters.hpp"
-#include "material/ThicknessRoot.hpp"
+#include "material/PlasticSplit.hpp"
 
 namespace Rhegma
 {
@@ -30,6 +30,8 @@ struct J2Plastic : LawDefaults
   static constexpr int dissipationIndex = symmetricSize<D> + 1;
   template <int D>
   static constexpr int historySize = symmetricSize<D> + 2;
+
+  static double firstYield(const Properties& m) { return m.own[J2Number::yield]; }
 
   template <class Section>
   static void describe(Section& s)
@@ -93,14 +95,14 @@ struct J2Plastic : LawDefaults
       return noStress<D>(tau);
 
     double strain[symmetricSize<D>]; // deviator of be
-    const double excess = elasticStrain<D>(F, J, history, strain);
+    const double scale = isochoricScale(J), excess = elasticStrain<D>(F, scale, history, strain);
     const double trial = m.mu * std::sqrt(squaredNorm<D>(strain));
     const double limit = yieldNorm(m, history[plasticStrainIndex<D>]);
     if (trial > limit)
     {
       const Return flow = radialReturn(m, trial, m.mu * (1.0 + excess), history[plasticStrainIndex<D>]);
       const double shrink = flow.norm / trial;
-      storeFlow<D>(m, F, J, strain, excess, shrink, flow, history);
+      storeFlow<D>(m, F, J, scale, strain, excess, shrink, flow, history);
       for (int i = 0; i < symmetricSize<D>; ++i)
         strain[i] *= shrink;
     }
@@ -132,128 +134,51 @@ struct J2Plastic : LawDefaults
   {
     const double J = determinant<D>(F);
     double be[symmetricSize<D>];
-    const double excess = elasticStrain<D>(F, J, history, be);
+    const double excess = elasticStrain<D>(F, isochoricScale(J), history, be);
     for (int i = 0; i < 3; ++i)
       be[normalIndex<D>(i)] += 1.0 + excess;
     const EigenvalueRange range = directionalRange<D>(be);
     const double dilatational = 0.5 * m.bulk * (J * J + 1.0);
     if constexpr (P == Plane::Stress)
     {
-      const double inPlane = be[0] + be[1];
-      const double isochoric = 0.5 * m.mu * (4.0 * inPlane + 16.0 * be[3]) / 9.0;
-      const double volumetric = m.bulk * J * J;
-      const double theta = relaxation(isochoric, volumetric);
-      const double gamma =
-          0.5 * m.mu * (10.0 * (inPlane + be[3]) - 2.0 * theta * (4.0 * inPlane - 8.0 * be[3])) / 9.0 +
-          theta * theta * isochoric + dilatational - 2.0 * theta * volumetric + theta * theta * volumetric;
-      return speedOf(planeBound(m.mu, 4.0 / 3.0 * m.mu * (1.0 - theta), gamma, range), m.density);
+      const double volumetric = m.bulk * J * J, theta = relaxation(thicknessModulus(m.mu, be), volumetric);
+      return speedOf(isochoricPlaneModulus(m.mu, be, range, theta, volumetric, dilatational), m.density);
     }
     else
       return speedOf(0.5 * m.mu * firstInvariantBound(trace<D>(be), range) + dilatational, m.density);
   }
 
 private:
-  /// Splits be = J^(-2/3) F Cp^-1 F^T. \param deviator out: dev be. \return tr be / 3 - 1
-  template <int D>
-  KOKKOS_INLINE_FUNCTION static double elasticStrain(const double* F, double J, const double* history,
-                                                     double* deviator)
-  {
-    double g[symmetricSize<D>];
-    leftStrain<D>(F, g);
-    pushForward<D>(F, history, deviator);
-    const double root = std::cbrt(J);
-    const double scale = 1.0 / (root * root);
-    for (int i = 0; i < symmetricSize<D>; ++i)
-      deviator[i] = scale * (deviator[i] + g[i]);
-    const double mean = trace<D>(deviator) / 3.0;
-    for (int i = 0; i < 3; ++i)
-      deviator[normalIndex<D>(i)] -= mean;
-    return mean + scale - 1.0;
-  }
-
   /// Moves the history along a return that shrinks the trial deviator of be by `shrink`.
   template <int D>
-  KOKKOS_INLINE_FUNCTION static void storeFlow(const Properties& m, const double* F, double J,
+  KOKKOS_INLINE_FUNCTION static void storeFlow(const Properties& m, const double* F, double J, double scale,
                                                const double* deviator, double excess, double shrink,
                                                const Return& flow, double* history)
   {
-    const double half = 0.5 * shrink * shrink * squaredNorm<D>(deviator);
-    const double cube = shrink * shrink * shrink * symmetricDeterminant<D>(deviator);
-    const double relaxed = unimodularExcess(half, cube, excess);
-
-    // Cp^-1 = J^(2/3) F^-1 be F^-T, by the change of be so that it keeps its digits.
-    double change[symmetricSize<D>];
-    const double root = std::cbrt(J);
-    for (int i = 0; i < symmetricSize<D>; ++i)
-      change[i] = -root * root * (1.0 - shrink) * deviator[i];
-    for (int i = 0; i < 3; ++i)
-      change[normalIndex<D>(i)] += root * root * (relaxed - excess);
-    double back[gradientSize<D>];
-    inverse<D>(F, J, back);
-    double plastic[symmetricSize<D>];
-    pushForward<D>(back, change, plastic);
-    for (int i = 0; i < symmetricSize<D>; ++i)
-      history[i] += plastic[i];
-
+    const double factor = flowBack<D>(F, J, scale, deviator, shrink, excess, history);
     double& alpha = history[plasticStrainIndex<D>];
     const double before = yieldStress(m, alpha);
     alpha += flow.plasticStrain;
     const double work = 0.5 * (before + yieldStress(m, alpha)) * flow.plasticStrain;
-    history[dissipationIndex<D>] += work * workFactor(half, cube, 1.0 + relaxed);
+    history[dissipationIndex<D>] += work * factor;
   }
 
-  /// tau_zz after the return as a function of the thickness stretch s. The return only shrinks the deviator,
-  /// so that the zero is between the s of no volume change and the s of no trial deviator in zz.
-  struct ThicknessStress
+  /// Yield condition and return, for the thickness stretch.
+  struct Flow
   {
     const Properties& m;
-    double area;   ///< of the plane, j
-    double xx, yy; ///< of F Cp^-1 F^T, less 1
-    double xy;
-    double zz;    ///< of Cp^-1, less 1
-    double alpha; ///< equivalent plastic strain
-
-    KOKKOS_INLINE_FUNCTION double operator()(double s, double& slope) const
+    double alpha;
+    KOKKOS_INLINE_FUNCTION double norm() const { return yieldNorm(m, alpha); }
+    KOKKOS_INLINE_FUNCTION Return solve(double trial, double shear) const
     {
-      const double J = area * s;
-      const double root = std::cbrt(J);
-      const double mu = m.mu / (root * root);
-      const double thickness = (s - 1.0) * (s + 1.0) + s * s * zz;
-      const double mean = (xx + yy + thickness) / 3.0;
-      const double sx = mu * (xx - mean), sy = mu * (yy - mean), sz = mu * (thickness - mean), sxy = mu * xy;
-      const double pull = 2.0 * mu * (1.0 + thickness); // d dev tau / d ln s = pull dev(zz) - 2/3 dev tau
-      double value = sz;
-      double rise = 2.0 / 3.0 * (pull - sz);
-
-      const double trial = std::sqrt(sx * sx + sy * sy + sz * sz + 2.0 * sxy * sxy);
-      if (trial > yieldNorm(m, alpha))
-      {
-        const double shear = mu * (1.0 + mean);
-        const Return flow = radialReturn(m, trial, shear, alpha);
-        const double trialRise = pull * sz / trial - 2.0 / 3.0 * trial;
-        const double shearRise = (pull - 2.0 * shear) / 3.0;
-        const double normRise = flow.slope * (trialRise - 2.0 * shearRise * flow.multiplier);
-        value = sz * flow.norm / trial;
-        rise = (rise * flow.norm + sz * normRise - value * trialRise) / trial;
-      }
-      slope = rise + m.bulk * J * J;
-      return value + 0.5 * m.bulk * (J - 1.0) * (J + 1.0);
+      return radialReturn(m, trial, shear, alpha);
     }
   };
 
   KOKKOS_INLINE_FUNCTION static double thicknessStretch(const Properties& m, const double* F,
                                                         const double* history)
   {
-    double g[4];
-    leftStrain<2>(F, g);
-    double plastic[4];
-    pushForward<2>(F, history, plastic);
-    const ThicknessStress residual{
-        m,          planeDeterminant(F),           g[0] + plastic[0], g[1] + plastic[1], g[2] + plastic[2],
-        history[3], history[plasticStrainIndex<2>]};
-    const double isochoric = 1.0 / residual.area;
-    const double even = std::sqrt((1.0 + 0.5 * (residual.xx + residual.yy)) / (1.0 + residual.zz));
-    return thicknessRoot(residual, std::fmin(isochoric, even), std::fmax(isochoric, even), F[4]);
+    return plasticThickness(Flow{m, history[plasticStrainIndex<2>]}, m, F, history);
   }
 };
 

@@ -36,7 +36,7 @@ enum class Mean
 };
 
 /// Largest number of parameters specific to one law.
-constexpr int lawNumbers = 8;
+constexpr int lawNumbers = 24;
 
 /// Parameters of one material; plain data for a View<Properties*>. `makeProperties` (MaterialTable.hpp) fills
 /// it. lambda, mu and bulk are set for every law: they are its moduli at small strain.
@@ -51,6 +51,8 @@ struct Properties
   double bulk = 0.0;           ///< bulk modulus [Pa]
   double planeLambda = 0.0;    ///< lambda, in plane stress 2 lambda mu / (lambda + 2 mu) [Pa]
   double thicknessRatio = 0.0; ///< lambda / (lambda + 2 mu), contraction of the thickness in plane stress [-]
+  double cellSize = 0.0; ///< edge of the scene's cells, the length of artificial viscosity; 0: not known [m]
+  bool heated = false;   ///< the scene has heat, so that temperatures come from it and not from the law
   double own[lawNumbers] = {}; ///< of the law alone; the law's header names them
 };
 
@@ -86,6 +88,19 @@ struct LawDefaults
   {
     return Mean::Volume;
   }
+  /// What a law computes once for all particles of a material in a step without heat; a law with `prepares =
+  /// true` gets it before the LawStep.
+  static constexpr bool prepares = false;
+  struct Ready
+  {
+    KOKKOS_INLINE_FUNCTION Ready(const Properties& /*m*/, double /*dt*/, double /*temperature*/) {}
+  };
+  /// Whether the law has a use for Specific Heat in scenes without heat.
+  static constexpr bool warms = false;
+  /// Why the law can't be used in a scene with heat; null where it can.
+  static const char* refusesHeat(const Properties&) { return nullptr; }
+  /// Stress in tension at which the law first flows; 0 where it does not [Pa].
+  static double firstYield(const Properties&) { return 0.0; }
   /// Multiplies those of `own` that are shear moduli, for materials that are `Entropic`.
   static void scaleShear(Properties&, double /*factor*/) {}
 };

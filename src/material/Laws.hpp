@@ -2,10 +2,12 @@
 /// The list of all constitutive laws. A new law is its header and its entry here; all switches over laws, the
 /// schema, readers, tables and merging of particles follow from the list.
 
+#include "material/HighRateSolid.hpp"
 #include "material/J2Plastic.hpp"
 #include "material/LinearElastic.hpp"
 #include "material/MooneyRivlin.hpp"
 #include "material/NeoHookean.hpp"
+#include "material/Viscoelastic.hpp"
 
 #include <type_traits>
 
@@ -20,7 +22,7 @@ struct LawList
 };
 
 /// Properties::law is an index in it.
-using Laws = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic>;
+using Laws = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid>;
 
 /// Index of a law in a list.
 template <class Law, class... Listed>

@@ -3,6 +3,7 @@
 
 #include "material/Laws.hpp"
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <cmath>
@@ -58,6 +59,26 @@ public:
   double optional(const std::string& parameter, const std::string& meaning) const
   {
     return list_.isParameter(parameter) ? zeroOrMore(parameter, meaning) : 0.0;
+  }
+
+  /// An array of numbers; empty where the scene does not have it.
+  std::vector<double> numbers(const std::string& parameter) const
+  {
+    if (!list_.isParameter(parameter))
+      return {};
+    if (!list_.isType<Teuchos::Array<double>>(parameter))
+      refuse(parameter, "must be an array of numbers; write type=\"Array(double)\".");
+    const Teuchos::Array<double> values = list_.get<Teuchos::Array<double>>(parameter);
+    for (const double value : values)
+      if (!std::isfinite(value))
+        refuse(parameter, "must have finite numbers only.");
+    return {values.begin(), values.end()};
+  }
+
+  /// A text; the default where the scene does not have it.
+  std::string choice(const std::string& parameter, const std::string& byDefault) const
+  {
+    return list_.isType<std::string>(parameter) ? list_.get<std::string>(parameter) : byDefault;
   }
 
   bool has(const std::string& parameter) const { return list_.isParameter(parameter); }

@@ -1,13 +1,57 @@
 #include "material/MaterialTable.hpp"
 
 #include "material/MaterialReader.hpp"
+#include "material/Materials.hpp"
 
 namespace Rhegma
 {
 
+namespace
+{
+
+struct RefusesHeat
+{
+  const Properties& properties;
+  template <class Law, int, Plane>
+  const char* run() const
+  {
+    return Law::refusesHeat(properties);
+  }
+};
+
+struct FirstYield
+{
+  const Properties& properties;
+  template <class Law, int, Plane>
+  double run() const
+  {
+    return Law::firstYield(properties);
+  }
+};
+
+template <class... Law>
+bool anyWarms(const std::string& model, LawList<Law...> /*list*/)
+{
+  return ((Law::warms && model == Law::name) || ...);
+}
+
+} // namespace
+
 Properties makeProperties(const Teuchos::ParameterList& material, const std::string& name, Plane plane)
 {
   return readMaterial<Laws>(material, name, plane);
+}
+
+bool warmsWithoutHeat(const std::string& model) { return anyWarms(model, Laws{}); }
+
+const char* refusesHeat(const Properties& properties)
+{
+  return withLaw<3>(properties.law, Plane::Solid, RefusesHeat{properties});
+}
+
+double firstYield(const Properties& properties)
+{
+  return withLaw<3>(properties.law, Plane::Solid, FirstYield{properties});
 }
 
 } // namespace Rhegma

@@ -15,6 +15,15 @@ namespace Rhegma
 /// Ratio`, what is wrong, what to write
 Properties makeProperties(const Teuchos::ParameterList& material, const std::string& name, Plane plane);
 
+/// Whether the law of a name has a use for Specific Heat in scenes without heat.
+bool warmsWithoutHeat(const std::string& model);
+
+/// Why the law of a material can't be used in a scene with heat; null where it can.
+const char* refusesHeat(const Properties& properties);
+
+/// Stress in tension at which a material first flows; 0 where it does not [Pa].
+double firstYield(const Properties& properties);
+
 /// Moduli at small strain, the same for every law.
 struct Elasticity
 {

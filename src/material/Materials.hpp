@@ -49,15 +49,25 @@ static_assert(detail::largestHistory<2>(Laws{}) <= historyCapacity);
 template <class Law>
 constexpr bool hasHistory = Law::template historySize<2> > 0;
 
-/// The law's stress; the step reaches only the laws that use it.
+/// The law's stress; the step reaches only the laws that use it. \param ready of this step
 template <class Law, int D, Plane P>
-KOKKOS_FORCEINLINE_FUNCTION bool stressOfLaw([[maybe_unused]] const LawStep& step, const Properties& m,
+KOKKOS_FORCEINLINE_FUNCTION bool stressOfLaw([[maybe_unused]] const typename Law::Ready& ready,
+                                             [[maybe_unused]] const LawStep& step, const Properties& m,
                                              double* F, double* tau, double* history)
 {
-  if constexpr (Law::usesStep)
+  if constexpr (Law::prepares)
+    return Law::template stress<D, P>(ready, step, m, F, tau, history);
+  else if constexpr (Law::usesStep)
     return Law::template stress<D, P>(step, m, F, tau, history);
   else
     return Law::template stress<D, P>(m, F, tau, history);
+}
+
+template <class Law, int D, Plane P>
+KOKKOS_FORCEINLINE_FUNCTION bool stressOfLaw(const LawStep& step, const Properties& m, double* F, double* tau,
+                                             double* history)
+{
+  return stressOfLaw<Law, D, P>(typename Law::Ready(m, step.dt, step.temperature), step, m, F, tau, history);
 }
 
 /// Energy dissipated so far per undeformed volume [J/m3].

@@ -58,6 +58,22 @@ KOKKOS_FORCEINLINE_FUNCTION void leftStrain(const double* F, double* g)
   }
 }
 
+/// F^T F - 1.
+template <int D>
+KOKKOS_FORCEINLINE_FUNCTION void rightStrain(const double* F, double* c)
+{
+  for (int i = 0; i < D; ++i)
+    for (int j = i; j < D; ++j)
+    {
+      double sum = i == j ? -1.0 : 0.0;
+      for (int k = 0; k < D; ++k)
+        sum += F[k * D + i] * F[k * D + j];
+      c[symmetricIndex<D>(i, j)] = sum;
+    }
+  if constexpr (D == 2)
+    c[3] = F[4] * F[4] - 1.0;
+}
+
 template <int D>
 KOKKOS_FORCEINLINE_FUNCTION double trace(const double* a)
 {
@@ -73,6 +89,17 @@ KOKKOS_FORCEINLINE_FUNCTION double squaredNorm(const double* a)
   for (int i = shearBegin<D>; i < shearEnd<D>; ++i)
     shear += a[i] * a[i];
   return a[0] * a[0] + a[1] * a[1] + zz * zz + 2.0 * shear;
+}
+
+/// a : b.
+template <int D>
+KOKKOS_FORCEINLINE_FUNCTION double contraction(const double* a, const double* b)
+{
+  const int zz = normalIndex<D>(2);
+  double shear = 0.0;
+  for (int i = shearBegin<D>; i < shearEnd<D>; ++i)
+    shear += a[i] * b[i];
+  return a[0] * b[0] + a[1] * b[1] + a[zz] * b[zz] + 2.0 * shear;
 }
 
 /// Second invariant, ((tr a)^2 - a : a) / 2.

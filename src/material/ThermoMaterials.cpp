@@ -149,6 +149,9 @@ MaterialTables tablesOf(const Teuchos::ParameterList& list, const std::string& n
   for (const double T : knotTemperatures(list, m.reference, entropic))
   {
     Properties law = makeProperties(materialAt(list, T), name, plane);
+    law.heated = true;
+    if (const char* reason = refusesHeat(law))
+      throw std::invalid_argument(where + "Model: " + reason);
     if (entropic)
       scaleShear(law, T / m.reference);
     made.laws.push_back(law);

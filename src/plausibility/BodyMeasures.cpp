@@ -1,6 +1,7 @@
 #include "plausibility/BodyMeasures.hpp"
 
 #include "material/Laws.hpp"
+#include "material/MaterialTable.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ void setMaterial(const State<D>& state, int material, BodyMeasure<D>& body)
   body.moduli = elasticity(properties);
   body.speed = std::sqrt(body.moduli.constrainedModulus / body.density);
   body.linear = properties.law == lawIndex<LinearElastic>;
-  body.yield = properties.law == lawIndex<J2Plastic> ? properties.own[J2Number::yield] : 0.0;
+  body.yield = firstYield(properties);
 }
 
 } // namespace

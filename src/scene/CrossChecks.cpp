@@ -118,10 +118,15 @@ private:
       if (temperatures.empty())
         temperatures = {1.0};
       for (const double T : temperatures)
-        makeProperties(materialAt(material, T), name,
-                       dimension() == 3    ? Plane::Solid
-                       : plane == "Stress" ? Plane::Stress
-                                           : Plane::Strain);
+      {
+        const Properties law = makeProperties(materialAt(material, T), name,
+                                              dimension() == 3    ? Plane::Solid
+                                              : plane == "Stress" ? Plane::Stress
+                                                                  : Plane::Strain);
+        const char* const reason = refusesHeat(law);
+        if (reason != nullptr && scene().isSublist("Thermal"))
+          throw std::invalid_argument("Materials > " + name + " > Model: " + reason);
+      }
     }
     catch (const std::invalid_argument& error)
     {

@@ -3,6 +3,7 @@
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "material/MaterialTable.hpp"
 #include "scene/MaterialLibrary.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/Validation.hpp"
@@ -184,6 +185,9 @@ private:
     const auto written = [&](const std::string& one) { return isWritten(list, one); };
     if (isOneOf(name, hardening))
       return !written("Yield Stress") && std::none_of(hardening.begin(), hardening.end(), written);
+    const auto* law = valueIf<std::string>(list, "Model");
+    if (name == "Specific Heat" && law != nullptr && warmsWithoutHeat(*law))
+      return true;
     return heat_ || !isOfHeat(name);
   }
 

@@ -72,6 +72,7 @@ void readMaterials(const Teuchos::ParameterList& scene, State<D>& state)
     const std::vector<double> tables = tableTemperatures(section.sublist(name));
     state.materials.properties.push_back(makeProperties(
         materialAt(section.sublist(name), tables.empty() ? 1.0 : tables.front()), name, state.method.plane));
+    state.materials.properties.back().cellSize = scene.sublist("Domain").get<double>("Cell Size");
   }
   state.materials.device = View<Properties*>("rhegma::materials", state.materials.properties.size());
   const auto host = Kokkos::create_mirror_view(state.materials.device);

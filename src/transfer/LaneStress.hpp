@@ -66,6 +66,7 @@ struct StressOfLanes
   KOKKOS_INLINE_FUNCTION void run() const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
+    const typename Law::Ready ready(properties, dt, properties.temperature);
     for (int l = from; l < to; ++l)
     {
       double F[gradientSize<D>], tau[symmetricSize<D>], before[Law::usesStep ? gradientSize<D> : 1];
@@ -76,7 +77,8 @@ struct StressOfLanes
       // Finite only if every component is.
       const bool finite = determinant<D>(F) < infinity;
       double* const own = history == nullptr ? nullptr : history + l * historyWidth;
-      const bool good = stressOfLaw<Law, D, P>({before, dt, properties.temperature}, properties, F, tau, own);
+      const bool good =
+          stressOfLaw<Law, D, P>(ready, {before, dt, properties.temperature}, properties, F, tau, own);
       const double wave = Law::template waveSpeed<D, P>(properties, F, own);
       at.speed[l] = good && finite ? at.speed[l] + wave : infinity;
       storeLane(at, l, F, tau);

@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True
 from program import SOURCE, ProgramTest, rhegma  # noqa: E402
 from scenes import plate  # noqa: E402
 
-SI = {None: 1.0, "g/cm3": 1e3, "kg/m3": 1.0, "GPa": 1e9, "MPa": 1e6, "J/m2": 1.0, "J/(kg K)": 1.0, "W/(m K)": 1.0, "1/K": 1.0}
+SI = {None: 1.0, "g/cm3": 1e3, "kg/m3": 1.0, "GPa": 1e9, "MPa": 1e6, "J/m2": 1.0, "J/(kg K)": 1.0, "W/(m K)": 1.0, "1/K": 1.0, "K": 1.0, "m/s": 1.0}
 HEAT = ("Specific Heat", "Conductivity", "Thermal Expansion")
 SPEEDS = ("Longitudinal Wave Speed", "Shear Wave Speed", "Rayleigh Wave Speed")
 # Those whose moduli are of slow tests have no ultrasonic speeds.
@@ -28,6 +28,9 @@ NEEDS = {
     "Neo-Hookean": ("Young Modulus", "Poisson Ratio"),
     "J2 Plastic": ("Young Modulus", "Poisson Ratio", "Yield Stress"),
     "Mooney-Rivlin": ("C10", "C01", "Bulk Modulus"),
+    "High-Rate Solid": ("Young Modulus", "Poisson Ratio", "Specific Heat", "Johnson-Cook A", "Johnson-Cook B", "Johnson-Cook n",
+                        "Johnson-Cook C", "Johnson-Cook m", "Melting Temperature", "Hugoniot Speed", "Hugoniot Slope",
+                        "Grueneisen Coefficient"),
 }
 
 

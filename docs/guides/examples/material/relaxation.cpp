@@ -16,7 +16,8 @@ namespace
 {
 
 /// The list of src/material/Laws.hpp with one entry more; to have the law in scenes, write it there.
-using WithMine = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, StandardLinearSolid>;
+using WithMine = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid,
+                         StandardLinearSolid>;
 
 constexpr double young = 3.0e9, poisson = 0.35, viscousShear = 2.0e9, relaxationTime = 1.0e-3;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
