@@ -151,9 +151,14 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.call(Stage::Solve, "impulses between bodies",
               {quantity::nodalMotion, quantity::stencils, ifWritten(quantity::prescribedMotion)}, {}, {},
               [parts](State<D>& s) { touch(*parts, s); });
-  effect.call(Stage::AfterProjection, "energy of contact between bodies",
-              {quantity::nodalMotion, quantity::projection}, {}, {},
-              [parts](State<D>& s) { parts->record->add(s, parts->pairs); });
+  effect.call(Stage::AfterProjection, "strain velocity of bodies that touch", {quantity::nodalMotion}, {},
+              {quantity::projection},
+              [parts](State<D>& s)
+              {
+                if (parts->pairs.count > 0)
+                  joinProjection(s, parts->shared, parts->pairs);
+                parts->record->add(s, parts->pairs);
+              });
   effect.call(Stage::Observe, "forces between bodies", {quantity::energyBalance}, {}, {},
               [parts](State<D>& s) { parts->record->sample(s); });
   effect.memory = [parts](State<D>&, Archive& archive)

@@ -49,7 +49,7 @@ void ContactRecord<D>::add(State<D>& state, const NodalPairs<D>& pairs)
     const bool again = pairs_.size() == 2 && pair.one >= 0;
     const ReportedPair<D>& first = pairs_.front();
     const PairSums<D> sums =
-        again || pairs.count == 0 ? PairSums<D>{} : sumPairs(state, pairs, pair.one, pair.other);
+        again || pairs.count == 0 ? PairSums<D>{} : sumPairs(pairs, pair.one, pair.other);
     if (again)
     {
       pair.firstTouch = first.firstTouch;

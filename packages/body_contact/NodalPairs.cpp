@@ -26,6 +26,8 @@ void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
     pairs.impulse = View<double* [D]>("rhegma::impulsesOfPairs", 2 * most);
     pairs.normal = View<double* [D]>("rhegma::normalsOfPairs", 2 * most);
     pairs.gap = View<double*>("rhegma::gapsOfPairs", 2 * most);
+    pairs.sticks = View<int*>("rhegma::stickingPairs", 2 * most);
+    pairs.taken = View<double* [2]>("rhegma::energyOfPairs", 2 * most);
   }
   const NodalPairs<D> all = pairs;
   parallelScanSmall(
@@ -67,7 +69,6 @@ struct AddPairs
 
   static constexpr int size = D + 3;
   int value_count = size;
-  Nodes<D> nodes;
   NodalPairs<D> pairs;
   int one, other; ///< groups; below 0: all
 
@@ -79,34 +80,14 @@ struct AddPairs
     return pressed && (one < 0 || (pairs.group(q, 0) == one && pairs.group(q, 1) == other));
   }
 
-  /// Mean of a component of the relative velocity, as the particles have it [m/s].
-  KOKKOS_INLINE_FUNCTION double relativeVelocity(int q, int axis) const
-  {
-    double velocity[2];
-    for (int k = 0; k < 2; ++k)
-    {
-      const int n = pairs.row(q, k);
-      velocity[k] = 0.5 * (nodes.sums(n, Nodes<D>::momentumAt + axis) / nodes.sums(n, Nodes<D>::massAt) +
-                           nodes.projection(n, axis));
-    }
-    return velocity[1] - velocity[0];
-  }
-
   KOKKOS_INLINE_FUNCTION void operator()(const int q, double* sum) const
   {
     if (!counts(q))
       return;
-    double all = 0.0, pressing = 0.0, approach = 0.0;
     for (int d = 0; d < D; ++d)
-    {
-      const double velocity = relativeVelocity(q, d);
       sum[d] += pairs.impulse(q, d);
-      all -= pairs.impulse(q, d) * velocity;
-      pressing += pairs.impulse(q, d) * pairs.normal(q, d);
-      approach -= velocity * pairs.normal(q, d);
-    }
-    sum[D] += all;
-    sum[D + 1] += all - pressing * approach;
+    sum[D] += pairs.taken(q, 0);
+    sum[D + 1] += pairs.taken(q, 1);
     sum[D + 2] += 1.0;
   }
 };
@@ -114,10 +95,9 @@ struct AddPairs
 } // namespace
 
 template <int D>
-PairSums<D> sumPairs(const State<D>& state, const NodalPairs<D>& pairs, int one, int other)
+PairSums<D> sumPairs(const NodalPairs<D>& pairs, int one, int other)
 {
   AddPairs<D> add;
-  add.nodes = state.mesh.nodes;
   add.pairs = pairs;
   add.one = one;
   add.other = other;
@@ -142,7 +122,7 @@ PairSums<D> sumPairs(const State<D>& state, const NodalPairs<D>& pairs, int one,
 
 template void listPairs(const SharedNodes<2>&, NodalPairs<2>&);
 template void listPairs(const SharedNodes<3>&, NodalPairs<3>&);
-template PairSums<2> sumPairs(const State<2>&, const NodalPairs<2>&, int, int);
-template PairSums<3> sumPairs(const State<3>&, const NodalPairs<3>&, int, int);
+template PairSums<2> sumPairs(const NodalPairs<2>&, int, int);
+template PairSums<3> sumPairs(const NodalPairs<3>&, int, int);
 
 } // namespace Rhegma::body_contact
