@@ -70,10 +70,13 @@ struct FindGap
     const int one = pairs.group(q, 0), other = pairs.group(q, 1);
     const Vector<D> node = particles.grid.nodePosition(particles.shared.node(s));
     const Vector<D> n = normalOf(s, one, other, node);
+    const double window = windowAround(s, one, other, node, n);
     double end = -1e300, begin = 1e300; // of the first group, and of the second, along the normal
     particles.forEach(s, one, other,
                       [&](int p, double label)
                       {
+                        if (besideNode(p, n, node) > window)
+                          return;
                         const double at = along(p, label, n, node, 1.0);
                         if (label < 0.0)
                           end = std::fmax(end, at);
@@ -84,6 +87,29 @@ struct FindGap
     for (int d = 0; d < D; ++d)
       pairs.normal(q, d) = n[d];
     pairs.gap(q) = found ? begin - end : 1e300;
+  }
+
+  /// Distance of a particle from the line through the node along the normal [m].
+  KOKKOS_INLINE_FUNCTION double besideNode(int p, const Vector<D>& n, const Vector<D>& node) const
+  {
+    const Vector<D> x = offset(p, node);
+    return norm(x - dot(x, n) * n);
+  }
+
+  /// The gap of a node is that of the particles up to this distance from that line: half a cell, or as far as
+  /// there is one of each group. Were it that of all particles at the node, a disk that rolls would press on
+  /// the nodes a cell ahead of where it touches.
+  KOKKOS_INLINE_FUNCTION double windowAround(int s, int one, int other, const Vector<D>& node,
+                                             const Vector<D>& n) const
+  {
+    double nearest[2] = {1e300, 1e300};
+    particles.forEach(s, one, other,
+                      [&](int p, double label)
+                      {
+                        double& least = nearest[label < 0.0 ? 0 : 1];
+                        least = std::fmin(least, besideNode(p, n, node));
+                      });
+    return (1.0 + 1e-6) * std::fmax(0.5 * particles.grid.spacing, std::fmax(nearest[0], nearest[1]));
   }
 
   KOKKOS_INLINE_FUNCTION Vector<D> offset(int p, const Vector<D>& node) const
