@@ -75,7 +75,7 @@ struct FindGap
     particles.forEach(s, one, other,
                       [&](int p, double label)
                       {
-                        if (besideNode(p, n, node) > window)
+                        if (distanceFromLine(p, n, node) > window)
                           return;
                         const double at = along(p, label, n, node, 1.0);
                         if (label < 0.0)
@@ -90,7 +90,7 @@ struct FindGap
   }
 
   /// Distance of a particle from the line through the node along the normal [m].
-  KOKKOS_INLINE_FUNCTION double besideNode(int p, const Vector<D>& n, const Vector<D>& node) const
+  KOKKOS_INLINE_FUNCTION double distanceFromLine(int p, const Vector<D>& n, const Vector<D>& node) const
   {
     const Vector<D> x = offset(p, node);
     return norm(x - dot(x, n) * n);
@@ -107,7 +107,7 @@ struct FindGap
                       [&](int p, double label)
                       {
                         double& least = nearest[label < 0.0 ? 0 : 1];
-                        least = std::fmin(least, besideNode(p, n, node));
+                        least = std::fmin(least, distanceFromLine(p, n, node));
                       });
     return (1.0 + 1e-6) * std::fmax(0.5 * particles.grid.spacing, std::fmax(nearest[0], nearest[1]));
   }
@@ -134,7 +134,7 @@ struct FindGap
   }
 
   /// Unit vector from the first group to the second: along the shortest way between the hulls of their cores,
-  /// or, where these overlap, across the plane that tells their particles apart best.
+  /// or, where these overlap, across the plane that separates their particles best.
   KOKKOS_INLINE_FUNCTION Vector<D> normalOf(int s, int one, int other, const Vector<D>& node) const
   {
     Vector<D> first{}, second{};

@@ -85,7 +85,7 @@ struct LogisticSums
   }
 };
 
-/// Unit normal, from the points with label -1 to those with +1, of the plane that tells them apart best; zero
+/// Unit normal, from the points with label -1 to those with +1, of the plane that separates them best; zero
 /// where one of the two has no point.
 ///
 /// The plane minimises the mean over each cloud of log(1 + exp(-label (normal . x + offset))) plus the

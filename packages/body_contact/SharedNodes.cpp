@@ -214,14 +214,17 @@ struct ListParticles
   Connect connect;
   BorrowedView<int*> side;
   SharedNodes<D> shared;
-  View<int*> number; ///< of each shared node
-  View<int*> row;    ///< of particles
+  View<int*> number;    ///< of each shared node
+  View<char*> touching; ///< of particles: not 0 where the first pass found a shared node
+  View<int*> row;       ///< of particles
   bool lists;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const
   {
+    if (lists && touching(p) == 0)
+      return;
     const int group = side(p);
-    bool enriched = false;
+    bool enriched = false, any = false;
     connect.visit(p,
                   [&](int node, double weight, const double* slope)
                   {
@@ -229,12 +232,15 @@ struct ListParticles
                     if (s < 0 || !touches<D>(weight, slope))
                       return;
                     enriched = enriched || shared.groups(node, 0) != group;
+                    any = true;
                     if (!(weight > leastWeight))
                       return;
                     if (lists)
                       shared.particle(shared.firstParticle(s) + number(s)) = p;
                     ++number(s);
                   });
+    if (!lists)
+      touching(p) = any ? 1 : 0;
     if (enriched)
       row(p) = 0;
   }
@@ -244,6 +250,8 @@ template <int D>
 void listParticles(const State<D>& state, SharedNodes<D>& shared, const View<int*>& row)
 {
   const View<int*> number("rhegma::particlesOfNode", shared.count);
+  if (static_cast<int>(shared.touching.extent(0)) < state.particles.size())
+    shared.touching = View<char*>("rhegma::particlesAtSharedNodes", state.particles.size());
   const auto pass = [&](bool lists)
   {
     withUnbrokenStencils(state,
@@ -253,7 +261,7 @@ void listParticles(const State<D>& state, SharedNodes<D>& shared, const View<int
                            forEachParticleNear(
                                "rhegma::particlesOfNodes", state, shared.nearBlock,
                                ListParticles<D, Connect>{connect, state.particles.integer(fields::side),
-                                                         shared, number, row, lists});
+                                                         shared, number, shared.touching, row, lists});
                          });
   };
   pass(false);

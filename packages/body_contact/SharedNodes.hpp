@@ -28,6 +28,7 @@ struct SharedNodes
   int count = 0;                  ///< number of shared nodes
   int fields = 0;                 ///< number of enriched fields
 
+  View<char*> touching;     ///< of the particles of marked blocks: not 0 for those at a shared node
   View<int*> firstParticle; ///< particles that touch shared node s: particle(firstParticle(s)) ..
   View<int*> particle;      ///< particle(firstParticle(s + 1) - 1), in the order of blocks
 };
