@@ -25,7 +25,7 @@ struct ReportedPair
   std::vector<std::string> bodies; ///< names of the two groups
   double firstTouch = -1.0;        ///< when they first pressed on each other [s]; below 0: not yet
   double dissipated = 0.0;         ///< kinetic energy that contact took [J]
-  double friction = 0.0;           ///< the part of it that was taken along the faces [J]
+  double friction = 0.0;           ///< the part of it along the faces [J]
   double overlap = 0.0;            ///< largest so far [m]
   int closed = 0;                  ///< nodes at which they press on each other now
   Vector<D> impulse{};             ///< on the second group so far [N s]

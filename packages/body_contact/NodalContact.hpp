@@ -28,7 +28,7 @@ struct PairSums
 {
   Vector<D> impulse{};     ///< on the second group [N s]
   double dissipated = 0.0; ///< kinetic energy that contact took [J]
-  double friction = 0.0;   ///< the part of it that was taken along the faces [J]
+  double friction = 0.0;   ///< the part of it along the faces [J]
   double overlap = 0.0;    ///< largest, of domains that press on each other [m]
   int closed = 0;          ///< nodes at which the two press on each other
 };

@@ -43,10 +43,13 @@ void checkLaw(const Teuchos::ParameterList& list, const std::string& path, std::
                                        "Coulomb"});
     return;
   }
-  if (!list.isParameter(name))
-    errors.push_back(
-        {path + " > " + name,
-         "is missing; Law = Coulomb needs it: write, for example, 0.3, or choose Law = Frictionless"});
+  const std::string coefficient = path + " > " + name;
+  const bool refused = std::any_of(errors.begin(), errors.end(),
+                                   [&](const SceneError& error) { return error.where == coefficient; });
+  if (!list.isParameter(name) && !refused)
+    errors.push_back({coefficient,
+                      "is missing; Law = Coulomb needs it: write, for example, 0.3, or choose Law = "
+                      "Frictionless"});
   else if (list.isType<double>(atRest) && list.isType<double>(name) &&
            list.get<double>(atRest) < list.get<double>(name))
     errors.push_back(
