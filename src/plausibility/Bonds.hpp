@@ -1,8 +1,9 @@
 #pragma once
-/// Pairs of bodies that the scene says are bonded.
+/// Pairs of bodies that the scene says are bonded, and whether others are kept apart.
 
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
+#include "state/State.hpp"
 
 #include <set>
 #include <sstream>
@@ -11,6 +12,13 @@
 
 namespace Rhegma
 {
+
+/// Whether an effect gives bodies that are not bonded a motion of their own at common nodes.
+template <int D>
+bool areKeptApart(const State<D>& state)
+{
+  return static_cast<bool>(state.stored.editor.edit) && state.cracks.empty();
+}
 
 /// Each pair in both orders. \param scene validated; its section Bodies is read
 inline std::set<std::pair<std::string, std::string>> bondedPairs(const Teuchos::ParameterList& scene)

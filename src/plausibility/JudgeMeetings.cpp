@@ -230,7 +230,7 @@ template <int D>
 Messages judgeMeetings(const JudgedScene<D>& judged)
 {
   Messages messages;
-  if (!judged.state.method.mechanics || judged.bodies.size() < 2)
+  if (!judged.state.method.mechanics || judged.bodies.size() < 2 || areKeptApart(judged.state))
     return messages;
   const double end = judged.scene.sublist("Time").template get<double>("Final Time");
   const std::vector<Vector<D>> velocity = velocities(judged, end);
@@ -251,10 +251,9 @@ Messages judgeMeetings(const JudgedScene<D>& judged)
              ? "With Domain > Formulation = Total Lagrangian bodies do not meet: they pass through each "
                "other; "
                "write Updated Lagrangian"
-             : "Bodies have no contact law: from then on they share one motion, which resists not only "
-               "compression but also sliding and separation; use smaller cells to shorten that distance, and "
-               "do "
-               "not rely on what follows from sliding or parting"));
+             : "Without the section Body Contact they share one motion from then on, which resists not only "
+               "compression but also sliding and separation; add that section, such as with Law = "
+               "Frictionless"));
   }
   return messages;
 }

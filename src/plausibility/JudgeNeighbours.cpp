@@ -134,19 +134,21 @@ Messages judgeNeighbours(const JudgedScene<D>& judged)
   if (judged.bodies.size() < 2)
     return messages;
   std::map<std::pair<int, int>, Vector<D>> pairs;
-  Owners<D>(judged.state)
-      .forEachMeeting([&](int one, int other, const Vector<D>& x)
-                      { pairs.emplace(std::minmax(one, other), x); });
+  if (!areKeptApart(judged.state))
+    Owners<D>(judged.state)
+        .forEachMeeting([&](int one, int other, const Vector<D>& x)
+                        { pairs.emplace(std::minmax(one, other), x); });
   const auto bonded = bondedPairs(judged.scene);
   for (const auto& [pair, x] : pairs)
   {
     const std::string &one = judged.bodies[pair.first].name, &other = judged.bodies[pair.second].name;
     if (bonded.count({one, other}) == 0)
-      messages.push_back("Bodies > " + other + ": it touches Bodies > " + one +
-                         " or is less than two cells away, such as at " + formatPoint(x) +
-                         ", so both share one motion there, as if bonded; leave two cells between them, or "
-                         "write Bonded To = " +
-                         one + " if that is meant");
+      messages.push_back(
+          "Bodies > " + other + ": it touches Bodies > " + one +
+          " or is less than two cells away, such as at " + formatPoint(x) +
+          ", so both share one motion there, as if bonded; leave two cells between them, write "
+          "Bonded To = " +
+          one + " if that is meant, or add the section Body Contact if they are to slide and part");
   }
   if (bonded.empty())
     return messages;

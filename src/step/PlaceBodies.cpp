@@ -3,6 +3,7 @@
 #include "base/Attempts.hpp"
 #include "base/EntryValue.hpp"
 #include "base/MemoryNeed.hpp"
+#include "base/Numbers.hpp"
 #include "base/PointText.hpp"
 #include "geometry/NearBoxes.hpp"
 #include "geometry/Overlap.hpp"
@@ -73,6 +74,18 @@ void seed(PlacedBody<D>& body, const Grid<D>& grid, const SeedRules<D>& rules)
       throw std::invalid_argument(body.where() + ": " + textOfOutside(x, grid));
 }
 
+/// How deep particles of a body lie in another one, to their outer faces [m].
+template <int D>
+double depthOf(const Seeds<D>& seeds, const Shape<D>& other)
+{
+  double deepest = 0.0;
+  for (std::size_t p = 0; p < seeds.position.size(); ++p)
+    if (other.contains(seeds.position[p]))
+      deepest = std::max(deepest, other.depth(seeds.position[p]) +
+                                      0.5 * *std::min_element(seeds.box[p].c, seeds.box[p].c + D));
+  return deepest;
+}
+
 template <int D>
 void refuseOverlap(const PlacedBody<D>& one, const PlacedBody<D>& other)
 {
@@ -81,7 +94,9 @@ void refuseOverlap(const PlacedBody<D>& one, const PlacedBody<D>& other)
   if (inOther < 0 && inOne < 0)
     return;
   throw std::invalid_argument(
-      other.where() + ": overlaps " + one.where() + ", such as at " +
+      other.where() + ": overlaps " + one.where() + " by up to " +
+      readableLength(std::max(depthOf(one.seeds, other.shape), depthOf(other.seeds, one.shape))) +
+      ", such as at " +
       formatPoint<D>(inOther >= 0 ? one.seeds.position[inOther] : other.seeds.position[inOne]) +
       ", so the mass there would be counted twice; move one of them, or cut it with Operations");
 }

@@ -1,0 +1,177 @@
+#include "body_contact/BodyContact.hpp"
+
+#include "archive/Archive.hpp"
+#include "body_contact/ContactRecord.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace Rhegma::body_contact
+{
+
+namespace
+{
+
+void refuseCombinations(Section& s)
+{
+  const Condition self = when::present("Body Contact");
+  s.refuse(
+      {self, when::equilibrium()},
+      "bodies meet in motion only, and an equilibrium has none; write Time > Analysis = Dynamic or remove "
+      "this section");
+  s.refuse({self, when::isNot("Time", "Initial State", {"Unloaded"})},
+           "the equilibrium at the start does not include contact of bodies; write Time > Initial State = "
+           "Unloaded");
+  s.refuse(
+      {self, when::is("Domain", "Formulation", {"Total Lagrangian"})},
+      "cells that lie in the undeformed body do not see other bodies; write Domain > Formulation = Updated "
+      "Lagrangian");
+  s.refuse(
+      {self, when::is("Time", "Update Scheme", {"USF", "USL"})},
+      "the energy of contact needs the velocity that MUSL and USAVG project at the end of a step; write one "
+      "of them");
+  s.refuse(
+      {self, when::above("Time", "PIC Fraction", 0.0)},
+      "a PIC fraction smooths velocities after contact, and its loss would be recorded as contact; write 0");
+  s.refuse(
+      {self, when::isNot("Mass Matrix", "Type", {"Lumped"})},
+      "impulses at a node need a lumped mass; write Mass Matrix > Type = Lumped or remove one of the two "
+      "sections");
+  s.refuse({self, when::isNot("Mass Matrix", "Velocity Update", {"FLIP"})},
+           "the energy of contact needs Mass Matrix > Velocity Update = FLIP; write that");
+  s.refuse({self, when::present("Adaptivity")},
+           "fields of bodies exist on nodes of equal cells only; remove one of the two sections");
+  s.refuse({self, when::present("Cracks")},
+           "a node has either the fields of a crack or those of bodies; remove one of the two sections");
+  s.refuse(
+      {self, when::present("Thermal")},
+      "heat through touching faces and heat by friction are not computed; remove one of the two sections");
+}
+
+Section section()
+{
+  Section s("Body Contact",
+            "Contact of bodies: bodies that are not bonded (Bodies > Bonded To) move on their own, "
+            "and press and slide on each other where they touch. Without this section, bodies less "
+            "than one to two cells apart share one motion.");
+  addLawParameters(s);
+  Section pair("pair of bodies",
+               "A pair of bodies with a law of its own; its forces are columns of the history.");
+  pair.text("Bodies").notEmpty().meaning(
+      "Names of the two bodies, with a comma between them. The law also holds for bodies bonded to them.");
+  addLawParameters(pair);
+  s.namedByUser(pair);
+  refuseCombinations(s);
+  return s;
+}
+
+/// What the calls of the effect have in common.
+template <int D>
+struct Parts
+{
+  Teuchos::ParameterList section, bodies; ///< of the scene
+  SharedNodes<D> shared;
+  NodalPairs<D> pairs;
+  PairLaws laws;
+  std::unique_ptr<ContactRecord<D>> record;
+
+  explicit Parts(const Teuchos::ParameterList& scene)
+      : section(scene.sublist("Body Contact")), bodies(scene.sublist("Bodies"))
+  {
+  }
+};
+
+/// The side of a particle is its group, from 1 on.
+template <int D>
+void setSides(const BondedGroups& groups, State<D>& state)
+{
+  const View<int*> groupOf("rhegma::groupsOfBodies", groups.of.size());
+  const auto host = Kokkos::create_mirror_view(groupOf);
+  std::copy(groups.of.begin(), groups.of.end(), host.data());
+  Kokkos::deep_copy(groupOf, host);
+  const auto side = state.particles.integer(fields::side), body = state.particles.integer(fields::body);
+  Kokkos::parallel_for(
+      "rhegma::setSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) { side(p) = groupOf(body(p)) + 1; });
+}
+
+template <int D>
+void start(const std::shared_ptr<Parts<D>>& parts, State<D>& state)
+{
+  std::vector<std::string> names;
+  for (const BodyInfo<D>& body : state.bodies.info)
+    names.push_back(body.name);
+  const BondedGroups groups = bondedGroups(parts->bodies, names);
+  const std::vector<NamedPair> named = namedPairs(parts->section, groups, names);
+  parts->laws = readLaws(parts->section, named, groups.count());
+  parts->record = std::make_unique<ContactRecord<D>>(named, groups);
+  setSides(groups, state);
+  state.stored.editor.edit =
+      [parts](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
+  { useFieldsOfGroups(s, parts->shared, points, table); };
+}
+
+/// Stencils are stored only while groups are near each other.
+template <int D>
+void watch(const std::shared_ptr<Parts<D>>& parts, State<D>& state)
+{
+  auto& prepare = state.stored.editor.prepare;
+  if (!areApart(state, parts->shared))
+    prepare = [parts](State<D>& s, const View<int*>& row) { findSharedNodes(s, parts->shared, row); };
+  else if (prepare)
+  {
+    prepare = nullptr;
+    clearSharedNodes(state, parts->shared);
+  }
+}
+
+template <int D>
+void touch(Parts<D>& parts, const State<D>& state)
+{
+  parts.pairs.count = 0;
+  if (parts.shared.count == 0)
+    return;
+  listPairs(parts.shared, parts.pairs);
+  findGaps(state, parts.shared, parts.pairs);
+  exchangeImpulses(state, parts.shared, parts.pairs, parts.laws);
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
+{
+  const auto parts = std::make_shared<Parts<D>>(scene);
+  Effect<D> effect;
+  effect.name = "Body Contact";
+  effect.balance = {"contact"};
+  effect.atStart = [parts](State<D>& state) { start(parts, state); };
+  effect.adds.push_back(
+      {fields::side, 1, "", "group of bodies that are bonded to each other, from 1 on", true});
+  effect.call(Stage::BetweenSteps, "bodies near each other", {quantity::particleOrder}, {}, {},
+              [parts](State<D>& s) { watch(parts, s); });
+  effect.call(Stage::Solve, "impulses between bodies",
+              {quantity::nodalMotion, quantity::stencils, ifWritten(quantity::prescribedMotion)}, {}, {},
+              [parts](State<D>& s) { touch(*parts, s); });
+  effect.call(Stage::AfterProjection, "strain velocity of bodies that touch", {quantity::nodalMotion}, {},
+              {quantity::projection},
+              [parts](State<D>& s)
+              {
+                if (parts->pairs.count > 0)
+                  joinProjection(s, parts->shared, parts->pairs);
+                parts->record->add(s, parts->pairs);
+              });
+  effect.call(Stage::Observe, "forces between bodies", {quantity::energyBalance}, {}, {},
+              [parts](State<D>& s) { parts->record->sample(s); });
+  effect.memory = [parts](State<D>&, Archive& archive)
+  {
+    parts->shared.sorts = -1;
+    parts->record->serialize(archive);
+  };
+  effect.report = [parts](const State<D>&, nlohmann::json& summary) { parts->record->report(summary); };
+  return effect;
+}
+
+} // namespace
+
+EffectEntry bodyContactEntry() { return {section(), checkLaws, make<2>, make<3>, false}; }
+
+} // namespace Rhegma::body_contact

@@ -1,0 +1,56 @@
+#pragma once
+/// What bodies have exchanged since the start, for the energy balance, the history and the summary.
+
+#include "body_contact/NodalContact.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+class Archive;
+}
+
+namespace Rhegma::body_contact
+{
+
+/// A pair of groups that is reported.
+template <int D>
+struct ReportedPair
+{
+  std::string name;                ///< in the history and the summary
+  int one = 0, other = 0;          ///< numbers of groups; below 0: all pairs together
+  std::vector<std::string> bodies; ///< names of the two groups
+  double firstTouch = -1.0;        ///< when they first pressed on each other [s]; below 0: not yet
+  double dissipated = 0.0;         ///< kinetic energy that contact took [J]
+  double friction = 0.0;           ///< the part of it along the faces [J]
+  double overlap = 0.0;            ///< largest so far [m]
+  int closed = 0;                  ///< nodes at which they press on each other now
+  Vector<D> impulse{};             ///< on the second group so far [N s]
+  Vector<D> atSample{};            ///< the same at the last sample [N s]
+  double sampled = 0.0;            ///< time of that sample [s]
+  Vector<D> force{};               ///< its mean between the last two samples [N]
+};
+
+/// Records of pairs.
+template <int D>
+class ContactRecord
+{
+public:
+  /// \param named pairs with a list of their own \param groups of bodies
+  ContactRecord(const std::vector<NamedPair>& named, const BondedGroups& groups);
+
+  /// Adds what pairs have exchanged in this step, and the energy to the balance.
+  void add(State<D>& state, const NodalPairs<D>& pairs);
+  /// Adds the forces since the last sample to the history.
+  void sample(State<D>& state);
+  void report(nlohmann::json& summary) const; ///< writes the summary's entries
+  void serialize(Archive& archive);           ///< saves or loads it
+
+private:
+  std::vector<ReportedPair<D>> pairs_; ///< the first is of all pairs together
+};
+
+} // namespace Rhegma::body_contact

@@ -1,0 +1,218 @@
+/// Normals and gaps of pairs of groups at shared nodes.
+
+#include "base/SmallLoops.hpp"
+#include "body_contact/LogisticNormal.hpp"
+#include "body_contact/NearestHulls.hpp"
+#include "body_contact/NodalContact.hpp"
+
+namespace Rhegma::body_contact
+{
+
+namespace
+{
+
+/// The particles of two groups at a shared node.
+template <int D>
+struct ParticlesOfPair
+{
+  Grid<D> grid;
+  SharedNodes<D> shared;
+  View<double* [D][D]> axes;
+  BorrowedView<int*> body, side;
+  BorrowedView<double*[D]> position, edge;
+  BorrowedView<double * [gradientSize<D>]> deformation;
+
+  /// Calls visit(p, label) for the particles of both groups, label -1 for the first and 1 for the second.
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void forEach(int s, int one, int other, const Visit& visit) const
+  {
+    const int last = shared.firstParticle(s + 1);
+    for (int k = shared.firstParticle(s); k < last; ++k)
+    {
+      const int p = shared.particle(k), group = side(p) - 1;
+      if (group == one || group == other)
+        visit(p, group == one ? -1.0 : 1.0);
+    }
+  }
+
+  /// The edge vectors of a particle's domain [m]: the parallelogram (2D) or parallelepiped (3D) into which
+  /// its undeformed box is deformed.
+  KOKKOS_INLINE_FUNCTION void edgesOf(int p, Vector<D> (&edges)[D]) const
+  {
+    for (int e = 0; e < D; ++e)
+      for (int i = 0; i < D; ++i)
+      {
+        edges[e][i] = 0.0;
+        for (int j = 0; j < D; ++j)
+          edges[e][i] += edge(p, e) * deformation(p, i * D + j) * axes(body(p), e, j);
+      }
+  }
+};
+
+/// A domain around a particle that is smaller than its own, so that those of two bodies which press on each
+/// other do not overlap.
+constexpr double coreSize = 0.5;
+
+template <int D>
+struct FindGap
+{
+  ParticlesOfPair<D> particles;
+  NodalPairs<D> pairs;
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int s) const
+  {
+    for (int q = pairs.first(s); q < pairs.first(s + 1); ++q)
+      find(s, q);
+  }
+
+  KOKKOS_INLINE_FUNCTION void find(int s, int q) const
+  {
+    const int one = pairs.group(q, 0), other = pairs.group(q, 1);
+    const Vector<D> node = particles.grid.nodePosition(particles.shared.node(s));
+    const Vector<D> n = normalOf(s, one, other, node);
+    const double window = windowAround(s, one, other, node, n);
+    double end = -1e300, begin = 1e300; // of the first group, and of the second, along the normal
+    particles.forEach(s, one, other,
+                      [&](int p, double label)
+                      {
+                        if (distanceFromLine(p, n, node) > window)
+                          return;
+                        const double at = along(p, label, n, node, 1.0);
+                        if (label < 0.0)
+                          end = std::fmax(end, at);
+                        else
+                          begin = std::fmin(begin, at);
+                      });
+    const bool found = dot(n, n) > 0.0;
+    for (int d = 0; d < D; ++d)
+      pairs.normal(q, d) = n[d];
+    pairs.gap(q) = found ? begin - end : 1e300;
+  }
+
+  /// Distance of a particle from the line through the node along the normal [m].
+  KOKKOS_INLINE_FUNCTION double distanceFromLine(int p, const Vector<D>& n, const Vector<D>& node) const
+  {
+    const Vector<D> x = offset(p, node);
+    return norm(x - dot(x, n) * n);
+  }
+
+  /// The gap of a node is that of the particles up to this distance from that line: half a cell, or as far as
+  /// there is one of each group. Were it that of all particles at the node, a disk that rolls would press on
+  /// the nodes a cell ahead of where it touches.
+  KOKKOS_INLINE_FUNCTION double windowAround(int s, int one, int other, const Vector<D>& node,
+                                             const Vector<D>& n) const
+  {
+    double nearest[2] = {1e300, 1e300};
+    particles.forEach(s, one, other,
+                      [&](int p, double label)
+                      {
+                        double& least = nearest[label < 0.0 ? 0 : 1];
+                        least = std::fmin(least, distanceFromLine(p, n, node));
+                      });
+    return (1.0 + 1e-6) * std::fmax(0.5 * particles.grid.spacing, std::fmax(nearest[0], nearest[1]));
+  }
+
+  KOKKOS_INLINE_FUNCTION Vector<D> offset(int p, const Vector<D>& node) const
+  {
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = particles.position(p, d) - node[d];
+    return x;
+  }
+
+  /// Coordinate along a direction of the point of a particle's domain that is nearest to the other group [m].
+  /// \param size of the domain, 1: its own
+  KOKKOS_INLINE_FUNCTION double along(int p, double label, const Vector<D>& direction, const Vector<D>& node,
+                                      double size) const
+  {
+    Vector<D> edges[D];
+    particles.edgesOf(p, edges);
+    double reach = 0.0;
+    for (int e = 0; e < D; ++e)
+      reach += 0.5 * size * std::fabs(dot(edges[e], direction));
+    return dot(offset(p, node), direction) - label * reach;
+  }
+
+  /// Unit vector from the first group to the second: along the shortest way between the hulls of their cores,
+  /// or, where these overlap, across the plane that separates their particles best.
+  KOKKOS_INLINE_FUNCTION Vector<D> normalOf(int s, int one, int other, const Vector<D>& node) const
+  {
+    Vector<D> first{}, second{};
+    int numbers[2] = {0, 0};
+    particles.forEach(s, one, other,
+                      [&](int p, double label)
+                      {
+                        (label < 0.0 ? first : second) = offset(p, node);
+                        ++numbers[label < 0.0 ? 0 : 1];
+                      });
+    if (numbers[0] == 0 || numbers[1] == 0)
+      return Vector<D>{};
+    const Vector<D> shortest = shortestBetweenHulls<D>(second - first, [&](const Vector<D>& v)
+                                                       { return nearest(s, one, other, node, v); });
+    const double length = norm(shortest);
+    if (length > 1e-3 * particles.grid.spacing)
+      return (1.0 / length) * shortest;
+    return logisticNormal<D>(
+        [&](const auto& visit)
+        {
+          particles.forEach(s, one, other,
+                            [&](int p, double label)
+                            { visit(label, particles.grid.inverse * offset(p, node)); });
+        });
+  }
+
+  /// The vector between points of the two groups' cores whose product with v is smallest.
+  KOKKOS_INLINE_FUNCTION Vector<D> nearest(int s, int one, int other, const Vector<D>& node,
+                                           const Vector<D>& v) const
+  {
+    double most[2] = {-1e300, -1e300};
+    int best[2] = {0, 0};
+    particles.forEach(s, one, other,
+                      [&](int p, double label)
+                      {
+                        const int k = label < 0.0 ? 0 : 1;
+                        const double at = -label * along(p, label, v, node, coreSize);
+                        if (at > most[k])
+                        {
+                          most[k] = at;
+                          best[k] = p;
+                        }
+                      });
+    return corner(best[1], 1.0, v, node) - corner(best[0], -1.0, v, node);
+  }
+
+  KOKKOS_INLINE_FUNCTION Vector<D> corner(int p, double label, const Vector<D>& v,
+                                          const Vector<D>& node) const
+  {
+    Vector<D> edges[D], x = offset(p, node);
+    particles.edgesOf(p, edges);
+    for (int e = 0; e < D; ++e)
+      x = x - (label * 0.5 * coreSize * (dot(edges[e], v) > 0.0 ? 1.0 : -1.0)) * edges[e];
+    return x;
+  }
+};
+
+} // namespace
+
+template <int D>
+void findGaps(const State<D>& state, const SharedNodes<D>& shared, const NodalPairs<D>& pairs)
+{
+  ParticlesOfPair<D> particles;
+  particles.grid = state.mesh.grid;
+  particles.shared = shared;
+  particles.axes = state.bodies.axes;
+  particles.body = state.particles.integer(fields::body);
+  particles.side = state.particles.integer(fields::side);
+  particles.position = state.particles.template real<D>(fields::position);
+  particles.edge = state.particles.template real<D>(fields::edge);
+  particles.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
+  const FindGap<D> find{particles, pairs};
+  Kokkos::parallel_for("rhegma::findGaps",
+                       Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, shared.count),
+                       find);
+}
+
+template void findGaps(const State<2>&, const SharedNodes<2>&, const NodalPairs<2>&);
+template void findGaps(const State<3>&, const SharedNodes<3>&, const NodalPairs<3>&);
+
+} // namespace Rhegma::body_contact

@@ -1,0 +1,212 @@
+/// Impulses between the fields of shared nodes.
+
+#include "base/SmallLoops.hpp"
+#include "body_contact/NodalContact.hpp"
+
+namespace Rhegma::body_contact
+{
+
+namespace
+{
+
+/// A field with less mass than this fraction of the other one at its node is left out: rounding decides
+/// whether its group touches the node at all.
+constexpr double lightField = 1e-12;
+
+/// Sweeps over the pairs of a node with more than two fields; the impulses then differ from those of the laws
+/// by less than the motion of the particles between two steps changes them.
+constexpr int sweeps = 20;
+
+/// Marks the axes along which supports hold the shared nodes, of all fields alike.
+template <int D>
+void markHeld(const State<D>& state, const SharedNodes<D>& shared, const View<char* [D]>& held)
+{
+  const Grid<D> grid = state.mesh.grid;
+  for (const NodeConstraint<D>& constraint : state.motion.constraints)
+    parallelForSmall(
+        "rhegma::markHeldSharedNodes", shared.count, KOKKOS_LAMBDA(const int s) {
+          if (constraint.appliesAt(grid.nodePosition(shared.node(s))))
+            for (int d = 0; d < D; ++d)
+              held(s, d) = constraint.holds[d] ? char(1) : held(s, d);
+        });
+}
+
+/// Exchanges the impulses of the pairs of a node, one pair after the other.
+template <int D>
+struct ExchangeImpulses
+{
+  Nodes<D> nodes;
+  SharedNodes<D> shared;
+  NodalPairs<D> pairs;
+  PairLaws laws;
+  View<char* [D]> held;
+  double dt;
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int s) const
+  {
+    const int begin = pairs.first(s), end = pairs.first(s + 1);
+    const int rounds = end - begin > 1 ? sweeps : 1;
+    for (int k = 0; k < rounds; ++k)
+      for (int q = begin; q < end; ++q)
+        if (pairs.gap(q) <= 0.0)
+          press(s, q);
+  }
+
+  /// Brings the impulse of a pair to the one with which its law holds, the others as they are.
+  KOKKOS_INLINE_FUNCTION void press(int s, int q) const
+  {
+    const int a = pairs.row(q, 0), b = pairs.row(q, 1);
+    const double massA = nodes.sums(a, Nodes<D>::massAt), massB = nodes.sums(b, Nodes<D>::massAt);
+    if (!(massA > lightField * massB) || !(massB > lightField * massA))
+      return;
+    const double reduced = massA * massB / (massA + massB);
+    Vector<D> n, sticking; // free axes of the normal, and the impulse after which the two move alike
+    for (int d = 0; d < D; ++d)
+    {
+      n[d] = held(s, d) != 0 ? 0.0 : pairs.normal(q, d);
+      const double relative = held(s, d) != 0 ? 0.0 : nodes.motion(b, d) - nodes.motion(a, d);
+      sticking[d] = pairs.impulse(q, d) - reduced * relative;
+    }
+    const double length = norm(n);
+    if (!(length > 1e-6))
+      return;
+    n = (1.0 / length) * n;
+    const double pressing = dot(n, sticking);
+    Vector<D> impulse{};
+    if (pressing > 0.0)
+    {
+      const PairLaw law = laws(pairs.group(q, 0), pairs.group(q, 1));
+      const Vector<D> along = sticking - pressing * n;
+      const double size = norm(along);
+      const double fraction = size <= law.atRest * pressing ? 1.0 : law.sliding * pressing / size;
+      impulse = pressing * n + fraction * along;
+      pairs.sticks(q) = fraction == 1.0 && law.atRest > 0.0 ? 1 : 0;
+    }
+    for (int d = 0; d < D; ++d)
+    {
+      const double change = impulse[d] - pairs.impulse(q, d);
+      pairs.impulse(q, d) = impulse[d];
+      pairs.normal(q, d) = n[d];
+      push(a, d, -change, massA);
+      push(b, d, change, massB);
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION void push(int row, int axis, double impulse, double mass) const
+  {
+    nodes.motion(row, axis) += impulse / mass;
+    nodes.motion(row, Nodes<D>::accelerationAt + axis) += impulse / (mass * dt);
+  }
+};
+
+/// Joins the projection of the pairs of a node, one pair after the other.
+template <int D>
+struct JoinProjection
+{
+  Nodes<D> nodes;
+  NodalPairs<D> pairs;
+  double dt;
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int s) const
+  {
+    const int begin = pairs.first(s), end = pairs.first(s + 1);
+    for (int q = begin; q < end; ++q)
+      if (presses(q))
+        countImpulse(q);
+    const int rounds = end - begin > 1 ? sweeps : 1;
+    for (int k = 0; k < rounds; ++k)
+      for (int q = begin; q < end; ++q)
+        if (presses(q))
+          join(q);
+  }
+
+  KOKKOS_INLINE_FUNCTION bool presses(int q) const
+  {
+    bool any = false;
+    for (int d = 0; d < D; ++d)
+      any = any || pairs.impulse(q, d) != 0.0;
+    return any;
+  }
+
+  /// A vector along the normal, and along the faces.
+  KOKKOS_INLINE_FUNCTION double partAlongNormal(int q, const Vector<D>& vector) const
+  {
+    double sum = 0.0;
+    for (int d = 0; d < D; ++d)
+      sum += vector[d] * pairs.normal(q, d);
+    return sum;
+  }
+
+  /// Energy that the impulse takes from the particles' motion.
+  KOKKOS_INLINE_FUNCTION void countImpulse(int q) const
+  {
+    Vector<D> velocity{}, impulse; // relative, the mean over the step
+    for (int d = 0; d < D; ++d)
+    {
+      for (int k = 0; k < 2; ++k)
+      {
+        const int n = pairs.row(q, k);
+        const double mean = 0.5 * (nodes.sums(n, Nodes<D>::momentumAt + d) / nodes.sums(n, Nodes<D>::massAt) +
+                                   nodes.projection(n, d));
+        velocity[d] += k == 0 ? -mean : mean;
+      }
+      impulse[d] = pairs.impulse(q, d);
+    }
+    const double all = -dot(impulse, velocity);
+    pairs.taken(q, 0) = all;
+    pairs.taken(q, 1) = all + partAlongNormal(q, impulse) * partAlongNormal(q, velocity);
+  }
+
+  KOKKOS_INLINE_FUNCTION void join(int q) const
+  {
+    const int a = pairs.row(q, 0), b = pairs.row(q, 1);
+    const double massA = nodes.sums(a, Nodes<D>::massAt), massB = nodes.sums(b, Nodes<D>::massAt);
+    const double reduced = massA * massB / (massA + massB);
+    Vector<D> relative;
+    for (int d = 0; d < D; ++d)
+      relative[d] = nodes.projection(b, d) - nodes.projection(a, d);
+    const double across = partAlongNormal(q, relative);
+    double work[2] = {0.0, 0.0}; // of the other forces by the change, along the normal and along the faces
+    for (int d = 0; d < D; ++d)
+    {
+      const double normal = across * pairs.normal(q, d);
+      const double face = pairs.sticks(q) != 0 ? relative[d] - normal : 0.0;
+      const double force =
+          nodes.sums(a, Nodes<D>::forceAt + d) / massA - nodes.sums(b, Nodes<D>::forceAt + d) / massB;
+      work[0] += dt * reduced * force * normal;
+      work[1] += dt * reduced * force * face;
+      nodes.projection(a, d) += reduced / massA * (normal + face);
+      nodes.projection(b, d) -= reduced / massB * (normal + face);
+    }
+    pairs.taken(q, 0) += work[0] + work[1];
+    pairs.taken(q, 1) += work[1];
+  }
+};
+
+} // namespace
+
+template <int D>
+void exchangeImpulses(const State<D>& state, const SharedNodes<D>& shared, const NodalPairs<D>& pairs,
+                      const PairLaws& laws)
+{
+  if (!(state.clock.dt > 0.0))
+    return;
+  const View<char* [D]> held("rhegma::heldSharedNodes", shared.count);
+  markHeld(state, shared, held);
+  const ExchangeImpulses<D> exchange{state.mesh.nodes, shared, pairs, laws, held, state.clock.dt};
+  parallelForSmall("rhegma::exchangeImpulses", shared.count, exchange);
+}
+
+template <int D>
+void joinProjection(const State<D>& state, const SharedNodes<D>& shared, const NodalPairs<D>& pairs)
+{
+  const JoinProjection<D> join{state.mesh.nodes, pairs, state.clock.dt};
+  parallelForSmall("rhegma::joinProjection", shared.count, join);
+}
+
+template void joinProjection(const State<2>&, const SharedNodes<2>&, const NodalPairs<2>&);
+template void joinProjection(const State<3>&, const SharedNodes<3>&, const NodalPairs<3>&);
+template void exchangeImpulses(const State<2>&, const SharedNodes<2>&, const NodalPairs<2>&, const PairLaws&);
+template void exchangeImpulses(const State<3>&, const SharedNodes<3>&, const NodalPairs<3>&, const PairLaws&);
+
+} // namespace Rhegma::body_contact

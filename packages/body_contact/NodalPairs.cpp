@@ -1,0 +1,128 @@
+/// The pairs of groups at shared nodes, and what they exchange.
+
+#include "base/SmallLoops.hpp"
+#include "body_contact/NodalContact.hpp"
+
+namespace Rhegma::body_contact
+{
+
+namespace
+{
+
+KOKKOS_INLINE_FUNCTION constexpr int pairsOf(int fields) { return fields * (fields - 1) / 2; }
+
+} // namespace
+
+template <int D>
+void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
+{
+  const int nodes = shared.count, most = pairsOf(mostGroups) * nodes;
+  if (static_cast<int>(pairs.first.extent(0)) < nodes + 1)
+    pairs.first = View<int*>("rhegma::firstPairOfNode", 2 * nodes + 1);
+  if (static_cast<int>(pairs.gap.extent(0)) < nodes)
+  {
+    pairs.group = View<int* [2]>("rhegma::groupsOfPairs", 2 * most);
+    pairs.row = View<int* [2]>("rhegma::rowsOfPairs", 2 * most);
+    pairs.impulse = View<double* [D]>("rhegma::impulsesOfPairs", 2 * most);
+    pairs.normal = View<double* [D]>("rhegma::normalsOfPairs", 2 * most);
+    pairs.gap = View<double*>("rhegma::gapsOfPairs", 2 * most);
+    pairs.sticks = View<int*>("rhegma::stickingPairs", 2 * most);
+    pairs.taken = View<double* [2]>("rhegma::energyOfPairs", 2 * most);
+  }
+  const NodalPairs<D> all = pairs;
+  parallelScanSmall(
+      "rhegma::listPairs", 0, nodes,
+      KOKKOS_LAMBDA(const int s, int& at, const bool final) {
+        const int node = shared.node(s), number = numGroups(shared.groups, node);
+        if (!final)
+        {
+          at += pairsOf(number);
+          return;
+        }
+        all.first(s) = at;
+        for (int a = 0; a < number; ++a)
+          for (int b = a + 1; b < number; ++b, ++at)
+          {
+            all.group(at, 0) = shared.groups(node, a) - 1;
+            all.group(at, 1) = shared.groups(node, b) - 1;
+            all.row(at, 0) = rowOfField(shared, s, a);
+            all.row(at, 1) = rowOfField(shared, s, b);
+            for (int d = 0; d < D; ++d)
+              all.impulse(at, d) = 0.0;
+          }
+        if (s == nodes - 1)
+          all.first(nodes) = at;
+      },
+      pairs.count);
+}
+
+namespace
+{
+
+/// Sums over pairs: impulse, energy taken, the part of it along the faces, number of pairs that press.
+template <int D>
+struct AddPairs
+{
+  using value_type = double[];
+  using size_type = int;
+  using execution_space = ExecSpace;
+
+  static constexpr int size = D + 3;
+  int value_count = size;
+  NodalPairs<D> pairs;
+  int one, other; ///< groups; below 0: all
+
+  KOKKOS_INLINE_FUNCTION bool counts(int q) const
+  {
+    bool pressed = false;
+    for (int d = 0; d < D; ++d)
+      pressed = pressed || pairs.impulse(q, d) != 0.0;
+    return pressed && (one < 0 || (pairs.group(q, 0) == one && pairs.group(q, 1) == other));
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int q, double* sum) const
+  {
+    if (!counts(q))
+      return;
+    for (int d = 0; d < D; ++d)
+      sum[d] += pairs.impulse(q, d);
+    sum[D] += pairs.taken(q, 0);
+    sum[D + 1] += pairs.taken(q, 1);
+    sum[D + 2] += 1.0;
+  }
+};
+
+} // namespace
+
+template <int D>
+PairSums<D> sumPairs(const NodalPairs<D>& pairs, int one, int other)
+{
+  AddPairs<D> add;
+  add.pairs = pairs;
+  add.one = one;
+  add.other = other;
+  double sum[AddPairs<D>::size] = {};
+  Kokkos::parallel_reduce("rhegma::sumPairs", Kokkos::RangePolicy<ExecSpace>(0, pairs.count), add, sum);
+  PairSums<D> sums;
+  for (int d = 0; d < D; ++d)
+    sums.impulse[d] = sum[d];
+  sums.dissipated = sum[D];
+  sums.friction = sum[D + 1];
+  sums.closed = static_cast<int>(sum[D + 2]);
+  Kokkos::parallel_reduce(
+      "rhegma::largestOverlap", Kokkos::RangePolicy<ExecSpace>(0, pairs.count),
+      KOKKOS_LAMBDA(const int q, double& most) {
+        if (add.counts(q) && -pairs.gap(q) > most)
+          most = -pairs.gap(q);
+      },
+      Kokkos::Max<double>(sums.overlap));
+  sums.overlap = sums.closed > 0 ? sums.overlap : 0.0;
+  return sums;
+}
+
+template void listPairs(const SharedNodes<2>&, NodalPairs<2>&);
+template void listPairs(const SharedNodes<3>&, NodalPairs<3>&);
+template PairSums<2> sumPairs(const NodalPairs<2>&, int, int);
+template PairSums<3> sumPairs(const NodalPairs<3>&, int, int);
+
+} // namespace Rhegma::body_contact
