@@ -68,6 +68,7 @@ def factors(reference):
         "Crack Faces": of("Thermal > Crack Faces > <crack>", "Conduction"),
         "Face Pressure": [none, "yes"],
         "Combustion": [none, *of("Combustion > <crack>", "Gas Model")],
+        "Body Contact": [none, *of("Body Contact", "Law")],
         "Load": ["tension", "shear", "pressed"],
         "Rotation": ["0", "20"],
     }
@@ -79,7 +80,7 @@ NAMED = ("Time > Analysis", "Analysis"), ("Initial State", "Initial State"), ("U
     "Front Springs", "Front Springs"), ("Load Control", "Load Control"), ("Domain > Formulation", "Formulation"), (
     "Thermal > Conduction", "Thermal"), ("Crack Faces", "Crack Faces"), ("PIC", "Velocity Update"), ("3D", "Dimension"), ("thermal strain", "Thermal")
 SECTIONS = ("Cracks", "Contact", "Energy Release", "Propagation", "Mass Matrix", "Adaptivity", "Sub-Cycling", "Damping", "Thermal",
-            "Face Pressure", "Combustion")
+            "Face Pressure", "Combustion", "Body Contact")
 
 
 def named_by(combination, drawn, levels):
@@ -138,6 +139,10 @@ def material(model):
         soft.update({"Young Modulus": 3e9, "Poisson Ratio": 0.33})
     if model == "J2 Plastic":
         soft.update({"Yield Stress": 4e6, "Hardening Modulus": 1e8})
+    elif model == "Viscoelastic":
+        soft.update({"Relaxation Times": [1e-5, 1e-3], "Shear Fractions": [0.3, 0.2]})
+    elif model == "High-Rate Solid":
+        soft.update({"Johnson-Cook A": 4e6, "Johnson-Cook B": 1e7, "Johnson-Cook n": 0.3, "Johnson-Cook C": 0.02})
     return soft
 
 
@@ -222,8 +227,24 @@ def scene_of(drawn, random):
         scene.set("Time > Load Steps", 4)
     if drawn["Cracks"] != "none":
         add_crack(scene, drawn, at, random, three)
+    if drawn["Body Contact"] != "none":
+        add_striker(scene, drawn, low, high, random)
     add_effects(scene, drawn, end, heat)
     return scene
+
+
+def add_striker(scene, drawn, low, high, random):
+    """A second body beside the first, a part of a cell away, which hits it."""
+    gap = random.uniform(0.05, 0.3) * CELL
+    if drawn["Rotation"] != "0":
+        gap += 4 * CELL  # beside the turned body, which it may miss
+    scene.set("Bodies > Striker", {
+        "Material": "Solid", "Shape": "Box", "Lower Corner": [high[0] + gap, *low[1:]],
+        "Upper Corner": [high[0] + gap + 2.3 * CELL, *(0.5 * (a + b) for a, b in zip(low[1:], high[1:]))],
+        "Velocity": [-random.uniform(5.0, 30.0), *[0.0] * (len(low) - 1)]})
+    scene.set("Body Contact", {"Law": drawn["Body Contact"]})
+    if drawn["Body Contact"] == "Coulomb":
+        scene.set("Body Contact > Friction Coefficient", 0.3)
 
 
 def add_crack(scene, drawn, at, random, three):
