@@ -14,6 +14,7 @@ struct BondedGroups
 {
   std::vector<int> of;            ///< group of each body, in the order of the scene
   std::vector<std::string> names; ///< of each group: its bodies, joined by " + "
+  /// Number of groups.
   int count() const { return static_cast<int>(names.size()); }
 };
 

@@ -16,10 +16,10 @@ constexpr double regularisation = 1e-7;
 template <int D>
 struct LogisticSums
 {
-  static constexpr int size = D + 1;
-  double value = 0.0;
-  double slope[size] = {};
-  double curvature[size][size] = {};
+  static constexpr int size = D + 1; ///< number of coefficients
+  double value = 0.0;                ///< of the function
+  double slope[size] = {};           ///< its first derivatives
+  double curvature[size][size] = {}; ///< its second ones, the lower half
 
   /// Adds a point. \param label +1 or -1 \param weight of the point \param x position [cells]
   KOKKOS_INLINE_FUNCTION void add(const double (&plane)[size], double label, double weight,
@@ -43,6 +43,7 @@ struct LogisticSums
     }
   }
 
+  /// Adds the squares of the coefficients.
   KOKKOS_INLINE_FUNCTION void addRegularisation(const double (&plane)[size])
   {
     for (int i = 0; i < size; ++i)

@@ -27,6 +27,34 @@ void forEachParticleNear(const char* label, const State<D>& state, const View<ch
           });
 }
 
+/// The same for those of them that are in marked cells, by the lowest node of each cell.
+template <int D, class Body>
+struct InMarkedCells
+{
+  Grid<D> grid;
+  BorrowedView<double* [D]> position;
+  View<char*> marked;
+  Body body;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p) const
+  {
+    int cell = 0;
+    for (int d = 0; d < D; ++d)
+      cell += grid.stride[d] * static_cast<int>(grid.inCells(position(p, d), d));
+    if (marked(cell) != 0)
+      body(p);
+  }
+};
+
+template <int D, class Body>
+void forEachParticleIn(const char* label, const State<D>& state, const View<char*>& nearBlock,
+                       const View<char*>& marked, const Body& body)
+{
+  forEachParticleNear(label, state, nearBlock,
+                      InMarkedCells<D, Body>{
+                          state.mesh.grid, state.particles.template real<D>(fields::position), marked, body});
+}
+
 /// Calls visit(connectivity) with the shape functions of the scene, without stored stencils.
 template <int D, class Visit>
 void withUnbrokenStencils(const State<D>& state, const Visit& visit)

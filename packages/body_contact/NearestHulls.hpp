@@ -10,8 +10,8 @@ namespace Rhegma::body_contact
 template <int D>
 struct NearestOfSimplex
 {
-  Vector<D> point[D + 1];
-  int count = 0;
+  Vector<D> point[D + 1]; ///< the points
+  int count = 0;          ///< their number
 
   /// Keeps the points whose hull has the nearest point inside. All subsets are tried, as they are few.
   /// \return that point

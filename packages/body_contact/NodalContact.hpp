@@ -41,7 +41,8 @@ void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs);
 template <int D>
 void findGaps(const State<D>& state, const SharedNodes<D>& shared, const NodalPairs<D>& pairs);
 
-/// Changes the nodes' motion by impulses between the fields that touch and would move into each other.
+/// Changes the nodes' motion by impulses between the fields that touch and would move into each other, and
+/// records them, the normal along free axes and whether the two stick.
 template <int D>
 void exchangeImpulses(const State<D>& state, const SharedNodes<D>& shared, const NodalPairs<D>& pairs,
                       const PairLaws& laws);

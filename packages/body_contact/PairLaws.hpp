@@ -27,14 +27,14 @@ struct PairLaws
   PairLaw others;           ///< of pairs without one of their own
   View<PairLaw**> ofGroups; ///< by both numbers; empty where all pairs have the same law
 
+  /// The law of a pair, by the numbers of its groups from 0 on.
   KOKKOS_INLINE_FUNCTION PairLaw operator()(int one, int other) const
   {
     return ofGroups.extent(0) > 0 ? ofGroups(one, other) : others;
   }
 };
 
-/// Adds the parameters Law, Friction Coefficient and Static Friction Coefficient. \param byDefault whether
-/// Law has a default
+/// Adds the parameters Law, Friction Coefficient and Static Friction Coefficient.
 void addLawParameters(Section& section);
 
 /// Checks the laws of a scene and the names of bodies in them.
@@ -43,7 +43,7 @@ void checkLaws(const Teuchos::ParameterList& scene, std::vector<SceneError>& err
 /// A pair that has a sublist of its own: its name and its groups.
 struct NamedPair
 {
-  std::string name;
+  std::string name;       ///< of its list
   int one = 0, other = 0; ///< numbers of groups, the lower one first
 };
 

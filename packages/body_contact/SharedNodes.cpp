@@ -126,10 +126,10 @@ void listGroups(const State<D>& state, const SharedNodes<D>& shared)
                        [&](const auto& connect)
                        {
                          using Connect = std::decay_t<decltype(connect)>;
-                         forEachParticleNear("rhegma::listGroups", state, shared.nearBlock,
-                                             ListGroups<D, Connect>{connect,
-                                                                    state.particles.integer(fields::side),
-                                                                    shared.groups, shared.overflows});
+                         forEachParticleIn("rhegma::listGroups", state, shared.nearBlock, shared.cells.meets,
+                                           ListGroups<D, Connect>{connect,
+                                                                  state.particles.integer(fields::side),
+                                                                  shared.groups, shared.overflows});
                        });
 }
 
@@ -258,8 +258,8 @@ void listParticles(const State<D>& state, SharedNodes<D>& shared, const View<int
                          [&](const auto& connect)
                          {
                            using Connect = std::decay_t<decltype(connect)>;
-                           forEachParticleNear(
-                               "rhegma::particlesOfNodes", state, shared.nearBlock,
+                           forEachParticleIn(
+                               "rhegma::particlesOfNodes", state, shared.nearBlock, shared.cells.meets,
                                ListParticles<D, Connect>{connect, state.particles.integer(fields::side),
                                                          shared, number, shared.touching, row, lists});
                          });
@@ -342,6 +342,7 @@ template <int D>
 void findSharedNodes(State<D>& state, SharedNodes<D>& shared, const View<int*>& row)
 {
   clearNodeMarks(state, shared);
+  findMeetingCells(state, shared.nearBlock, shared.cells);
   listGroups(state, shared);
   shared.count = numberSharedNodes(state, shared, shared.fields);
   if (onHost(shared.overflows)(0) != 0 && state.failure.empty())

@@ -2,7 +2,7 @@
 /// Nodes that several groups of bodies touch, and the field of each group at them. The group of a particle is
 /// its field "side": a number from 1 on.
 
-#include "state/State.hpp"
+#include "body_contact/MeetingCells.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -18,7 +18,7 @@ struct SharedNodes
   long sorts = -1;        ///< Particles::sorts for which nearBlock holds
   View<char*> nearBlock;  ///< of each block of cells: not 0 where another group may be in reach
   bool anyNear = false;   ///< whether there is such a block
-  bool tooMany = false;   ///< whether more than mostGroups groups touched a node
+  MeetingCells cells;     ///< in which particles may touch a shared node
   View<int[1]> overflows; ///< not 0 where that is so
 
   View<int* [mostGroups]> groups; ///< of each lattice node: those that touch it, then zeros
