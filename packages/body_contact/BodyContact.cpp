@@ -2,6 +2,7 @@
 
 #include "archive/Archive.hpp"
 #include "body_contact/ContactRecord.hpp"
+#include "state/BodyGroup.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -81,18 +82,19 @@ struct Parts
   }
 };
 
-/// The side of a particle is its group, from 1 on.
+/// Groups of particles count from 1 on.
 template <int D>
-void setSides(const BondedGroups& groups, State<D>& state)
+void setBodyGroups(const BondedGroups& groups, State<D>& state)
 {
   const View<int*> groupOf("rhegma::groupsOfBodies", groups.of.size());
   const auto host = Kokkos::create_mirror_view(groupOf);
   std::copy(groups.of.begin(), groups.of.end(), host.data());
   Kokkos::deep_copy(groupOf, host);
-  const auto side = state.particles.integer(fields::side), body = state.particles.integer(fields::body);
+  const auto bodyGroup = state.particles.integer(fields::bodyGroup),
+             body = state.particles.integer(fields::body);
   Kokkos::parallel_for(
-      "rhegma::setSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) { side(p) = groupOf(body(p)) + 1; });
+      "rhegma::setBodyGroups", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) { bodyGroup(p) = groupOf(body(p)) + 1; });
 }
 
 template <int D>
@@ -105,7 +107,7 @@ void start(const std::shared_ptr<Parts<D>>& parts, State<D>& state)
   const std::vector<NamedPair> named = namedPairs(parts->section, groups, names);
   parts->laws = readLaws(parts->section, named, groups.count());
   parts->record = std::make_unique<ContactRecord<D>>(named, groups);
-  setSides(groups, state);
+  setBodyGroups(groups, state);
   state.stored.editor.edit =
       [parts](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
   { useFieldsOfGroups(s, parts->shared, points, table); };
@@ -145,7 +147,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.balance = {"contact"};
   effect.atStart = [parts](State<D>& state) { start(parts, state); };
   effect.adds.push_back(
-      {fields::side, 1, "", "group of bodies that are bonded to each other, from 1 on", true});
+      {fields::bodyGroup, 1, "", "group of bodies that are bonded to each other, from 1 on", true});
   effect.call(Stage::BetweenSteps, "bodies near each other", {quantity::particleOrder}, {}, {},
               [parts](State<D>& s) { watch(parts, s); });
   effect.call(Stage::Solve, "impulses between bodies",
@@ -172,6 +174,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry bodyContactEntry() { return {section(), checkLaws, make<2>, make<3>, false}; }
+EffectEntry bodyContactEntry()
+{
+  EffectEntry entry{section(), checkLaws, make<2>, make<3>, false};
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
+  return entry;
+}
 
 } // namespace Rhegma::body_contact

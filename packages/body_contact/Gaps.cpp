@@ -18,7 +18,7 @@ struct ParticlesOfPair
   Grid<D> grid;
   SharedNodes<D> shared;
   View<double* [D][D]> axes;
-  BorrowedView<int*> body, side;
+  BorrowedView<int*> body, bodyGroup;
   BorrowedView<double*[D]> position, edge;
   BorrowedView<double * [gradientSize<D>]> deformation;
 
@@ -29,7 +29,7 @@ struct ParticlesOfPair
     const int last = shared.firstParticle(s + 1);
     for (int k = shared.firstParticle(s); k < last; ++k)
     {
-      const int p = shared.particle(k), group = side(p) - 1;
+      const int p = shared.particle(k), group = bodyGroup(p) - 1;
       if (group == one || group == other)
         visit(p, group == one ? -1.0 : 1.0);
     }
@@ -202,7 +202,7 @@ void findGaps(const State<D>& state, const SharedNodes<D>& shared, const NodalPa
   particles.shared = shared;
   particles.axes = state.bodies.axes;
   particles.body = state.particles.integer(fields::body);
-  particles.side = state.particles.integer(fields::side);
+  particles.bodyGroup = state.particles.integer(fields::bodyGroup);
   particles.position = state.particles.template real<D>(fields::position);
   particles.edge = state.particles.template real<D>(fields::edge);
   particles.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);

@@ -1,6 +1,7 @@
 #include "body_contact/MeetingCells.hpp"
 
 #include "body_contact/NearBlocks.hpp"
+#include "state/BodyGroup.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -52,7 +53,7 @@ struct AddGroups
 {
   Grid<D> grid;
   BorrowedView<double* [D]> position;
-  BorrowedView<int*> side;
+  BorrowedView<int*> bodyGroup;
   View<int* [2]> own;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const
@@ -60,7 +61,7 @@ struct AddGroups
     int cell = 0;
     for (int d = 0; d < D; ++d)
       cell += grid.stride[d] * static_cast<int>(grid.inCells(position(p, d), d));
-    const int group = side(p);
+    const int group = bodyGroup(p);
     if (group < own(cell, 0))
       own(cell, 0) = group;
     if (group > own(cell, 1))
@@ -85,7 +86,7 @@ void findMeetingCells(const State<D>& state, const View<char*>& nearBlock, Meeti
       });
   forEachParticleNear("rhegma::groupsOfCells", state, nearBlock,
                       AddGroups<D>{state.mesh.grid, state.particles.template real<D>(fields::position),
-                                   state.particles.integer(fields::side), own});
+                                   state.particles.integer(fields::bodyGroup), own});
   // Particles in cells c and c + reach have one node in common.
   const int reach = state.method.shape == ShapeKind::Linear ? 1 : 3;
   View<int*[2]> from = own, to = cells.around;

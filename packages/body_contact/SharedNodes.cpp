@@ -35,14 +35,14 @@ GroupRange groupsOfBlocks(const State<D>& state)
           range(i, j, 1) = -1;
         }
       });
-  const auto side = state.particles.integer(fields::side);
+  const auto bodyGroup = state.particles.integer(fields::bodyGroup);
   Kokkos::parallel_for(
       "rhegma::groupsOfBlocks", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
       KOKKOS_LAMBDA(const int b) {
         int lowest = noGroup, highest = -1;
         for (int p = blocks.first(b); p < blocks.first(b + 1); ++p)
         {
-          const int group = side(p);
+          const int group = bodyGroup(p);
           lowest = group < lowest ? group : lowest;
           highest = group > highest ? group : highest;
         }
@@ -86,13 +86,13 @@ template <int D, class Connect>
 struct ListGroups
 {
   Connect connect;
-  BorrowedView<int*> side;
+  BorrowedView<int*> bodyGroup;
   View<int* [mostGroups]> groups;
   View<int[1]> overflows;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const
   {
-    const int group = side(p);
+    const int group = bodyGroup(p);
     connect.visit(p,
                   [&](int node, double weight, const double* slope)
                   {
@@ -128,7 +128,7 @@ void listGroups(const State<D>& state, const SharedNodes<D>& shared)
                          using Connect = std::decay_t<decltype(connect)>;
                          forEachParticleIn("rhegma::listGroups", state, shared.nearBlock, shared.cells.meets,
                                            ListGroups<D, Connect>{connect,
-                                                                  state.particles.integer(fields::side),
+                                                                  state.particles.integer(fields::bodyGroup),
                                                                   shared.groups, shared.overflows});
                        });
 }
@@ -168,7 +168,7 @@ void claimRows(State<D>& state, SharedNodes<D>& shared)
 {
   Nodes<D>& nodes = state.mesh.nodes;
   if (static_cast<int>(nodes.parent.extent(0)) < shared.fields)
-    nodes.parent = View<int*>("rhegma::enrichedFieldParent", 2 * shared.fields);
+    nodes.parent = View<int*>("rhegma::parentsOfGroupFields", 2 * shared.fields);
   if (static_cast<int>(nodes.sums.extent(0)) < nodes.numLattice + shared.fields)
     nodes.reserve(nodes.numLattice, 2 * shared.fields);
   nodes.numEnriched = shared.fields;
@@ -212,7 +212,7 @@ template <int D, class Connect>
 struct ListParticles
 {
   Connect connect;
-  BorrowedView<int*> side;
+  BorrowedView<int*> bodyGroup;
   SharedNodes<D> shared;
   View<int*> number;    ///< of each shared node
   View<char*> touching; ///< of particles: not 0 where the first pass found a shared node
@@ -223,7 +223,7 @@ struct ListParticles
   {
     if (lists && touching(p) == 0)
       return;
-    const int group = side(p);
+    const int group = bodyGroup(p);
     bool enriched = false, any = false;
     connect.visit(p,
                   [&](int node, double weight, const double* slope)
@@ -260,7 +260,7 @@ void listParticles(const State<D>& state, SharedNodes<D>& shared, const View<int
                            using Connect = std::decay_t<decltype(connect)>;
                            forEachParticleIn(
                                "rhegma::particlesOfNodes", state, shared.nearBlock, shared.cells.meets,
-                               ListParticles<D, Connect>{connect, state.particles.integer(fields::side),
+                               ListParticles<D, Connect>{connect, state.particles.integer(fields::bodyGroup),
                                                          shared, number, shared.touching, row, lists});
                          });
   };

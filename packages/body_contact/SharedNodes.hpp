@@ -1,8 +1,9 @@
 #pragma once
 /// Nodes that several groups of bodies touch, and the field of each group at them. The group of a particle is
-/// its field "side": a number from 1 on.
+/// its field bodyGroup: a number from 1 on.
 
 #include "body_contact/MeetingCells.hpp"
+#include "state/BodyGroup.hpp"
 
 namespace Rhegma::body_contact
 {

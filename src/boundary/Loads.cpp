@@ -2,6 +2,7 @@
 
 #include "base/SmallLoops.hpp"
 #include "boundary/LoadVelocity.hpp"
+#include "state/BodyGroup.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -27,9 +28,10 @@ void updateParticles(const State<D>& state, const View<int*>& id, const View<dou
   const View<int*> indexOf = state.particles.indexOf;
   const bool undeformed = state.method.totalLagrangian;
   BorrowedView<int*> side;
-  const bool sides = state.particles.has(fields::side);
+  const std::string name = sideField(state.particles);
+  const bool sides = !name.empty();
   if (sides)
-    side = state.particles.integer(fields::side);
+    side = state.particles.integer(name);
   parallelForSmall(
       "rhegma::placeLoad", points.count, KOKKOS_LAMBDA(const int k) {
         const int p = indexOf(id(k));

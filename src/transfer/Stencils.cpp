@@ -1,6 +1,7 @@
 #include "transfer/Stencils.hpp"
 
 #include "base/SmallLoops.hpp"
+#include "state/BodyGroup.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/TreeStencil.hpp"
 
@@ -161,9 +162,10 @@ void gatherPoints(State<D>& state)
   if (boxes)
     box = state.particles.template real<D>(fields::box);
   BorrowedView<int*> side;
-  const bool sides = state.particles.has(fields::side);
+  const std::string name = sideField(state.particles);
+  const bool sides = !name.empty();
   if (sides)
-    side = state.particles.integer(fields::side);
+    side = state.particles.integer(name);
   const View<int*> particle = state.stored.particle;
   Kokkos::parallel_for(
       "rhegma::gatherStored", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int r) {

@@ -287,7 +287,7 @@ class Bodies(ProgramTest):
     def test_warnings_name_the_section(self):
         """Bodies that touch, or that meet, without the section."""
         for gap in (0.0, 4.0):
-            scene, _ = self.bars(gap, 1.0, 1e-3, 20)
+            scene, _ = self.bars(gap, 30.0, 1e-3, 20)
             answer = rhegma(self.write("scene.xml", scene.remove("Body Contact").text()), "--check")
             self.assertEqual(answer.status, 0, answer)
             said = answer.messages + answer.output

@@ -20,7 +20,7 @@ from ranks import ROUND_OFF, OnRanks
 NUMBER = int(os.environ.get("RHEGMA_COMBINATIONS", "12"))
 SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
 
-# A body that is loaded slowly holds no more energy than loads have put into it. Steps at a CFL of 0.4 gain some of it (docs/stability.md),
+# A body that is loaded slowly holds no more energy than loads have put into it. Steps at a CFL of 0.4 gain some of it (docs/explanation/stability.md),
 # and so does what adds its own entries to the balance; what is unstable has hundreds of times as much after some 50 steps.
 MOST_ENERGY = 1.5
 

@@ -103,6 +103,7 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Centre" type="Array(double)" value="{0.5, 0.5}"/>
        <Parameter name="Radius" type="double" value="0.3"/>
        <Parameter name="Power" type="double" value="1"/></ParameterList></ParameterList></ParameterList>)xml"},
+    {"Body Contact", "<ParameterList name=\"Body Contact\"/>"},
     {"Load Balance", "<ParameterList name=\"Load Balance\"/>"},
     {"Mass Matrix", R"xml(<ParameterList name="Mass Matrix">
        <Parameter name="Type" type="string" value="Full"/></ParameterList>)xml"},
