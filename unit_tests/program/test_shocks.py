@@ -77,9 +77,9 @@ def frames(folder):
         steps = sorted((float(file[name].attrs["time"]), name) for name in file if "time" in file[name].attrs)
         for time, name in steps:
             group = file[name]["particles"]
-            stress = numpy.asarray(group["stress"]).reshape(len(group["position"]), -1)
+            stress = numpy.asarray(group["stress"])  # xx, yy, zz, and shear
             place = numpy.asarray(group["position"])[:, 0] - numpy.asarray(group["displacement"])[:, 0]
-            yield time, place, -(stress[:, 0] + stress[:, 4] + stress[:, 8]) / 3, numpy.asarray(group["velocity"])[:, 0]
+            yield time, place, -stress[:, :3].sum(axis=1) / 3, numpy.asarray(group["velocity"])[:, 0]
 
 
 def crossing(times, values, level, falls=False):
