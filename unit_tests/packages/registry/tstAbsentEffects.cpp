@@ -303,7 +303,7 @@ TEST_P(AbsentEffects, LeavesNoTraceWithoutItsSection)
     EXPECT_EQ(asText(common(fieldsOf(effect), trace.fields)), "");
     EXPECT_EQ(asText(common(callsOf(effect), trace.calls)), "");
     const std::string effects = trace.plan.substr(0, trace.plan.find('\n'));
-    EXPECT_EQ(effects.find(effect), std::string::npos) << effects;
+    EXPECT_EQ((effects + ",").find(", " + effect + ","), std::string::npos) << effects;
     for (const std::string& call : callsOf(effect))
       EXPECT_EQ(trace.plan.find(call), std::string::npos) << trace.plan;
     for (const std::string& field : fieldsOf(effect))
