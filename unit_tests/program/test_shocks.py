@@ -185,6 +185,34 @@ class Heating(ProgramTest):
         self.assertAlmostEqual(stresses[1] / stresses[0], 1.0, delta=1e-3)
 
 
+class Rest(ProgramTest):
+    def test_flow_in_equilibrium(self):
+        """A sheet that is drawn by 2 % in a second, so slowly that the rate does not count: the stress along it is A + B alpha^n, alpha the
+        logarithmic strain less the elastic one. The softening by the heat of that work, 0.9 x 3 MJ/m3 / (rho c) = 1 K, is 0.1 %."""
+        scene = Scene({
+            "Domain": {"Dimension": 2, "Plane": "Stress", "Lower Corner": [-0.5, -0.5], "Upper Corner": [1.5, 1.0], "Cell Size": 0.125},
+            "Time": {"Analysis": "Quasi-Static", "Final Time": 1.0, "Load Steps": 20},
+            "Materials": {"Copper": {"Material From Library": "OFHC Copper", "Model": "High-Rate Solid"}},
+            "Bodies": {"Sheet": {"Material": "Copper", "Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [1.0, 0.5]}},
+            "Boundaries": {
+                "Left": {"Type": "Symmetry", "Axis": "x", "Position": 0.0, "Side": "Lower"},
+                "Below": {"Type": "Symmetry", "Axis": "y", "Position": 0.0, "Side": "Lower"},
+                "Right": {"Type": "Velocity", "Lower Corner": [0.99, -0.5], "Upper Corner": [1.5, 1.0], "Components": "x",
+                          "Value": [0.02, 0.0], "Box Motion": "Fixed"},
+            },
+            "Output": {"Fields": False},
+        })
+        answer = rhegma(self.write("scene.xml", scene.text()), "--output", self.path("out"), "--quiet")
+        self.assertEqual(answer.status, 0, answer)
+        with open(self.path("out", "summary.json"), encoding="utf-8") as file:
+            found = json.load(file)["bodies"][0]["stress"]["xx"]
+        stress = 0.0
+        for _ in range(50):
+            stress = 90e6 + 292e6 * (math.log(1.02) - stress / 124e9) ** 0.31
+        print(f"stress {found / 1e6:.2f} MPa, closed form {stress / 1e6:.2f} ({found / stress - 1:+.2%})")
+        self.assertAlmostEqual(found / stress, 1.0, delta=0.003)
+
+
 class Wrong(ProgramTest):
     def refused(self, material, where, words, more=()):
         scene = impact(500.0, material, 1e-7, 1e-4)
