@@ -27,10 +27,8 @@ void refuseCombinations(Section& s)
       {self, when::is("Domain", "Formulation", {"Total Lagrangian"})},
       "cells that lie in the undeformed body do not see other bodies; write Domain > Formulation = Updated "
       "Lagrangian");
-  s.refuse(
-      {self, when::is("Time", "Update Scheme", {"USF", "USL"})},
-      "the energy of contact needs the velocity that MUSL and USAVG project at the end of a step; write one "
-      "of them");
+  s.refuse({self, when::isNot("Time", "Update Scheme", {"MUSL"})},
+           "bodies that touch strain by the velocity that MUSL projects at the end of a step; write MUSL");
   s.refuse(
       {self, when::above("Time", "PIC Fraction", 0.0)},
       "a PIC fraction smooths velocities after contact, and its loss would be recorded as contact; write 0");
@@ -60,7 +58,7 @@ Section section()
                "A pair of bodies with a law of its own; its forces are columns of the history.");
   pair.text("Bodies").notEmpty().meaning(
       "Names of the two bodies, with a comma between them. The law also holds for bodies bonded to them.");
-  addLawParameters(pair);
+  addLawParametersOfPair(pair);
   s.namedByUser(pair);
   refuseCombinations(s);
   return s;

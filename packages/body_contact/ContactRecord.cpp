@@ -18,19 +18,20 @@ constexpr int fewGroups = 4;
 template <int D>
 ContactRecord<D>::ContactRecord(const std::vector<NamedPair>& named, const BondedGroups& groups)
 {
-  const auto add = [&](const std::string& name, int one, int other)
+  const auto add = [&](const std::string& name, int one, int other, bool inverted = false)
   {
     ReportedPair<D> pair;
     pair.name = name;
     pair.one = one;
     pair.other = other;
     if (one >= 0)
-      pair.bodies = {groups.names[one], groups.names[other]};
+      pair.bodies = {groups.names[inverted ? other : one], groups.names[inverted ? one : other]};
+    pair.sign = inverted ? -1.0 : 1.0;
     pairs_.push_back(pair);
   };
   add("contact", -1, -1);
   for (const NamedPair& pair : named)
-    add(pair.name, pair.one, pair.other);
+    add(pair.name, pair.one, pair.other, pair.inverted);
   if (groups.count() > fewGroups)
     return;
   for (int a = 0; a < groups.count(); ++a)
@@ -79,7 +80,7 @@ void ContactRecord<D>::sample(State<D>& state)
   for (ReportedPair<D>& pair : pairs_)
   {
     const double duration = state.clock.time - pair.sampled;
-    pair.force = (duration > 0.0 ? 1.0 / duration : 0.0) * (pair.impulse - pair.atSample);
+    pair.force = (duration > 0.0 ? pair.sign / duration : 0.0) * (pair.impulse - pair.atSample);
     pair.atSample = pair.impulse;
     pair.sampled = state.clock.time;
     if (pair.one < 0)
@@ -96,17 +97,21 @@ void ContactRecord<D>::report(nlohmann::json& summary) const
   summary["energy"]["friction"] = pairs_.front().friction;
   summary["body_contact"] = nlohmann::json::array();
   for (const ReportedPair<D>& pair : pairs_)
-    if (pair.one >= 0)
-      summary["body_contact"].push_back(
-          {{"name", pair.name},
-           {"bodies", pair.bodies},
-           {"first_touch", pair.firstTouch < 0.0 ? nlohmann::json() : nlohmann::json(pair.firstTouch)},
-           {"closed_nodes", pair.closed},
-           {"force", std::vector<double>(pair.force.c, pair.force.c + D)},
-           {"impulse", std::vector<double>(pair.impulse.c, pair.impulse.c + D)},
-           {"dissipated", pair.dissipated},
-           {"friction", pair.friction},
-           {"largest_overlap", pair.overlap}});
+  {
+    if (pair.one < 0)
+      continue;
+    const Vector<D> impulse = pair.sign * pair.impulse;
+    summary["body_contact"].push_back(
+        {{"name", pair.name},
+         {"bodies", pair.bodies},
+         {"first_touch", pair.firstTouch < 0.0 ? nlohmann::json() : nlohmann::json(pair.firstTouch)},
+         {"closed_nodes", pair.closed},
+         {"force", std::vector<double>(pair.force.c, pair.force.c + D)},
+         {"impulse", std::vector<double>(impulse.c, impulse.c + D)},
+         {"dissipated", pair.dissipated},
+         {"friction", pair.friction},
+         {"largest_overlap", pair.overlap}});
+  }
 }
 
 template <int D>

@@ -22,16 +22,17 @@ struct ReportedPair
 {
   std::string name;                ///< in the history and the summary
   int one = 0, other = 0;          ///< numbers of groups; below 0: all pairs together
-  std::vector<std::string> bodies; ///< names of the two groups
-  double firstTouch = -1.0;        ///< when they first pressed on each other [s]; below 0: not yet
-  double dissipated = 0.0;         ///< kinetic energy that contact took [J]
-  double friction = 0.0;           ///< the part of it along the faces [J]
-  double overlap = 0.0;            ///< largest so far [m]
-  int closed = 0;                  ///< nodes at which they press on each other now
-  Vector<D> impulse{};             ///< on the second group so far [N s]
-  Vector<D> atSample{};            ///< the same at the last sample [N s]
-  double sampled = 0.0;            ///< time of that sample [s]
-  Vector<D> force{};               ///< its mean between the last two samples [N]
+  std::vector<std::string> bodies; ///< names of the two groups, as the scene lists them
+  double sign = 1.0; ///< -1: the scene lists the second group first, so that its forces are on the first one
+  double firstTouch = -1.0; ///< when they first pressed on each other [s]; below 0: not yet
+  double dissipated = 0.0;  ///< kinetic energy that contact took [J]
+  double friction = 0.0;    ///< the part of it along the faces [J]
+  double overlap = 0.0;     ///< largest so far [m]
+  int closed = 0;           ///< nodes at which they press on each other now
+  Vector<D> impulse{};      ///< on the second group so far [N s]
+  Vector<D> atSample{};     ///< the same at the last sample [N s]
+  double sampled = 0.0;     ///< time of that sample [s]
+  Vector<D> force{};        ///< its mean between the last two samples [N]
 };
 
 /// Records of pairs.

@@ -13,9 +13,13 @@ namespace
 /// whether its group touches the node at all.
 constexpr double lightField = 1e-12;
 
-/// Sweeps over the pairs of a node with more than two fields; the impulses then differ from those of the laws
-/// by less than the motion of the particles between two steps changes them.
-constexpr int sweeps = 20;
+/// Sweeps over the pairs of a node with more than two fields end when no impulse changes by more than this
+/// fraction of the largest one.
+constexpr double settledChange = 1e-9;
+
+/// Most sweeps: a field of mass m between two of mass M settles by (M / (M + m))^2 a sweep, so that 2 % are
+/// left where m is a thousandth of M.
+constexpr int mostSweeps = 2000;
 
 /// Marks the axes along which supports hold the shared nodes, of all fields alike.
 template <int D>
@@ -45,20 +49,30 @@ struct ExchangeImpulses
   KOKKOS_INLINE_FUNCTION void operator()(const int s) const
   {
     const int begin = pairs.first(s), end = pairs.first(s + 1);
-    const int rounds = end - begin > 1 ? sweeps : 1;
+    const int rounds = end - begin > 1 ? mostSweeps : 1;
     for (int k = 0; k < rounds; ++k)
+    {
+      double changed = 0.0, largest = 0.0;
       for (int q = begin; q < end; ++q)
         if (pairs.gap(q) <= 0.0)
-          press(s, q);
+        {
+          changed = std::fmax(changed, press(s, q));
+          for (int d = 0; d < D; ++d)
+            largest = std::fmax(largest, std::fabs(pairs.impulse(q, d)));
+        }
+      if (!(changed > settledChange * largest))
+        return;
+    }
   }
 
-  /// Brings the impulse of a pair to the one with which its law holds, the others as they are.
-  KOKKOS_INLINE_FUNCTION void press(int s, int q) const
+  /// Brings the impulse of a pair to the one with which its law holds, the others as they are. \return the
+  /// largest change of its components
+  KOKKOS_INLINE_FUNCTION double press(int s, int q) const
   {
     const int a = pairs.row(q, 0), b = pairs.row(q, 1);
     const double massA = nodes.sums(a, Nodes<D>::massAt), massB = nodes.sums(b, Nodes<D>::massAt);
     if (!(massA > lightField * massB) || !(massB > lightField * massA))
-      return;
+      return 0.0;
     const double reduced = massA * massB / (massA + massB);
     Vector<D> n, sticking; // free axes of the normal, and the impulse after which the two move alike
     for (int d = 0; d < D; ++d)
@@ -69,7 +83,7 @@ struct ExchangeImpulses
     }
     const double length = norm(n);
     if (!(length > 1e-6))
-      return;
+      return 0.0;
     n = (1.0 / length) * n;
     const double pressing = dot(n, sticking);
     Vector<D> impulse{};
@@ -82,14 +96,17 @@ struct ExchangeImpulses
       impulse = pressing * n + fraction * along;
       pairs.sticks(q) = fraction == 1.0 && law.atRest > 0.0 ? 1 : 0;
     }
+    double changed = 0.0;
     for (int d = 0; d < D; ++d)
     {
       const double change = impulse[d] - pairs.impulse(q, d);
+      changed = std::fmax(changed, std::fabs(change));
       pairs.impulse(q, d) = impulse[d];
       pairs.normal(q, d) = n[d];
       push(a, d, -change, massA);
       push(b, d, change, massB);
     }
+    return changed;
   }
 
   KOKKOS_INLINE_FUNCTION void push(int row, int axis, double impulse, double mass) const
@@ -113,11 +130,18 @@ struct JoinProjection
     for (int q = begin; q < end; ++q)
       if (presses(q))
         countImpulse(q);
-    const int rounds = end - begin > 1 ? sweeps : 1;
+    const int rounds = end - begin > 1 ? mostSweeps : 1;
+    double first = 0.0; // the largest change of the first sweep
     for (int k = 0; k < rounds; ++k)
+    {
+      double changed = 0.0;
       for (int q = begin; q < end; ++q)
         if (presses(q))
-          join(q);
+          changed = std::fmax(changed, join(q));
+      first = k == 0 ? changed : first;
+      if (!(changed > settledChange * first))
+        return;
+    }
   }
 
   KOKKOS_INLINE_FUNCTION bool presses(int q) const
@@ -157,7 +181,8 @@ struct JoinProjection
     pairs.taken(q, 1) = all + partAlongNormal(q, impulse) * partAlongNormal(q, velocity);
   }
 
-  KOKKOS_INLINE_FUNCTION void join(int q) const
+  /// \return the largest change of the relative velocity
+  KOKKOS_INLINE_FUNCTION double join(int q) const
   {
     const int a = pairs.row(q, 0), b = pairs.row(q, 1);
     const double massA = nodes.sums(a, Nodes<D>::massAt), massB = nodes.sums(b, Nodes<D>::massAt);
@@ -167,6 +192,7 @@ struct JoinProjection
       relative[d] = nodes.projection(b, d) - nodes.projection(a, d);
     const double across = partAlongNormal(q, relative);
     double work[2] = {0.0, 0.0}; // of the other forces by the change, along the normal and along the faces
+    double changed = 0.0;
     for (int d = 0; d < D; ++d)
     {
       const double normal = across * pairs.normal(q, d);
@@ -175,11 +201,13 @@ struct JoinProjection
           nodes.sums(a, Nodes<D>::forceAt + d) / massA - nodes.sums(b, Nodes<D>::forceAt + d) / massB;
       work[0] += dt * reduced * force * normal;
       work[1] += dt * reduced * force * face;
+      changed = std::fmax(changed, std::fabs(normal + face));
       nodes.projection(a, d) += reduced / massA * (normal + face);
       nodes.projection(b, d) -= reduced / massB * (normal + face);
     }
     pairs.taken(q, 0) += work[0] + work[1];
     pairs.taken(q, 1) += work[1];
+    return changed;
   }
 };
 

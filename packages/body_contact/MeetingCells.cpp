@@ -30,7 +30,7 @@ template <int D>
 void widen(const State<D>& state, const View<int* [2]>& from, const View<int* [2]>& to, int axis, int reach)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const int stride = state.mesh.grid.stride[axis];
+  const int stride = state.mesh.grid.stride[axis], end = static_cast<int>(from.extent(0));
   Kokkos::parallel_for(
       "rhegma::widenMeetingCells", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
@@ -38,7 +38,10 @@ void widen(const State<D>& state, const View<int* [2]>& from, const View<int* [2
         int lowest = lowestOfNone, highest = 0;
         for (int k = -reach; k <= reach; ++k)
         {
+          // Beyond the end of a row is the next one: a cell too many is looked at, never one too few.
           const int other = n + k * stride;
+          if (other < 0 || other >= end)
+            continue;
           lowest = from(other, 0) < lowest ? from(other, 0) : lowest;
           highest = from(other, 1) > highest ? from(other, 1) : highest;
         }

@@ -9,13 +9,16 @@
 namespace Rhegma::body_contact
 {
 
-void addLawParameters(Section& s)
+namespace
 {
-  s.choice("Law", {"Frictionless", "Coulomb", "Stick"})
-      .byDefault("Frictionless")
-      .meaning(
-          "How bodies that press on each other move along each other: freely, with Coulomb friction, or not "
-          "at all. In each case they can separate.");
+
+const std::vector<std::string> lawNames = {"Frictionless", "Coulomb", "Stick"};
+const char* const meaningOfLaw = "How bodies that press on each other move along each other: freely, with "
+                                 "Coulomb friction, or not at all. "
+                                 "In each case they can separate.";
+
+void addFriction(Section& s)
+{
   s.real("Friction Coefficient").notNegative().optional().meaning("Friction coefficient of Law = Coulomb.");
   s.real("Static Friction Coefficient")
       .notNegative()
@@ -23,16 +26,35 @@ void addLawParameters(Section& s)
       .meaning("Friction coefficient up to which bodies with Law = Coulomb do not start to slide.");
 }
 
+} // namespace
+
+void addLawParameters(Section& s)
+{
+  s.choice("Law", lawNames).byDefault("Frictionless").meaning(meaningOfLaw);
+  addFriction(s);
+}
+
+void addLawParametersOfPair(Section& s)
+{
+  s.choice("Law", lawNames).optional("that of the section").meaning(meaningOfLaw);
+  addFriction(s);
+}
+
 namespace
 {
 
 void checkLaw(const Teuchos::ParameterList& list, const std::string& path, std::vector<SceneError>& errors)
 {
-  if (!list.isType<std::string>("Law"))
-    return;
-  const auto law = list.get<std::string>("Law");
   const char* const name = "Friction Coefficient";
   const char* const atRest = "Static Friction Coefficient";
+  if (!list.isType<std::string>("Law"))
+  {
+    for (const char* const given : {name, atRest})
+      if (list.isParameter(given) && !list.isParameter("Law"))
+        errors.push_back({path + " > " + given, "is given without Law; write Law = Coulomb too"});
+    return;
+  }
+  const auto law = list.get<std::string>("Law");
   if (law != "Coulomb")
   {
     for (const char* const given : {name, atRest})
@@ -70,7 +92,7 @@ PairLaw readLaw(const Teuchos::ParameterList& list)
   return {list.isParameter(atRest) ? list.get<double>(atRest) : sliding, sliding};
 }
 
-/// The groups of a pair's bodies; below 0 where a name is unknown.
+/// The groups of a pair's bodies, in their order in the list; below 0 where a name is unknown.
 std::pair<int, int> groupsOf(const std::string& bodies, const BondedGroups& groups,
                              const std::vector<std::string>& names)
 {
@@ -81,7 +103,7 @@ std::pair<int, int> groupsOf(const std::string& bodies, const BondedGroups& grou
     found.push_back(body == names.end() ? -1 : groups.of[body - names.begin()]);
   }
   found.resize(2, -1);
-  return std::minmax(found[0], found[1]);
+  return {found[0], found[1]};
 }
 
 } // namespace
@@ -125,7 +147,8 @@ void checkLaws(const Teuchos::ParameterList& scene, std::vector<SceneError>& err
       }
     if (!known)
       continue;
-    const auto of = groupsOf(*text, groups, names);
+    const auto listed = groupsOf(*text, groups, names);
+    const std::pair<int, int> of = std::minmax(listed.first, listed.second);
     if (of.first == of.second)
       errors.push_back({path + " > Bodies",
                         "the two are one body or bonded (Bonded To), so they are never in "
@@ -144,7 +167,8 @@ std::vector<NamedPair> namedPairs(const Teuchos::ParameterList& section, const B
   for (const std::string& name : sublistNames(section))
   {
     const auto of = groupsOf(section.sublist(name).get<std::string>("Bodies"), groups, names);
-    pairs.push_back({name, of.first, of.second});
+    pairs.push_back(
+        {name, std::min(of.first, of.second), std::max(of.first, of.second), of.first > of.second});
   }
   return pairs;
 }
@@ -160,7 +184,8 @@ PairLaws readLaws(const Teuchos::ParameterList& section, const std::vector<Named
     for (int b = 0; b < groups; ++b)
       host(a, b) = laws.others;
   for (const NamedPair& pair : pairs)
-    host(pair.one, pair.other) = host(pair.other, pair.one) = readLaw(section.sublist(pair.name));
+    if (section.sublist(pair.name).isParameter("Law"))
+      host(pair.one, pair.other) = host(pair.other, pair.one) = readLaw(section.sublist(pair.name));
   Kokkos::deep_copy(laws.ofGroups, host);
   return laws;
 }

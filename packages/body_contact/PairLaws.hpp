@@ -37,6 +37,9 @@ struct PairLaws
 /// Adds the parameters Law, Friction Coefficient and Static Friction Coefficient.
 void addLawParameters(Section& section);
 
+/// The same for a pair, whose law is that of the section if it has none of its own.
+void addLawParametersOfPair(Section& pair);
+
 /// Checks the laws of a scene and the names of bodies in them.
 void checkLaws(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
 
@@ -45,6 +48,7 @@ struct NamedPair
 {
   std::string name;       ///< of its list
   int one = 0, other = 0; ///< numbers of groups, the lower one first
+  bool inverted = false;  ///< whether the list has the other group first
 };
 
 /// \param section Body Contact, validated \param names of the bodies

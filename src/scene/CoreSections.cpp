@@ -223,6 +223,30 @@ void addLaws(Section& material, LawList<Law...> /*list*/)
   (add(Law{}), ...);
 }
 
+/// Where laws that depend on time have no meaning or are not right.
+void addRulesOfTime(Section& s)
+{
+  const Condition shocks = when::is("Materials > *", "Equation Of State", {"Mie-Grueneisen"});
+  s.refuse({shocks, when::equilibrium()},
+           "its artificial viscosity is for motion; write Equation Of State = Elastic, or Time > Analysis = "
+           "Dynamic");
+  s.refuse(
+      {shocks, when::present("Thermal")},
+      "it has an internal energy of its own, which heat would not reach; write Equation Of State = Elastic, "
+      "or remove the section Thermal");
+  s.refuse({shocks, when::present("Adaptivity")},
+           "its artificial viscosity is that of cells of one size; remove one of the two");
+  s.refuse(
+      {when::given("Materials > *", "Bulk Fractions"), when::present("Thermal")},
+      "thermal strain does not reach relaxing bulk moduli; leave Bulk Fractions out, or remove the section "
+      "Thermal");
+  s.refuse(
+      {when::is("Materials > *", "Model", {"Viscoelastic", "High-Rate Solid"}),
+       when::isNot("Time", "Initial State", {"Unloaded"})},
+      "the equilibrium at the start has no time in which it could relax or flow; write Time > Initial State "
+      "= Unloaded");
+}
+
 Section materials()
 {
   Section material("material", "A material.");
@@ -239,6 +263,7 @@ Section materials()
   Section s("Materials", "The materials of the bodies.");
   s.require();
   s.namedByUser(material);
+  addRulesOfTime(s);
   return s;
 }
 

@@ -119,13 +119,10 @@ private:
         temperatures = {1.0};
       for (const double T : temperatures)
       {
-        const Properties law = makeProperties(materialAt(material, T), name,
-                                              dimension() == 3    ? Plane::Solid
-                                              : plane == "Stress" ? Plane::Stress
-                                                                  : Plane::Strain);
-        const char* const reason = refusesHeat(law);
-        if (reason != nullptr && scene().isSublist("Thermal"))
-          throw std::invalid_argument("Materials > " + name + " > Model: " + reason);
+        makeProperties(materialAt(material, T), name,
+                       dimension() == 3    ? Plane::Solid
+                       : plane == "Stress" ? Plane::Stress
+                                           : Plane::Strain);
       }
     }
     catch (const std::invalid_argument& error)
