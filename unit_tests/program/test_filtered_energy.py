@@ -14,9 +14,10 @@ from scenes import plate
 
 SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
 
-# Forces work on the mean of the velocities before and after a step. The entry is exact for the velocity that changes; the part of the
-# forces' work that the filtered velocity does not do is half of the fraction of PIC.
-HALF = 0.5
+# The entry is what changes the particles' velocity. Motion that is filtered oscillates otherwise, so that the residual of half a step
+# (docs/explanation/energy-balance.md) is not that of the same run without PIC: up to a tenth of the entry with a small fraction of PIC,
+# and half of it with all of PIC, which takes most of the motion within a few steps.
+SMALL, ALL = 0.1, 0.5
 
 
 class FilteredEnergy(ProgramTest):
@@ -40,13 +41,13 @@ class FilteredEnergy(ProgramTest):
 
     def test_a_fraction_of_pic(self):
         for _ in range(3):
-            scene, fraction = self.scene(), self.random.uniform(0.005, 0.1)
+            scene, fraction = self.scene(), self.random.uniform(0.03, 0.1)
             plain = self.energies(scene)
             self.assertNotIn("filtered", plain)
             energy = self.energies(scene.set("Time > PIC Fraction", fraction))
-            self.assertGreater(energy["filtered"], 0.01 * energy["external_work"])
-            most = HALF * fraction * energy["filtered"] + abs(plain["residual"])
-            self.assertLess(abs(energy["residual"]), most, (fraction, energy, plain))
+            self.assertGreater(energy["filtered"], abs(plain["residual"]))
+            apart = abs(energy["residual"] - plain["residual"])
+            self.assertLess(apart, SMALL * energy["filtered"], (fraction, energy, plain))
 
     def test_series_take_less_than_pic(self):
         scene = self.scene()
@@ -56,7 +57,9 @@ class FilteredEnergy(ProgramTest):
             scene.set("Mass Matrix", {"Type": "Lumped", "Velocity Update": update})
             energy = self.energies(scene)
             taken[update] = energy["filtered"]
-            self.assertLess(abs(energy["residual"]), HALF * energy["filtered"] + plain, (update, energy))
+            # FMPM filters the acceleration, too, so that forces work on another motion than that of the particles.
+            share = 1.0 if update == "FMPM" else ALL
+            self.assertLess(abs(energy["residual"]), share * energy["filtered"] + plain, (update, energy))
         for update in ("XPIC", "FMPM"):
             self.assertTrue(0.0 < taken[update] < taken["PIC"], taken)
 
