@@ -4,6 +4,7 @@
 #include "body_contact/LogisticNormal.hpp"
 #include "body_contact/NearestHulls.hpp"
 #include "body_contact/NodalContact.hpp"
+#include "geometry/Cross.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -53,6 +54,9 @@ struct ParticlesOfPair
 /// other do not overlap.
 constexpr double coreSize = 0.5;
 
+/// Distance of hulls below which they count as overlapping [cells]: rounding of their shortest line.
+constexpr double apart = 1e-6;
+
 template <int D>
 struct FindGap
 {
@@ -69,7 +73,91 @@ struct FindGap
   {
     const int one = pairs.group(q, 0), other = pairs.group(q, 1);
     const Vector<D> node = particles.grid.nodePosition(particles.shared.node(s));
-    const Vector<D> n = normalOf(s, one, other, node);
+    const Vector<D> first = normalOf(s, one, other, node);
+    Separation best{first, dot(first, first) > 0.0 ? gapAlong(s, one, other, node, first) : 1e300};
+    if (best.gap <= 0.0)
+      separate(s, one, other, node, best);
+    for (int d = 0; d < D; ++d)
+      pairs.normal(q, d) = best.normal[d];
+    pairs.gap(q) = best.gap;
+  }
+
+  /// A direction from the first group to the second, and the gap between them along it [m].
+  struct Separation
+  {
+    Vector<D> normal;
+    double gap;
+  };
+
+  /// Two convex sets overlap only if they do along every direction. The direction between cores runs across
+  /// where corners pass each other; there the hulls of the whole domains are apart, or the faces of the
+  /// outermost domains have the larger gap between them.
+  KOKKOS_INLINE_FUNCTION void separate(int s, int one, int other, const Vector<D>& node,
+                                       Separation& best) const
+  {
+    const Vector<D> between = shortestBetweenHulls<D>(best.normal, [&](const Vector<D>& v)
+                                                      { return nearest(s, one, other, node, v, 1.0); });
+    const double distance = norm(between);
+    if (distance > apart * particles.grid.spacing)
+    {
+      best = {(1.0 / distance) * between, distance};
+      return;
+    }
+    const Vector<D> across = best.normal;
+    for (const double side : {-1.0, 1.0})
+    {
+      Vector<D> edges[D];
+      particles.edgesOf(outermost(s, side < 0.0 ? one : other, side, node, across), edges);
+      for (int face = 0; face < D; ++face)
+      {
+        const Vector<D> normal = normalOfFace(edges, face, across);
+        if (!(dot(normal, normal) > 0.0))
+          continue;
+        const double gap = gapAlong(s, one, other, node, normal);
+        if (gap > best.gap)
+          best = {normal, gap};
+      }
+    }
+  }
+
+  /// Unit normal of a face of a domain, in the direction of another vector; zero of a flat domain.
+  KOKKOS_INLINE_FUNCTION static Vector<D> normalOfFace(const Vector<D> (&edges)[D], int face,
+                                                       const Vector<D>& towards)
+  {
+    Vector<D> normal;
+    if constexpr (D == 2)
+      normal = {edges[1 - face][1], -edges[1 - face][0]};
+    else
+      normal = cross(edges[(face + 1) % 3], edges[(face + 2) % 3]);
+    const double length = norm(normal);
+    if (!(length > 0.0))
+      return Vector<D>{};
+    return ((dot(normal, towards) < 0.0 ? -1.0 : 1.0) / length) * normal;
+  }
+
+  /// The particle of a group at a node that is nearest to the other group along a direction.
+  KOKKOS_INLINE_FUNCTION int outermost(int s, int group, double side, const Vector<D>& node,
+                                       const Vector<D>& direction) const
+  {
+    double most = -1e300;
+    int best = 0;
+    particles.forEach(s, group, group,
+                      [&](int p, double /*label*/)
+                      {
+                        const double at = -side * along(p, side, direction, node, 1.0);
+                        if (at > most)
+                        {
+                          most = at;
+                          best = p;
+                        }
+                      });
+    return best;
+  }
+
+  /// Gap between the two groups at a node along a direction [m].
+  KOKKOS_INLINE_FUNCTION double gapAlong(int s, int one, int other, const Vector<D>& node,
+                                         const Vector<D>& n) const
+  {
     const double window = windowAround(s, one, other, node, n);
     double end = -1e300, begin = 1e300; // of the first group, and of the second, along the normal
     particles.forEach(s, one, other,
@@ -83,10 +171,7 @@ struct FindGap
                         else
                           begin = std::fmin(begin, at);
                       });
-    const bool found = dot(n, n) > 0.0;
-    for (int d = 0; d < D; ++d)
-      pairs.normal(q, d) = n[d];
-    pairs.gap(q) = found ? begin - end : 1e300;
+    return begin - end;
   }
 
   /// Distance of a particle from the line through the node along the normal [m].
@@ -148,7 +233,7 @@ struct FindGap
     if (numbers[0] == 0 || numbers[1] == 0)
       return Vector<D>{};
     const Vector<D> shortest = shortestBetweenHulls<D>(second - first, [&](const Vector<D>& v)
-                                                       { return nearest(s, one, other, node, v); });
+                                                       { return nearest(s, one, other, node, v, coreSize); });
     const double length = norm(shortest);
     if (length > 1e-3 * particles.grid.spacing)
       return (1.0 / length) * shortest;
@@ -161,9 +246,10 @@ struct FindGap
         });
   }
 
-  /// The vector between points of the two groups' cores whose product with v is smallest.
+  /// The vector between points of the two groups' domains whose product with v is smallest. \param size of
+  /// the domains, 1: their own
   KOKKOS_INLINE_FUNCTION Vector<D> nearest(int s, int one, int other, const Vector<D>& node,
-                                           const Vector<D>& v) const
+                                           const Vector<D>& v, double size) const
   {
     double most[2] = {-1e300, -1e300};
     int best[2] = {0, 0};
@@ -171,23 +257,23 @@ struct FindGap
                       [&](int p, double label)
                       {
                         const int k = label < 0.0 ? 0 : 1;
-                        const double at = -label * along(p, label, v, node, coreSize);
+                        const double at = -label * along(p, label, v, node, size);
                         if (at > most[k])
                         {
                           most[k] = at;
                           best[k] = p;
                         }
                       });
-    return corner(best[1], 1.0, v, node) - corner(best[0], -1.0, v, node);
+    return corner(best[1], 1.0, v, node, size) - corner(best[0], -1.0, v, node, size);
   }
 
-  KOKKOS_INLINE_FUNCTION Vector<D> corner(int p, double label, const Vector<D>& v,
-                                          const Vector<D>& node) const
+  KOKKOS_INLINE_FUNCTION Vector<D> corner(int p, double label, const Vector<D>& v, const Vector<D>& node,
+                                          double size) const
   {
     Vector<D> edges[D], x = offset(p, node);
     particles.edgesOf(p, edges);
     for (int e = 0; e < D; ++e)
-      x = x - (label * 0.5 * coreSize * (dot(edges[e], v) > 0.0 ? 1.0 : -1.0)) * edges[e];
+      x = x - (label * 0.5 * size * (dot(edges[e], v) > 0.0 ? 1.0 : -1.0)) * edges[e];
     return x;
   }
 };

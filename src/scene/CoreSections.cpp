@@ -236,10 +236,8 @@ void addRulesOfTime(Section& s)
       "or remove the section Thermal");
   s.refuse({shocks, when::present("Adaptivity")},
            "its artificial viscosity is that of cells of one size; remove one of the two");
-  s.refuse(
-      {when::given("Materials > *", "Bulk Fractions"), when::present("Thermal")},
-      "thermal strain does not reach relaxing bulk moduli; leave Bulk Fractions out, or remove the section "
-      "Thermal");
+  s.refuse({when::given("Materials > *", "Bulk Fractions"), when::present("Thermal")},
+           "thermal strain does not reach relaxing bulk moduli; leave Bulk Fractions out, or remove Thermal");
   s.refuse(
       {when::is("Materials > *", "Model", {"Viscoelastic", "High-Rate Solid"}),
        when::isNot("Time", "Initial State", {"Unloaded"})},

@@ -173,7 +173,7 @@ def scene_of(drawn, random):
     domain = {
         "Dimension": len(size),
         "Lower Corner": [-6 * CELL] * len(size),
-        "Upper Corner": [CELL * (s + 6) for s in size],
+        "Upper Corner": [CELL * (s + 9) for s in size],
         "Cell Size": CELL,
         "Shape Functions": drawn["Shape Functions"],
         "Formulation": drawn["Formulation"],

@@ -85,6 +85,51 @@ class Bodies(ProgramTest):
                 kinetic = history["kinetic"]
                 self.assertLess(max(abs(e / kinetic[0] - 1.0) for e in kinetic), ROUNDING)
 
+    def test_corners_that_pass_each_other_do_not_touch(self):
+        """Two squares fly past each other along their faces, a small gap apart; both are turned."""
+        for law in ("Frictionless", "Coulomb", "Stick"):
+            gap, angle = self.rng.uniform(0.002, 0.2), self.rng.choice((0.0, self.rng.uniform(-45.0, 45.0)))
+            points, shape = self.rng.choice((2, 3)), self.rng.choice(("GIMP", "Linear"))
+            turn = math.radians(angle)
+            along, normal = (math.cos(turn), math.sin(turn)), (-math.sin(turn), math.cos(turn))
+            at = [self.rng.uniform(0.0, 1.0) for _ in range(2)]
+            bodies = {}
+            for name, sign in (("P", 1.0), ("Q", -1.0)):
+                # Corners pass at half of the time.
+                middle = [a - sign * (3.5 * x + 0.5 * (6.0 + gap) * y) for a, x, y in zip(at, along, normal)]
+                bodies[name] = box([m - 3.0 for m in middle], [m + 3.0 for m in middle], Rotation=angle, Velocity=[sign * x for x in along],
+                                   **{"Particles Per Cell": points})
+            contact = {"Law": law, **({"Friction Coefficient": 0.3} if law == "Coulomb" else {})}
+            scene = Scene(
+                {
+                    "Domain": {"Dimension": 2, "Cell Size": 1.0, "Lower Corner": [-16.0] * 2, "Upper Corner": [17.0] * 2,
+                               "Shape Functions": shape},
+                    "Time": {"Final Time": 1.0},
+                    "Materials": {"Solid": solid(1e8)},
+                    "Bodies": bodies,
+                    "Body Contact": contact,
+                    "Output": {"Fields": False, "Checkpoints": False, "History Interval": 0.1},
+                }
+            )
+            summary, _ = self.run_scene(scene)
+            with self.subTest(law=law, gap=gap, angle=angle, points=points, shape=shape, at=at):
+                self.assertIsNone(summary["body_contact"][0]["first_touch"])
+                for body, sign in zip(summary["bodies"], (1.0, -1.0)):
+                    for value, exact in zip(body["velocity"], along):
+                        self.assertLess(abs(value - sign * exact), 1e-9)
+
+    def test_a_pair_has_the_law_of_the_section_and_the_order_of_its_list(self):
+        """The force is on the second body of the list; a list without a law has that of the section."""
+        scene, _ = self.bars(0.005, 1.0, 1e-4, 20)
+        scene.set("Body Contact", {"Law": "Stick", "Hit": {"Bodies": "Right, Left"}})
+        summary, history = self.run_scene(scene)
+        pair = summary["body_contact"][0]
+        self.assertEqual((pair["name"], pair["bodies"]), ("Hit", ["Right", "Left"]))
+        self.assertLess(pair["impulse"][0], 0.0)
+        self.assertLess(min(history["Hit.contact_force_x"]), 0.0)
+        scene.set("Body Contact > Hit > Friction Coefficient", 0.1)
+        self.assert_refused([self.write("scene.xml", scene.text())], [("Body Contact > Hit > Friction Coefficient", ["Law = Coulomb"])])
+
     def test_bars_in_impact(self):
         """Both bars are free of stress when the waves are back: v moves on by impedances. Waves of one cell spread, so that a part of the
         impulse is missing that falls with the cell: 1.9, 1.1 and 0.8 % with 50, 100 and 160 cells."""
