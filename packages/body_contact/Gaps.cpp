@@ -4,7 +4,6 @@
 #include "body_contact/LogisticNormal.hpp"
 #include "body_contact/NearestHulls.hpp"
 #include "body_contact/NodalContact.hpp"
-#include "geometry/Cross.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -89,9 +88,8 @@ struct FindGap
     double gap;
   };
 
-  /// Two convex sets overlap only if they do along every direction. The direction between cores runs across
-  /// where corners pass each other; there the hulls of the whole domains are apart, or the faces of the
-  /// outermost domains have the larger gap between them.
+  /// Where corners pass each other, the direction between cores runs across, and along it the domains overlap
+  /// before they touch. The hulls of the whole domains are then apart; their distance is the gap.
   KOKKOS_INLINE_FUNCTION void separate(int s, int one, int other, const Vector<D>& node,
                                        Separation& best) const
   {
@@ -99,59 +97,7 @@ struct FindGap
                                                       { return nearest(s, one, other, node, v, 1.0); });
     const double distance = norm(between);
     if (distance > apart * particles.grid.spacing)
-    {
       best = {(1.0 / distance) * between, distance};
-      return;
-    }
-    const Vector<D> across = best.normal;
-    for (const double side : {-1.0, 1.0})
-    {
-      Vector<D> edges[D];
-      particles.edgesOf(outermost(s, side < 0.0 ? one : other, side, node, across), edges);
-      for (int face = 0; face < D; ++face)
-      {
-        const Vector<D> normal = normalOfFace(edges, face, across);
-        if (!(dot(normal, normal) > 0.0))
-          continue;
-        const double gap = gapAlong(s, one, other, node, normal);
-        if (gap > best.gap)
-          best = {normal, gap};
-      }
-    }
-  }
-
-  /// Unit normal of a face of a domain, in the direction of another vector; zero of a flat domain.
-  KOKKOS_INLINE_FUNCTION static Vector<D> normalOfFace(const Vector<D> (&edges)[D], int face,
-                                                       const Vector<D>& towards)
-  {
-    Vector<D> normal;
-    if constexpr (D == 2)
-      normal = {edges[1 - face][1], -edges[1 - face][0]};
-    else
-      normal = cross(edges[(face + 1) % 3], edges[(face + 2) % 3]);
-    const double length = norm(normal);
-    if (!(length > 0.0))
-      return Vector<D>{};
-    return ((dot(normal, towards) < 0.0 ? -1.0 : 1.0) / length) * normal;
-  }
-
-  /// The particle of a group at a node that is nearest to the other group along a direction.
-  KOKKOS_INLINE_FUNCTION int outermost(int s, int group, double side, const Vector<D>& node,
-                                       const Vector<D>& direction) const
-  {
-    double most = -1e300;
-    int best = 0;
-    particles.forEach(s, group, group,
-                      [&](int p, double /*label*/)
-                      {
-                        const double at = -side * along(p, side, direction, node, 1.0);
-                        if (at > most)
-                        {
-                          most = at;
-                          best = p;
-                        }
-                      });
-    return best;
   }
 
   /// Gap between the two groups at a node along a direction [m].
