@@ -126,8 +126,8 @@ void observe(State<D>& state, Account<D>& account)
 {
   const EnergyBalance& energy = state.energy;
   // New faces dissipate energy; heat from outside does not change this balance.
-  account.balance.compare(state, energy.damped + energy.filtered + energy.plastic + energy.merged + energy.fracture +
-                                     energy.stabilised + energy.thermal - energy.heat +
+  account.balance.compare(state, energy.damped + energy.filtered + energy.plastic + energy.merged +
+                                     energy.fracture + energy.stabilised + energy.thermal - energy.heat +
                                      account.contact.dissipated());
 }
 
