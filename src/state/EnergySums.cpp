@@ -105,11 +105,10 @@ double errorOfThermalPath(const State<D>& state)
 template <int D>
 EnergyBalance energyOfAllRanks(const State<D>& state)
 {
-  constexpr double EnergyBalance::*recorded[] = {&EnergyBalance::externalWork, &EnergyBalance::damped,
-                                                 &EnergyBalance::contact,      &EnergyBalance::fracture,
-                                                 &EnergyBalance::merged,       &EnergyBalance::combustion,
-                                                 &EnergyBalance::heat,         &EnergyBalance::stabilised,
-                                                 &EnergyBalance::filtered};
+  constexpr double EnergyBalance::*recorded[] = {
+      &EnergyBalance::externalWork, &EnergyBalance::damped,     &EnergyBalance::contact,
+      &EnergyBalance::fracture,     &EnergyBalance::merged,     &EnergyBalance::combustion,
+      &EnergyBalance::heat,         &EnergyBalance::stabilised, &EnergyBalance::filtered};
   constexpr int count = sizeof(recorded) / sizeof(*recorded);
   EnergyBalance all = state.energy;
   if (!state.ranks.many())
