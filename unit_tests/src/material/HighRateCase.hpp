@@ -69,7 +69,10 @@ struct Metal
   {
     return A + B * std::pow(std::max(alpha, 0.0), n) + voce * (1.0 - std::exp(-voceRate * alpha));
   }
-  double thermal(double T) const { return T > transition ? 1.0 - std::pow((T - transition) / (melt - transition), m) : 1.0; }
+  double thermal(double T) const
+  {
+    return T > transition ? 1.0 - std::pow((T - transition) / (melt - transition), m) : 1.0;
+  }
   /// Plastic strain rate of an equivalent stress: sigma = sigma_y solved for the rate, which is at least the
   /// reference rate where there is flow.
   double flowRate(double stress, double alpha, double T) const
