@@ -169,7 +169,7 @@ Vector<D> onSurface(const Inside<D>& inside, Vector<D> in, Vector<D> out)
 template <int D>
 bool isWithin(Chance& chance, const Inside<D>& inside, const Vector<D>& x, double distance)
 {
-  for (int k = 0; k < 2000; ++k)
+  for (int k = 0; k < 200000; ++k) // a corner may be thin
     if (inside(x + chance(0.0, distance) * chance.direction<D>()))
       return true;
   return false;
