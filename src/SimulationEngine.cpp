@@ -74,8 +74,9 @@ public:
       if (due || (motionFollows && interval > 0.0))
       {
         // Samples missed by a step are left out.
+        const double apart = sampleInterval();
         while (next_ <= state.clock.time)
-          next_ += sampleInterval();
+          next_ += apart;
         if (observer)
           observer(state.clock.time, state.sample.row);
       }
