@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random combinations of effects, formulations and schemes, one pair of choices after another: python3 test_combinations.py.
+"""Random combinations of effects, formulations and schemes, one pair of choices after another: python3 draw_combinations.py.
 
 Each scene is refused with a sentence of the reference's tables, or runs to its end with finite values and a bounded energy, the same
 on two ranks, and the same when it is stopped half way and continued. A combination that is refused is made plainer, one choice after
