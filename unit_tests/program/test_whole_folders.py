@@ -148,9 +148,12 @@ class OneRun(RestartTest):
     def test_a_run_leaves_a_folder_that_another_has_taken(self):
         folder = self.path("out")
         path, first = self.start_long(folder)
+        first.send_signal(signal.SIGSTOP)  # so that it does not look while there is no lock
         os.remove(os.path.join(folder, "run.lock"))
         second = self.start(path, "--output", folder, "--quiet")
         self.addCleanup(second.kill)
+        self.wait_for(second, os.path.join(folder, "run.lock"))
+        first.send_signal(signal.SIGCONT)
         message = self.message_of(first)
         for word in (f"process {first.pid} on ", f"process {second.pid} on ", "another run", folder):
             self.assertIn(word, message)
