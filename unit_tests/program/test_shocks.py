@@ -225,7 +225,7 @@ class Wrong(ProgramTest):
         self.refused({**COPPER, "Johnson-Cook A": 0.0}, "Johnson-Cook A", ["above 0"])
         self.refused({**COPPER, "Melting Temperature": 100.0}, "Melting Temperature", ["give Melting Temperature > Transition Temperature"])
         self.refused({**COPPER, "Grueneisen Coefficient": 5.0}, "Grueneisen Coefficient", ["< 2 Hugoniot Slope"])
-        self.refused(COPPER, "Model", ["internal energy", "Equation Of State = Elastic"], [("Thermal", {"Initial Temperature": 293.0})])
+        self.refused(COPPER, "Equation Of State", ["internal energy", "Equation Of State = Elastic"], [("Thermal", {"Initial Temperature": 293.0})])
         self.refused(COPPER, "Equation Of State", ["plane stress"], [("Domain > Plane", "Stress")])
 
 
