@@ -32,16 +32,15 @@ KOKKOS_INLINE_FUNCTION bool addHashed(double* values, int* columns, int capacity
   return false;
 }
 
-/// Moves the entries of a list to its front. \return their number; `sum` grows by them
-KOKKOS_INLINE_FUNCTION int packHashed(double* values, int* columns, int capacity, double& sum)
+/// Moves the entries of a list to its front. \return their number
+KOKKOS_INLINE_FUNCTION int packHashed(double* values, int* columns, int capacity)
 {
   int kept = 0;
   for (int k = 0; k < capacity; ++k)
     if (columns[k] >= 0)
     {
       values[kept] = values[k];
-      columns[kept] = columns[k];
-      sum += values[kept++];
+      columns[kept++] = columns[k];
     }
   return kept;
 }

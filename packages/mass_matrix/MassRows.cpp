@@ -236,16 +236,25 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
       "rhegma::mass::finishRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         const int centre = s.slots / 2;
         double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
-        double others = 0.0;
-        if (s.lineStart(row * s.lines) >= 0)
+        // Extrapolated weights are negative, and entries of both signs may add up to nothing.
+        double others = 0.0, sizes = 0.0;
+        const bool hasBand = s.lineStart(row * s.lines) >= 0;
+        for (int k = 0; hasBand && k < s.slots; ++k)
         {
-          others = -values[centre];
-          for (int k = 0; k < s.slots; ++k)
-            others += values[k];
+          const double value = k == centre ? 0.0 : values[k];
+          others += value;
+          sizes += std::abs(value);
         }
         const int list = s.extraOf(row);
         if (list >= 0 && s.hashed)
-          s.extraCount(list) = packHashed(&s.extra(list, 0), &s.extraColumn(list, 0), s.listCapacity, others);
+        {
+          s.extraCount(list) = packHashed(&s.extra(list, 0), &s.extraColumn(list, 0), s.listCapacity);
+          for (int k = 0; k < s.extraCount(list); ++k)
+          {
+            others += s.extra(list, k);
+            sizes += std::abs(s.extra(list, k));
+          }
+        }
         else if (list >= 0)
         {
           const int node = s.nodeOf(row), lattice = latticeNode(nodes, node);
@@ -261,11 +270,12 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
             s.extra(list, kept) = value;
             s.extraColumn(list, kept++) = s.rowOf(other);
             others += value;
+            sizes += std::abs(value);
           }
           s.extraCount(list) = kept;
         }
         values[centre] = (isOwnedByThisRank(nodes, s.nodeOf(row)) ? s.lumped(row) : 0.0) - others;
-        s.adjacent(row) = others;
+        s.adjacent(row) = sizes;
       });
   fractionRows(state, system);
   const MassSystem<D> shared = system;

@@ -59,7 +59,7 @@ struct MassSystem
   View<double*> lumped;    ///< L [kg]
   View<double*> band;      ///< M, `stride` numbers a row [kg]
   View<int*> lineStart;    ///< first row of each line of a row's band; -1 at the first where the row is bare
-  View<double*> adjacent;  ///< sum of a row's entries next to its diagonal, of all ranks [kg]
+  View<double*> adjacent;  ///< sum of the sizes of a row's entries next to its diagonal, of all ranks [kg]
   View<char*> coupled;     ///< whether a row has entries next to its diagonal
   View<double*> rowWeight; ///< 1 / number of ranks that have the row; empty where there is one rank
   View<int*> extraOf;      ///< list of each row, or -1

@@ -106,6 +106,55 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
   }
 }
 
+/// Extrapolated weights are negative: the entries of a row next to its diagonal may add up to less than
+/// nothing. Such a row is coupled all the same: a row that takes no part in solves has no entries.
+TEST(MassSystem, LeavesOutOnlyRowsWithoutEntries)
+{
+  std::random_device device;
+  const unsigned seed = device();
+  std::printf("seed %u\n", seed);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  int negative = 0;
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    Teuchos::ParameterList scene =
+        withMass(squareScene("MUSL", trial % 2 == 0 ? "Linear" : "GIMP", 20.0), {"", "Full", "FLIP", 0});
+    scene.sublist("Cracks").set("Formulation", "Corrected Broken Cell");
+    const double angle = 0.5 * number(generator), x = number(generator), y = number(generator);
+    scene.sublist("Cracks").sublist("Slit").set(
+        "Points", Teuchos::Array<double>(
+                      std::vector<double>{x - 5.0 * std::cos(angle), y - 5.0 * std::sin(angle), x, y}));
+    scene.sublist("Time").set("CFL", 0.1);
+    Rhegma::Run<2> run(validated(scene));
+    run.initialize();
+    run.step(1e30, false);
+    Unlumping whole;
+    whole.lumpedFraction = 0.1;
+    MassSystem<2> system;
+    mass_matrix::assemble(run.state(), whole, system);
+    const int n = system.rowCapacity * 2;
+    View<double*> given("given", n), image("image", n);
+    const auto hostGiven = Kokkos::create_mirror_view(given);
+    const auto coupled = onHost(system.coupled);
+    for (int i = 2 * system.first; i < 2 * system.last; ++i)
+      hostGiven(i) = coupled(i / 2) ? number(generator) : 0.0;
+    Kokkos::deep_copy(given, hostGiven);
+    mass_matrix::multiply<2>(system, given.data(), image.data());
+    const auto found = onHost(image);
+    const auto lumped = onHost(system.lumped), band = onHost(system.band);
+    for (int row = system.first; row < system.last; ++row)
+    {
+      const double diagonal = band(static_cast<std::size_t>(row) * system.stride + system.slots / 2);
+      negative += diagonal > lumped(row) ? 1 : 0;
+      if (coupled(row))
+        continue;
+      EXPECT_EQ(found(2 * row), 0.0) << "row " << row;
+    }
+  }
+  EXPECT_GT(negative, 0);
+}
+
 TEST(MassMatrix, IsRefusedWhereItDoesNotFit)
 {
   // A row of GIMP in 3D has 125 numbers of the band and 16 of vectors of four; a list has twice 125
