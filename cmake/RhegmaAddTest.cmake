@@ -61,11 +61,12 @@ if(NOT RHEGMA_PYTHON)
 endif()
 
 # One test in Python: a file tst*.py or test_*.py, run by itself; the exit status tells. With WHILE_TIME_IS_LEFT as a fourth
-# argument it does not start after the time that `setup test --minutes` sets; it has the label limited, too.
+# argument it does not start after the time that `setup test --minutes` sets; it has the label limited, too. A fifth argument is
+# added to its name, so that a test that draws its cases can be run several times.
 function(rhegma_add_python_test file label timeout)
   get_filename_component(name ${file} NAME_WE)
   get_filename_component(folder ${file} DIRECTORY)
-  set(name ${label}.${folder}.${name})
+  set(name ${label}.${folder}.${name}${ARGV4})
   if(NOT RHEGMA_PYTHON)
     message(STATUS "no python3 with numpy, h5py and matplotlib: without the test of ${file}")
     return()

@@ -162,6 +162,10 @@ void addRules(Section& s)
   s.refuse({when::isNot("Thermal > Crack Faces > *", "Conduction", {"Insulating"}),
             when::isNot("Cracks", "Formulation", {"Dual Field"})},
            "conducting faces need Cracks > Formulation = Dual Field; write that, or let them insulate");
+  s.refuse({when::isNot("Thermal > Crack Faces > *", "Conduction", {"Insulating"}),
+            when::is("Thermal", "Conduction", {"Super Time Stepping"})},
+           "super time stepping does not include what passes through faces; write Thermal > Conduction = "
+           "Implicit or Explicit, or let them insulate");
   s.refuse({when::above("Thermal", "Front Heat Fraction", 0.0), when::absent("Propagation")},
            "it needs the section Propagation; add it or leave this parameter out");
   s.provide(capability::heat);
@@ -278,10 +282,6 @@ void checkCrackFaces(const Teuchos::ParameterList& list, std::vector<SceneError>
       errors.push_back(
           {where + " > Conductance",
            "the faces insulate; write Conduction = Always or When Closed, or leave this parameter out"});
-    if (conducts && text(list, "Conduction") == "Super Time Stepping")
-      errors.push_back({where + " > Conduction",
-                        "conducting faces can't be combined with Super Time Stepping; write "
-                        "Thermal > Conduction = Implicit or Explicit"});
   }
 }
 

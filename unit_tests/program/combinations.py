@@ -305,4 +305,6 @@ def add_effects(scene, drawn, end, heat):
             scene.set("Thermal > Crack Faces > Notch > Conduction", drawn["Crack Faces"])
         scene.set("Thermal > Sources > Spot", {
             "Type": "Box", "Lower Corner": scene["Bodies > Block > Lower Corner"],
-            "Upper Corner": [a + 4 * CELL for a in scene["Bodies > Block > Lower Corner"]], "Power Density": 1e9})
+            "Upper Corner": [a + 4 * CELL for a in scene["Bodies > Block > Lower Corner"]],
+            # What heats the body in the steps of a scene would melt it in the end.
+            "Power Density": 1e5 if drawn["Thermal"] == "Steady" else 1e9})
