@@ -40,7 +40,8 @@ void describeViscoelasticity(Section& s)
   s.real("Young Modulus").unit("Pa").positive().meaning("Young's modulus at once, before relaxation.");
   s.real("Poisson Ratio").above(-1.0).below(0.5).meaning("Poisson's ratio at once, before relaxation.");
   s.realArray("Relaxation Times")
-      .meaning("Relaxation time of each term of the Prony series [s]; up to 5 terms.");
+      .unit("s")
+      .meaning("Relaxation time of each term of the Prony series; up to 5 terms.");
   s.realArray("Shear Fractions")
       .meaning(
           "Fraction of the shear modulus that relaxes with each time: G(t) / G(0) = 1 - sum g (1 - exp(-t / "
