@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "cracks/Opening.hpp"
+#include "material/ThermoTables.hpp"
 #include "state/ContactAdvice.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -16,12 +17,19 @@ namespace Rhegma::cracks
 namespace
 {
 
-/// Root mean square of Green's strain of the particles next to a crack.
+/// Root mean square of Green's strain of the particles next to a crack, without their thermal strain: a body
+/// that cools freely keeps its cracks as they are.
 template <int D>
 double strainNextTo(const State<D>& state, int crack)
 {
   const auto side = state.particles.integer(fields::side);
   const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
+  const ThermoTables tables = state.materials.thermo;
+  const bool expands = !tables.empty();
+  const auto material = state.particles.integer(fields::material);
+  BorrowedView<double*> temperature;
+  if (expands)
+    temperature = state.particles.scalar(fields::temperature);
   const int name = crack + 1;
   double found[2] = {0.0, 0.0}; // sum of squares, number of particles
   Kokkos::parallel_reduce(
@@ -29,12 +37,14 @@ double strainNextTo(const State<D>& state, int crack)
       KOKKOS_LAMBDA(const int p, double& sum, double& number) {
         if (side(p) != name && side(p) != -name)
           return;
+        const double free = expands ? ThermoPoint(tables, material(p), temperature(p)).stretch() : 1.0;
+        const double half = 0.5 / (free * free);
         for (int i = 0; i < D; ++i)
           for (int j = 0; j < D; ++j)
           {
             double strain = i == j ? -0.5 : 0.0;
             for (int k = 0; k < D; ++k)
-              strain += 0.5 * F(p, k * D + i) * F(p, k * D + j);
+              strain += half * F(p, k * D + i) * F(p, k * D + j);
             sum += strain * strain;
           }
         number += 1.0;
