@@ -5,12 +5,14 @@ from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from . import style
 from .answers import is_number
+from .deformation import crack_normals
 from .history_picture import finite_maximum, initiation_toughness, legend, widen
 from .report_facts import all_fronts
 from .style import plt
 
 MODES = ("K_I", "K_II", "K_III")
 MOST = 4  # fronts drawn
+OVERLAP = 0.01  # of the largest distance of faces: a smaller overlap is not drawn as one
 
 
 def fronts_with_nodes(summary):
@@ -79,16 +81,28 @@ def border(cells):
     return each[count == 1]
 
 
+def shown_opening(crack):
+    """(what is drawn at every vertex [m], whether faces overlap): the distance of the faces, or where some overlap its part along the normal,
+    which is negative there."""
+    distance = np.linalg.norm(crack.opening, axis=1)
+    apart = np.einsum("ij,ij->i", crack.opening, crack_normals(crack))
+    overlap = bool(apart.min() < -OVERLAP * distance.max())
+    return apart if overlap else distance, overlap
+
+
 def draw_surface(crack, title, time, path):
-    """Writes the picture of crack surfaces, coloured by their opening, true positions. \\return unit of the opening"""
+    """Writes the picture of crack surfaces, coloured by their opening, true positions. \\return unit of the opening, and whether faces overlap"""
     factor, metres = style.scale(float(np.abs(crack.points).max()), "m")
     points = crack.points * factor
-    opening = np.linalg.norm(crack.opening, axis=1)
-    scale, unit = style.scale(float(opening.max()), "m")
+    opening, overlap = shown_opening(crack)
+    most = float(np.abs(opening).max())
+    scale, unit = style.scale(most, "m")
     figure = plt.figure(figsize=(7.2, 4.6))
     axes = figure.add_subplot(projection="3d")
-    surface = Poly3DCollection(points[crack.cells], cmap="viridis", edgecolors=style.QUIET, linewidths=0.25)
+    surface = Poly3DCollection(points[crack.cells], cmap="RdBu_r" if overlap else "viridis", edgecolors=style.QUIET, linewidths=0.25)
     surface.set_array(opening[crack.cells].mean(axis=1) * scale)
+    if overlap:
+        surface.set_clim(-most * scale, most * scale)
     axes.add_collection3d(surface)
     axes.add_collection3d(Line3DCollection(points[border(crack.cells)], colors=style.INK, linewidths=1.4))
     low, high = points.min(axis=0), points.max(axis=0)
@@ -96,12 +110,13 @@ def draw_surface(crack, title, time, path):
     for i, name in enumerate("xyz"):
         getattr(axes, f"set_{name}lim")(middle[i] - half[i], middle[i] + half[i])
         getattr(axes, f"set_{name}label")(f"{name} [{metres}]")
-    axes.set_box_aspect(half, zoom=1.05)
-    axes.locator_params(nbins=5)
-    axes.locator_params(axis="z", nbins=3)
+    axes.set_box_aspect(half, zoom=1.05 * np.linalg.norm(half) / (np.sqrt(3.0) * half.max()))  # the longest edge fits as that of a cube
+    for i, name in enumerate("xyz"):  # short edges have room for few numbers
+        axes.locator_params(axis=name, nbins=max(2, round((3 if name == "z" else 5) * half[i] / half.max())))
+    axes.tick_params(labelsize=8)
     factor, seconds = style.scale(time, "s")
     axes.set_title(f"{title}: crack surface at t = {time * factor:.4g} {seconds}", fontsize=12)
     bar = figure.colorbar(surface, ax=axes, shrink=0.6, aspect=22, pad=0.2)
-    bar.set_label(f"opening [{unit}]")
+    bar.set_label(f"opening [{unit}]" + (", negative: faces overlap" if overlap else ""))
     style.save(figure, path)
-    return unit
+    return unit, overlap

@@ -5,16 +5,19 @@ import itertools
 import numpy as np
 
 COMMON = 0.01  # of all particles: as many have an edge that is one of the lattice; others are boxes that a surface or a crack cuts
-ALONG = 1 << 19  # cells of the lattice along an axis, at most
 FINEST = 8  # cells of the lattice along the edge of a box, at most
 
 
 class Occupancy:
-    """low, high: first and last + 1 of the cells (n, 3) that each box covers, at least the one with its middle; edge: of a cell [m]"""
+    """low, high: first and last + 1 of the cells (n, 3) that each box covers, at least the one with its middle; edge: of a cell [m]
 
-    def __init__(self, middle, extent, body):
+    seamless: a box covers a face of another one only if both have one size and are not cut. Boxes that a surface cuts are smaller than their
+    share of space, and boxes of two sizes part where displacements are magnified: through such gaps one would see into the body."""
+
+    def __init__(self, middle, extent, body, seamless=False):
         sizes, count = np.unique(np.round(extent.max(axis=1) / extent.max(), 6), return_counts=True)
-        common = sizes[count >= COMMON * len(middle)]
+        halvings = np.log2(sizes / sizes[np.argmax(count)])
+        common = sizes[(count >= COMMON * len(middle)) & (np.abs(halvings - np.round(halvings)) < 1.0e-3)]
         self.edge = float(extent.max()) * max(float(common.min()) if len(common) else 1.0, 1.0 / FINEST)
         begin = (middle - 0.5 * extent) / self.edge
         whole = np.all(np.abs(extent / self.edge - np.round(extent / self.edge)) < 1.0e-3, axis=1)
@@ -26,8 +29,13 @@ class Occupancy:
         inside = np.floor(begin + 0.5 * extent / self.edge + 1.0e-6).astype(np.int64)
         self.low = np.minimum(np.round(begin).astype(np.int64), inside)
         self.high = np.maximum(np.round(begin + extent / self.edge).astype(np.int64), inside + 1)
-        self.body = body.astype(np.int64)
-        self.keys = np.unique(np.concatenate([self.key(self.low[chosen] + step, self.body[chosen]) for step, chosen in self.cells()]))
+        self.kind = np.unique(body, return_inverse=True)[1].astype(np.int64)
+        if seamless:
+            edges = np.round(extent / self.edge).astype(np.int64)
+            self.kind = np.where(whole, np.unique(np.c_[self.kind, edges], axis=0, return_inverse=True)[1].ravel(), -1)
+        self.count = self.high.max(axis=0) + 1  # of cells along each axis, with one beyond the last
+        covering = [(step, chosen[self.kind[chosen] >= 0]) for step, chosen in self.cells()]
+        self.keys = np.unique(np.concatenate([self.key(self.low[chosen] + step, self.kind[chosen]) for step, chosen in covering]))
 
     def cells(self):
         """(step (3), particles) for each cell of the boxes, counted from their first one."""
@@ -37,16 +45,18 @@ class Occupancy:
             if len(chosen):
                 yield np.array(step), chosen
 
-    @staticmethod
-    def key(cells, body):
-        return ((body * ALONG + cells[:, 0]) * ALONG + cells[:, 1]) * ALONG + cells[:, 2]
+    def key(self, cells, kind):
+        return ((kind * self.count[0] + cells[:, 0]) * self.count[1] + cells[:, 1]) * self.count[2] + cells[:, 2]
 
-    def covered(self, cells, body):
-        wanted = self.key(cells, body)
-        return self.keys[np.minimum(np.searchsorted(self.keys, wanted), len(self.keys) - 1)] == wanted
+    def covered(self, cells, kind):
+        """Whether a box of a kind covers each cell; none does of kind -1, nor where there are no such boxes at all."""
+        wanted = self.key(cells, kind)
+        if len(self.keys) == 0:
+            return np.zeros(len(cells), dtype=bool)
+        return (kind >= 0) & (self.keys[np.minimum(np.searchsorted(self.keys, wanted), len(self.keys) - 1)] == wanted)
 
     def free(self, outward):
-        """Whether the face (n) of each box in a direction along an axis, such as (0, 0, -1), has a cell next to it that no box of its body covers."""
+        """Whether the face (n) of each box in a direction along an axis, such as (0, 0, -1), has a cell next to it that no box of its kind covers."""
         axis = int(np.argmax(np.abs(outward)))
         beyond = self.high[:, axis] if outward[axis] > 0.0 else self.low[:, axis] - 1
         result = np.zeros(len(self.low), dtype=bool)
@@ -54,5 +64,5 @@ class Occupancy:
             if step[axis] == 0:
                 cells = self.low[chosen] + step
                 cells[:, axis] = beyond[chosen]
-                result[chosen] |= ~self.covered(cells, self.body[chosen])
+                result[chosen] |= ~self.covered(cells, self.kind[chosen])
         return result

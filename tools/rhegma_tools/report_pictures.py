@@ -72,7 +72,7 @@ def spatial_pictures(fields, summary, title, view):
         name = label_of(quantity_shown(fields, "principal"))
         found.append(Shown("png", target.getvalue(), f"{title}: the body in 3D, cut open, coloured by the {name}",
                            f"The body at t = {seconds(fields.time)} in 3D, cut open at {section_of(view)[len(', section at '):]}, coloured by the {name}; "
-                           f"{magnified(factor)}."))
+                           f"{magnified(factor)}." + ("" if fields.crack is None else " Cracks (grey) are not cut.")))
     if fields.crack is None:
         return found
     target = io.BytesIO()
@@ -86,10 +86,11 @@ def spatial_pictures(fields, summary, title, view):
 
 def surface_picture(fields, title, more):
     target = io.BytesIO()
-    unit = draw_surface(fields.crack, title, fields.time, target)
+    unit, overlap = draw_surface(fields.crack, title, fields.time, target)
+    negative = " Where it is negative, the faces overlap, because the scene has no contact: G and K are wrong there." if overlap else ""
     return Shown("png", target.getvalue(), f"{title}: crack surface in 3D, coloured by its opening in {unit}",
-                 f"Crack surface at t = {seconds(fields.time)}, coloured by the opening [{unit}]; true positions. The black line is its border: "
-                 f"the front, and edges on surfaces or planes of symmetry.{more}")
+                 f"Crack surface at t = {seconds(fields.time)}, coloured by the opening [{unit}]; true positions.{negative} The black line is its "
+                 f"border: the front, and edges on surfaces or planes of symmetry.{more}")
 
 
 def field_pictures(folder, summary, title):

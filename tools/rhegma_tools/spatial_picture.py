@@ -97,7 +97,7 @@ def camera_of(fields, view, magnification, onto=False, bounds=None):
     toward = np.zeros(3)
     toward[view.normal], toward[other], toward[vertical] = 1.0, 0.62, 0.55
     toward *= signs
-    toward[vertical] = abs(toward[vertical]) if vertical == 2 else toward[vertical]
+    toward[vertical] = abs(toward[vertical])  # from above
     if onto:
         toward = onto_cracks(toward, fields.crack)
     drawn = fields.position + (magnification - 1.0) * fields.displacement

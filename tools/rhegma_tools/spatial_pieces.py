@@ -22,9 +22,10 @@ def rgb(colour):
     return np.round(255 * np.array(to_rgb(colour)))
 
 
-def outer_faces(fields, kept):
-    """(indices of particles, numbers of faces) of the faces of the particles kept that are at their surface, in the undeformed body."""
-    lattice = Occupancy(fields.position[kept] - fields.displacement[kept], np.abs(fields.edges[kept]).sum(axis=1), fields.body[kept])
+def outer_faces(fields, kept, seamless=False):
+    """(indices of particles, numbers of faces) of the faces of the particles kept that are at their surface, in the undeformed body.
+    seamless: also those next to gaps between boxes"""
+    lattice = Occupancy(fields.position[kept] - fields.displacement[kept], np.abs(fields.edges[kept]).sum(axis=1), fields.body[kept], seamless)
     owners, faces = [], []
     for number, outward in enumerate(OUTWARD):
         free = kept[lattice.free(outward)]
@@ -41,7 +42,7 @@ def box_faces(fields, owners, faces, magnification):
 
 def body_piece(fields, kept, magnification, colours, **look):
     """The surface of the particles kept. colours: (n, 3) of all particles, or one"""
-    owners, faces = outer_faces(fields, kept)
+    owners, faces = outer_faces(fields, kept, seamless=look.get("opacity", 1.0) == 1.0)
     corners = box_faces(fields, owners, faces, magnification)
     chosen = colours[owners] if np.ndim(colours) == 2 else colours
     return Piece(corners.reshape(-1, 3), np.arange(4 * len(corners)).reshape(-1, 4), chosen, **look)

@@ -10,7 +10,8 @@ import numpy as np
 from PIL import Image
 
 from rhegma_tools import scene_spatial, spatial_picture, style
-from rhegma.fields import read_fields
+from rhegma.fields import Crack, read_fields
+from rhegma_tools.front_picture import shown_opening
 from rhegma_tools.scene_symbols import LOAD, Arrows
 from rhegma_tools.spatial_pieces import cell_piece, crack_pieces, cut_open, edge_piece, front_segments, outer_faces
 from rhegma_tools.spatial_picture import camera_of, fronts_at_end, scale_bar
@@ -77,6 +78,37 @@ class Pieces(ToolTest):
         self.assertAlmostEqual((extent[owners] ** 2).sum(), 2 * (20 + 12 + 15), places=9)
         points = edge_piece(fields, 1.0, "#000000").points.reshape(-1, 2, 3)
         self.assertAlmostEqual(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum(), 4 * 12.0, places=9)
+
+    def test_no_gaps_are_left_at_boxes_that_a_surface_cuts(self):
+        fields = brick(self.folder, (8, 5, 4))
+        cut = 7  # its box is smaller than its share of space: a gap parts it from all its neighbours
+        fields.edges[cut] *= 0.7
+        everyone = np.arange(len(fields.position))
+        near = np.abs(fields.position - fields.position[cut]).sum(axis=1)
+        neighbours = np.count_nonzero((near > 1e-9) & (near < 0.0101))
+        owners, faces = outer_faces(fields, everyone, seamless=True)
+        outside, _ = outer_faces(fields, everyone)
+        self.assertEqual(np.count_nonzero(owners == cut), 6)
+        self.assertEqual(len(faces), len(outside) + (6 - np.count_nonzero(outside == cut)) + neighbours)
+        for number in np.unique(faces):
+            self.assertEqual(len(np.unique(owners[faces == number])), np.count_nonzero(faces == number))
+
+    def test_a_brick_of_equal_boxes_has_no_more_faces(self):
+        fields = brick(self.folder)
+        for one, other in zip(outer_faces(fields, np.arange(72), seamless=True), outer_faces(fields, np.arange(72))):
+            np.testing.assert_array_equal(one, other)
+
+    def test_the_opening_of_a_crack_is_negative_where_its_faces_overlap(self):
+        points = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+        cells = np.array([[0, 1, 2], [0, 2, 3]])
+        opening = np.array([[0.0, 0, 3e-6], [4e-6, 0, 3e-6], [0, 0, 1e-6], [0, 0, 0]])
+        shown, overlap = shown_opening(Crack(points, cells, opening))
+        self.assertFalse(overlap)
+        np.testing.assert_allclose(shown, [3e-6, 5e-6, 1e-6, 0.0])
+        opening[2, 2] = -1e-6
+        shown, overlap = shown_opening(Crack(points, cells, opening))
+        self.assertTrue(overlap)
+        np.testing.assert_allclose(shown, [3e-6, 3e-6, -1e-6, 0.0])
 
     def test_edges_of_a_brick(self):
         fields = brick(self.folder)
