@@ -9,11 +9,13 @@ from rhegma.scene import move_files
 from rhegma.values import split_array
 
 from .scene_study import read_scene
+from .unit_factor import in_si
 
 
 def as_values(element):
-    """A list of parameters as {name: text, or such a list}, in the order of the file."""
-    return {entry.get("name"): as_values(entry) if entry.tag == "ParameterList" else (entry.get("value") or "").strip() for entry in element}
+    """A list of parameters as {name: text, or such a list}, in the order of the file; numbers in SI units."""
+    return {entry.get("name"): as_values(entry) if entry.tag == "ParameterList"
+            else in_si(entry.get("name"), (entry.get("value") or "").strip(), entry.get("unit")) for entry in element}
 
 
 def lists(values, *names):
@@ -55,6 +57,7 @@ def write_value(root, path, value, kind="string"):
     if found is None:
         found = ElementTree.SubElement(root, "Parameter", name=path[-1], type=kind)
     found.set("value", value)
+    found.attrib.pop("unit", None)  # that of the value before
 
 
 def remove(root, *path):
