@@ -15,7 +15,7 @@ LatticePart<D> partOf(const Vector<D>& edge, const Frame<D>& frame, const Vector
                       const Region<D>& region)
 {
   const OrientedBox<D> box{frame.toSpace(own), edge, frame.axes};
-  const BoxPart<D> found = partOfBox(box, region);
+  const BoxPart<D> found = region.exact ? region.exact(own, edge) : partOfBox(box, region);
   LatticePart<D> part{{}, 1.0, own, {}};
   const bool whole = found.fraction >= 1.0 - tiny;
   if (!whole)
@@ -226,8 +226,11 @@ private:
 template <int D>
 PartsOfLevels<D> partsOfCells(const Lattice<D>& lattice, const Shape<D>& shape, const SeedRules<D>& rules)
 {
-  const Region<D> region{[&](const Vector<D>& x) { return shape.depth(x); },
-                         [&](const BoxPoints<D>& box) { return shape.coverage(box); }};
+  Region<D> region{[&](const Vector<D>& x) { return shape.depth(x); },
+                   [&](const BoxPoints<D>& box) { return shape.coverage(box); }};
+  if (const auto* const voxels = std::get_if<VoxelShape<D>>(&shape.base().primitive);
+      voxels != nullptr && shape.parts().size() == 1)
+    region.exact = [voxels](const Vector<D>& own, const Vector<D>& edge) { return voxels->part(own, edge); };
   const bool isBox = shape.parts().size() == 1 && std::holds_alternative<Box<D>>(shape.base().primitive);
   const Filling<D> body{shape.base().frame, region, rules, isBox, shape.base().ownBounds()};
   Division<D> division(lattice, body);

@@ -26,6 +26,15 @@ struct BoxPoints
   double reach = 0.0;                        ///< half the diagonal [m]
 };
 
+/// The part of a box that lies in a region.
+template <int D>
+struct BoxPart
+{
+  double fraction = 0.0; ///< of the box's volume
+  Vector<D> centroid{};  ///< from the box's centre, in edges of the box
+  Vector<D> variance{};  ///< mean square distance from the centroid along each axis, in squared edges
+};
+
 /// A region of space.
 template <int D>
 struct Region
@@ -34,6 +43,9 @@ struct Region
   std::function<double(const Vector<D>&)> depth;
   /// Of a box.
   std::function<Coverage(const BoxPoints<D>&)> coverage;
+  /// The part of a box along the region's own axes, in them: middle, edges. Empty where partOfBox must find
+  /// it.
+  std::function<BoxPart<D>(const Vector<D>&, const Vector<D>&)> exact{};
 };
 
 /// A box along given axes.
@@ -43,15 +55,6 @@ struct OrientedBox
   Vector<D> centre; ///< [m]
   Vector<D> edge;   ///< edge lengths along the axes [m]
   Axes<D> axes;     ///< unit vectors
-};
-
-/// The part of a box that lies in a region.
-template <int D>
-struct BoxPart
-{
-  double fraction = 0.0; ///< of the box's volume
-  Vector<D> centroid{};  ///< from the box's centre, in edges of the box
-  Vector<D> variance{};  ///< mean square distance from the centroid along each axis, in squared edges
 };
 
 /// Part of a box in a region.

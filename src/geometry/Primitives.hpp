@@ -5,6 +5,7 @@
 /// distance, so a ball of the radius |depth| about a point is on one side of the surface.
 
 #include "geometry/Solid.hpp"
+#include "geometry/VoxelPhase.hpp"
 
 #include <memory>
 #include <variant>
@@ -92,7 +93,25 @@ struct FileShape
   Bounds<D> bounds(const Frame<D>& frame) const;
 };
 
+/// The voxels of an image that have one value.
 template <int D>
-using Primitive = std::variant<Box<D>, Ball<D>, Cylinder<D>, Polygon<D>, FileShape<D>>;
+struct VoxelShape
+{
+  std::shared_ptr<const VoxelPhase<D>> phase;
+  double size;                          ///< of a voxel [m]
+  Vector<D> corner;                     ///< lower corner of the image [m]
+  static constexpr bool convex = false; ///< a box is inside where its corners are
+
+  bool contains(const Vector<D>& own) const;
+  double depth(const Vector<D>& own) const;
+  Bounds<D> bounds(const Frame<D>& frame) const;
+  /// The part of a box along its axes about `own`: exact but for rounding.
+  BoxPart<D> part(const Vector<D>& own, const Vector<D>& edge) const;
+  /// Of the image, which is the same for all of its values.
+  Vector<D> middle() const;
+};
+
+template <int D>
+using Primitive = std::variant<Box<D>, Ball<D>, Cylinder<D>, Polygon<D>, FileShape<D>, VoxelShape<D>>;
 
 } // namespace Rhegma::Geometry

@@ -1,5 +1,8 @@
 #include "geometry/Shape.hpp"
+
+#include "base/MemoryNeed.hpp"
 #include "geometry/ShapeFile.hpp"
+#include "geometry/VoxelFile.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -187,9 +190,34 @@ FileShape<D> readFile(const ParameterList& list)
 }
 
 template <int D>
+VoxelShape<D> readVoxelShape(const ParameterList& list)
+{
+  const ParameterEntry *const file = list.getEntryPtr("File"), *const value = list.getEntryPtr("Value");
+  if (file == nullptr || !file->isType<std::string>())
+    fail(list, "File", "is missing; write the path of the file (type=\"string\").");
+  if (value == nullptr || !value->isType<int>())
+    fail(list, "Value", "is missing; write the value of the body's voxels (type=\"int\").");
+  VoxelShape<D> shape{nullptr, number(list, "Voxel Size"),
+                      has(list, "Corner") ? vector<D>(list, "Corner") : Vector<D>{}};
+  if (!(shape.size > 0.0))
+    fail(list, "Voxel Size", "must be positive.");
+  try
+  {
+    shape.phase = readVoxels<D>(Teuchos::getValue<std::string>(*file), Teuchos::getValue<int>(*value),
+                                freeMemoryBytes());
+  }
+  catch (const std::invalid_argument& wrong)
+  {
+    fail(list, "File", wrong.what() + std::string("."));
+  }
+  return shape;
+}
+
+template <int D>
 Primitive<D> readPrimitive(const ParameterList& list)
 {
-  const char* const allowed = D == 2 ? "Box, Ball, Polygon, File" : "Box, Ball, Cylinder, Polygon, File";
+  const char* const allowed =
+      D == 2 ? "Box, Ball, Polygon, File, Voxels" : "Box, Ball, Cylinder, Polygon, File, Voxels";
   const std::string name = text(list, "Shape", allowed);
   if (name == "Box")
     return readBox<D>(list);
@@ -201,6 +229,8 @@ Primitive<D> readPrimitive(const ParameterList& list)
     return readPolygon<D>(list);
   if (name == "File")
     return readFile<D>(list);
+  if (name == "Voxels")
+    return readVoxelShape<D>(list);
   fail(list, "Shape", "\"" + name + "\" is no shape; write one of " + std::string(allowed) + ".");
 }
 
@@ -224,8 +254,10 @@ template <int D>
 Part<D> readPart(const ParameterList& list)
 {
   Part<D> part{readPrimitive<D>(list), {readAxes<D>(list), Vector<D>{}}, Operation::Add};
-  part.frame.centre =
-      has(list, "Rotation Centre") ? vector<D>(list, "Rotation Centre") : part.ownBounds().centre();
+  const auto* const voxels = std::get_if<VoxelShape<D>>(&part.primitive); // of which all values turn together
+  part.frame.centre = has(list, "Rotation Centre") ? vector<D>(list, "Rotation Centre")
+                      : voxels != nullptr          ? voxels->middle()
+                                                   : part.ownBounds().centre();
   return part;
 }
 

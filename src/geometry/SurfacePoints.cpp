@@ -184,6 +184,55 @@ struct Sampler
     }
   }
 
+  /// Points of faces between voxels of the value and others: all, or every so many of small ones.
+  void operator()(const VoxelShape<D>& shape)
+  {
+    const int across = countOf(shape.size, spacing, 1);
+    const auto every = static_cast<std::int64_t>(std::max(1.0, std::pow(spacing / shape.size, D - 1)));
+    const Bounds<D>& bounds = shape.phase->bounds();
+    std::int64_t first[3] = {}, last[3] = {1, 1, 1}, seen = 0;
+    for (int d = 0; d < D; ++d)
+    {
+      first[d] = static_cast<std::int64_t>(bounds.lower[d]);
+      last[d] = static_cast<std::int64_t>(bounds.upper[d]);
+    }
+    typename VoxelPhase<D>::Index voxel;
+    for (std::int64_t i = first[0]; i < last[0]; ++i)
+      for (std::int64_t j = first[1]; j < last[1]; ++j)
+        for (std::int64_t k = first[2]; k < last[2]; ++k)
+        {
+          const std::int64_t at[3] = {i, j, k};
+          std::copy(at, at + D, voxel.begin());
+          if (!shape.phase->has(voxel))
+            continue;
+          for (int axis = 0; axis < D; ++axis)
+            for (const int side : {-1, 1})
+            {
+              auto next = voxel;
+              next[axis] += side;
+              if (!shape.phase->has(next) && seen++ % every == 0)
+                addFace(shape, voxel, axis, side, across);
+            }
+        }
+  }
+
+  void addFace(const VoxelShape<D>& shape, const typename VoxelPhase<D>::Index& voxel, int axis, int side,
+               int across)
+  {
+    for (int k = 0; k < (D == 2 ? across : across * across); ++k)
+    {
+      Vector<D> x{}, normal{};
+      for (int d = 0, rest = k; d < D; ++d)
+      {
+        x[d] = static_cast<double>(voxel[d]) +
+               (d == axis ? (side > 0 ? 1.0 : 0.0) : (rest % across + 0.5) / across);
+        rest = d == axis ? rest : rest / across;
+      }
+      normal[axis] = side;
+      points.push_back({shape.corner + shape.size * x, normal});
+    }
+  }
+
   void addEnds(const Polygon<D>& polygon)
   {
     Bounds<2> bounds = emptyBounds<2>();

@@ -67,6 +67,11 @@ struct Width
     const Frame<D> straight{spaceAxes<D>(), Vector<D>{}};
     return (*this)(Box<D>{shape.bounds(straight)});
   }
+  double operator()(const VoxelShape<D>& shape) const
+  {
+    const Frame<D> straight{spaceAxes<D>(), Vector<D>{}};
+    return (*this)(Box<D>{shape.bounds(straight)});
+  }
   double operator()(const Polygon<D>& polygon) const
   {
     const double flat = widthOf(polygon.points);

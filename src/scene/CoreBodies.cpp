@@ -74,6 +74,23 @@ Section file()
   return s;
 }
 
+Section voxels()
+{
+  Section s(
+      "Voxels",
+      "The voxels (pixels in 2D) of an image that have one value, such as a phase of a microstructure.");
+  s.text("File").notEmpty().meaning("Path, relative to the scene, of a NumPy file (.npy): an array of "
+                                    "integers in C order with the axes x and y, "
+                                    "in 3D x, y and z. Several bodies may use one file.");
+  s.integer("Value").meaning("Value of the voxels of this body.");
+  s.real("Voxel Size").unit("m").positive().meaning("Edge of a voxel.");
+  s.realArray("Corner").unit("m").perAxis().byDefaultZeros().meaning(
+      "Corner of the image with the smallest coordinates, before the rotation, which is about the middle of "
+      "the image "
+      "unless Rotation Centre is given.");
+  return s;
+}
+
 void shapes(Section& s)
 {
   s.chosenBy("Shape").meaning("Shape before rotation.");
@@ -82,6 +99,7 @@ void shapes(Section& s)
   s.variant(cylinder());
   s.variant(polygon());
   s.variant(file());
+  s.variant(voxels());
 }
 
 Section operations()

@@ -44,7 +44,7 @@ def need(*packages):
     print(
         f"{tool}: needs the Python packages {', '.join(packages)}, and {' and '.join(tried + [sys.executable])} "
         f"lack{'' if tried else 's'} {', '.join(absent)}; install them, on Debian or Ubuntu with "
-        f"apt-get install {' '.join('python3-' + name for name in packages)}.",
+        f"apt-get install {' '.join('python3-' + name.lower() for name in packages)}.",
         file=sys.stderr,
     )
     sys.exit(1)

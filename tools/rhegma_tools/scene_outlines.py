@@ -5,6 +5,7 @@ import numpy as np
 from .part_lines import part_lines
 from .scene_symbols import spatial
 from .scene_values import array, lists, number
+from .voxel_file import voxel_lines
 
 ROUND = np.linspace(0.0, 2.0 * np.pi, 97)
 
@@ -67,7 +68,15 @@ def file_lines(values, dimension):
     return [origin + scale * line for line in part_lines(values.get("File", ""), dimension)]
 
 
-SHAPES = {"Box": box_lines, "Ball": ball_lines, "Cylinder": cylinder_lines, "Polygon": polygon_lines, "File": file_lines}
+def voxels_lines(values, dimension):
+    """values: with the whole path of the file, as those of a Scene"""
+    size, corner = number(values, "Voxel Size"), spatial(array(values, "Corner", [0.0] * dimension))
+    lines, count = voxel_lines(values.get("File", ""), number(values, "Value"))
+    values.setdefault("Rotation Centre", list((corner + 0.5 * size * count)[:dimension]))  # of the image, for all of its values
+    return [corner + size * line for line in lines]
+
+
+SHAPES = {"Box": box_lines, "Ball": ball_lines, "Cylinder": cylinder_lines, "Polygon": polygon_lines, "File": file_lines, "Voxels": voxels_lines}
 
 
 def rotated(lines, values, dimension):
@@ -94,5 +103,6 @@ def outlines_of(values, dimension):
         shapes = [(one, False)] + [(shape, shape.get("Operation") == "Cut") for _, shape in lists(one, "Operations")]
         for shape, cut in shapes:
             if shape.get("Shape") in SHAPES:
+                shape = dict(shape)
                 found.append(Outline(rotated(SHAPES[shape["Shape"]](shape, dimension), shape, dimension), cut, body))
     return found

@@ -277,6 +277,45 @@ class SceneValues(ToolTest):
         flat.values["Bodies"]["A"]["File"] = self.path("none.txt")
         self.assertEqual(outlines_of(flat.values, 2)[0].lines, [])  # the program says why
 
+    def test_units(self):
+        """Numbers with a unit are drawn where the program puts them; a value of --set without one is in SI units."""
+        def body(name, kind, value, unit=""):
+            more = f' unit="{unit}"' if unit else ""
+            return f'<Parameter name="{name}" type="{kind}" value="{value}"{more}/>'
+
+        text = "".join((body("Lower Corner", "Array(double)", "{-1, 2.5}", "mm"), body("Temperature", "double", "20", "degC"), body("Angle", "double", "3e-3"),
+                        body("Rotation", "double", "1.5", "rad"), body("Stress", "Array(double)", "{0, 5} MPa"), body("History", "string", "0:0, 2:1"),
+                        body("Speed", "double", "-36", "km/hour"), body("Material", "string", "Steel 3")))
+        path = self.write("units.xml", f'<ParameterList name="Rhegma"><ParameterList name="Domain">{text}</ParameterList></ParameterList>')
+        found = Scene(path).values["Domain"]
+        self.assertEqual({name: found[name] for name in ("Lower Corner", "Temperature", "Angle", "Stress", "History", "Speed", "Material")}, {
+            "Lower Corner": "{-0.001, 0.0025}", "Temperature": "293.15", "Angle": "3e-3", "Stress": "{0.0, 5000000.0}", "History": "0:0, 2:1",
+            "Speed": "-10.0", "Material": "Steel 3"})
+        self.assertAlmostEqual(float(found["Rotation"]), np.degrees(1.5), places=9)
+        changed = Scene(path, ["Domain:Lower Corner={-0.002, 0}", "Domain:Temperature=30 degC"])
+        self.assertEqual((changed.values["Domain"]["Lower Corner"], changed.values["Domain"]["Temperature"]), ("{-0.002, 0}", "303.15"))
+        self.assertNotIn('unit="mm"', changed.still())
+
+    def test_outlines_of_voxels(self):
+        """Edges between voxels of a value and others, runs of them as one line; in 3D the bounds."""
+        image = np.zeros((5, 4), dtype="uint8")
+        image[1:4, 1:3] = 7
+        image[2, 1] = 3
+        np.save(self.path("image.npy"), image)
+        body = {"Shape": "Voxels", "File": "image.npy", "Value": 7, "Voxel Size": 2.0, "Corner": [10.0, 20.0]}
+        lines = np.array(outlines_of(Scene(self.write("scene.xml", xml({"Bodies": {"A": body}}))).values, 2)[0].lines)
+        self.assertAlmostEqual(np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1).sum(), 2.0 * 12)
+        self.assertEqual(len(lines), 8)
+        np.testing.assert_allclose([lines.min(axis=(0, 1)), lines.max(axis=(0, 1))], [[12, 22, 0], [18, 26, 0]])
+        turned = {**body, "Rotation": 90.0}  # about the middle of the image (15, 24)
+        lines = np.array(outlines_of(Scene(self.write("turned.xml", xml({"Bodies": {"A": turned}}))).values, 2)[0].lines)
+        np.testing.assert_allclose([lines.min(axis=(0, 1)), lines.max(axis=(0, 1))], [[13, 21, 0], [17, 27, 0]], atol=1e-12)
+        np.save(self.path("deep.npy"), image[:, :, None].repeat(3, axis=2))
+        deep = {**body, "File": "deep.npy", "Corner": [10.0, 20.0, 30.0]}
+        lines = np.array(outlines_of(Scene(self.write("deep.xml", xml({"Domain": {"Dimension": 3}, "Bodies": {"A": deep}}))).values, 3)[0].lines)
+        self.assertEqual(len(lines), 12)
+        np.testing.assert_allclose([lines.min(axis=(0, 1)), lines.max(axis=(0, 1))], [[12, 22, 30], [18, 26, 36]])
+
     def test_refuses_wrong_arguments(self):
         self.assert_fails(run("rhegma-plot"), "either the DIR of a run or --scene")
         self.assert_fails(run("rhegma-plot", self.folder, "--scene", "a.xml"), "either the DIR of a run or --scene")
