@@ -69,8 +69,8 @@ class Display:
         if program is None:
             return self.environment
         read, write = os.pipe()
-        self.server = subprocess.Popen([program, "-displayfd", str(write), "-screen", "0", "640x480x24", "-nolisten", "tcp"], pass_fds=[write],
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        options = ["-screen", "0", "640x480x24", "-nolisten", "tcp", "-noreset"]  # a reset would refuse those who connect again at once
+        self.server = subprocess.Popen([program, "-displayfd", str(write), *options], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()  # empty where the server has ended
