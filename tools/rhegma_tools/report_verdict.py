@@ -88,6 +88,9 @@ def of_no_toughness(fronts):
     if is_number(last):
         estimate = f" ± {100.0 * error / last:.2g} %" if is_number(error) and last > 0.0 else ""
         at_end = f"{readable(last, 'J/m²')}{estimate} at the end"
+        most_along = most[2].get("G_J_max")  # in 3D, where a front starts first
+        if is_number(most_along) and most_along > last:
+            at_end = f"{readable(last, 'J/m²')}{estimate} in the mean along the front and {readable(most_along, 'J/m²')} at most, at the end"
     peak = f"{', ' if at_end else ''}{readable(largest, 'J/m²')} at most" if not is_number(last) or largest > last else ""
     return (f"Not decided: the scene has no toughness (section Propagation). A crack runs if its toughness is below G. The largest is that of "
             f"{name_of(most)}: G = {at_end}{peak}.")

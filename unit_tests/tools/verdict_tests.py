@@ -160,6 +160,8 @@ class FrontTable(ToolTest):
         self.assertEqual(list(numbers), [2, 3, 4, 5])
 
     def test_in_3d_the_range_and_no_position(self):
+        text = verdict(summary_of({"G_J": 77.0, "G_J_error_estimate": 7.7, "largest_G_J": 77.0, "G_J_min": 73.0, "G_J_max": 83.0}))
+        self.assertIn("G = 77 J/m² ± 10 % in the mean along the front and 83 J/m² at most, at the end.", text)
         head, rows, _ = front_table(summary_of({"G_J": 77.0, "G_J_min": 73.0, "G_J_max": 83.0, "position": [0.0, 0.0, 0.0]}))
         self.assertEqual(head, ["crack and front", "state", "G [J/m²]", "largest G [J/m²]"])
         self.assertEqual("".join(rows[0][2]), "77<br>(73 to 83)")
