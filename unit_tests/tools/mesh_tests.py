@@ -145,7 +145,7 @@ class Drawings(ToolTest):
 
     def test_mistakes(self):
         self.assert_fails(run("rhegma-mesh", self.path("absent.svg")), "there is no file")
-        self.assert_fails(run("rhegma-mesh", self.write("a.png", "")), "is neither an SVG drawing (.svg) nor a STEP file")
+        self.assert_fails(run("rhegma-mesh", self.write("a.dxf", "")), "is neither an SVG drawing (.svg) nor a STEP file")
         self.assert_fails(run("rhegma-mesh", self.write("a.svg", "<svg")), "is no XML")
         self.assert_fails(run("rhegma-mesh", self.write("b.svg", HEAD + "</svg>")), "the drawing has no shapes")
         self.assert_fails(run("rhegma-mesh", self.write("c.svg", HEAD + '<path d="M 0 0 L 1 x"/></svg>')), 'the path has "x" where a number is expected')
