@@ -32,9 +32,10 @@ public:
 
   const Bounds<D>& bounds() const { return bounds_; } ///< of its voxels
   const Index& count() const { return count_; }       ///< of the image
+  /// Whether a voxel is in the image and has the value.
   bool has(const Index& voxel) const { return isInImage(voxel) && shell_[at(voxel)] > 0; }
 
-  static constexpr int exact = 8;
+  static constexpr int exact = 8; ///< voxels up to which depths are exact
 
 private:
   bool isInImage(const Index& voxel) const;
