@@ -207,6 +207,51 @@ void fractionRows(const State<D>& state, MassSystem<D>& system)
       KOKKOS_LAMBDA(const int row) { rowWeight(row) = 1.0 / rowWeight(row); });
 }
 
+/// Moves the entries of a row's list, which lie in the slots of two fields, to its front. \param lattice node
+/// of the row in the lattice \param second enriched field of each node \return their number
+template <int D>
+KOKKOS_INLINE_FUNCTION int packSlots(const MassSystem<D>& s, int row, int lattice, const View<int*>& second)
+{
+  const int list = s.extraOf(row);
+  int kept = 0;
+  for (int k = 0; k < 2 * s.slots; ++k)
+  {
+    const double value = s.extra(list, k);
+    if (value == 0.0)
+      continue;
+    const int to = lattice + s.step(k % s.slots), other = k < s.slots ? to : second(to);
+    if (other == s.nodeOf(row))
+      continue;
+    s.extra(list, kept) = value;
+    s.extraColumn(list, kept++) = s.rowOf(other);
+  }
+  return kept;
+}
+
+/// Finds which rows have entries next to their diagonals; nodes of others lose their rows.
+template <int D>
+void findCoupled(const State<D>& state, MassSystem<D>& system)
+{
+  const MassSystem<D> shared = system;
+  double found[2] = {0.0, 0.0}; // lumped mass and number of coupled rows
+  parallelSumSmall(
+      "rhegma::mass::coupledRows", system.first, system.last,
+      KOKKOS_LAMBDA(const int row, double& sum, double& count) {
+        shared.coupled(row) = shared.adjacent(row) > 0.0;
+        if (shared.coupled(row))
+        {
+          sum += shared.weightOf(row) * shared.lumped(row);
+          count += shared.weightOf(row);
+        }
+        else
+          shared.rowOf(shared.nodeOf(row)) = -1;
+      },
+      found[0], found[1]);
+  sumParts(state, found, 2);
+  system.coupledMass = found[0];
+  system.numCoupled = static_cast<int>(std::lround(found[1]));
+}
+
 } // namespace
 
 template <int D>
@@ -234,8 +279,8 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
   const View<int*> second = state.cracks.enrichedField;
   parallelForSmall(
       "rhegma::mass::finishRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
-        const int centre = s.slots / 2;
         double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
+        const int centre = s.slots / 2, list = s.extraOf(row);
         // Extrapolated weights are negative, and entries of both signs may add up to nothing.
         double others = 0.0, sizes = 0.0;
         const bool hasBand = s.lineStart(row * s.lines) >= 0;
@@ -245,57 +290,20 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
           others += value;
           sizes += std::abs(value);
         }
-        const int list = s.extraOf(row);
-        if (list >= 0 && s.hashed)
+        if (list >= 0)
+          s.extraCount(list) = s.hashed
+                                   ? packHashed(&s.extra(list, 0), &s.extraColumn(list, 0), s.listCapacity)
+                                   : packSlots(s, row, latticeNode(nodes, s.nodeOf(row)), second);
+        for (int k = 0; list >= 0 && k < s.extraCount(list); ++k)
         {
-          s.extraCount(list) = packHashed(&s.extra(list, 0), &s.extraColumn(list, 0), s.listCapacity);
-          for (int k = 0; k < s.extraCount(list); ++k)
-          {
-            others += s.extra(list, k);
-            sizes += std::abs(s.extra(list, k));
-          }
-        }
-        else if (list >= 0)
-        {
-          const int node = s.nodeOf(row), lattice = latticeNode(nodes, node);
-          int kept = 0;
-          for (int k = 0; k < 2 * s.slots; ++k)
-          {
-            const double value = s.extra(list, k);
-            if (value == 0.0)
-              continue;
-            const int to = lattice + s.step(k % s.slots), other = k < s.slots ? to : second(to);
-            if (other == node)
-              continue;
-            s.extra(list, kept) = value;
-            s.extraColumn(list, kept++) = s.rowOf(other);
-            others += value;
-            sizes += std::abs(value);
-          }
-          s.extraCount(list) = kept;
+          others += s.extra(list, k);
+          sizes += std::abs(s.extra(list, k));
         }
         values[centre] = (isOwnedByThisRank(nodes, s.nodeOf(row)) ? s.lumped(row) : 0.0) - others;
         s.adjacent(row) = sizes;
       });
   fractionRows(state, system);
-  const MassSystem<D> shared = system;
-  double found[2] = {0.0, 0.0}; // lumped mass and number of coupled rows
-  parallelSumSmall(
-      "rhegma::mass::coupledRows", s.first, s.last,
-      KOKKOS_LAMBDA(const int row, double& sum, double& count) {
-        shared.coupled(row) = shared.adjacent(row) > 0.0;
-        if (shared.coupled(row))
-        {
-          sum += shared.weightOf(row) * shared.lumped(row);
-          count += shared.weightOf(row);
-        }
-        else
-          shared.rowOf(shared.nodeOf(row)) = -1;
-      },
-      found[0], found[1]);
-  sumParts(state, found, 2);
-  system.coupledMass = found[0];
-  system.numCoupled = static_cast<int>(std::lround(found[1]));
+  findCoupled(state, system);
   if (system.hashed && fullestListOf(system) > fullestList * system.listCapacity)
     system.listCapacity *= 2; // from the next step on
 }
