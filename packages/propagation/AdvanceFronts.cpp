@@ -99,39 +99,46 @@ bool isArrestedByNegative(const AdvanceRule& rule, double release, const FrontHi
   return !history.running() && (history.meanSinceAdvance() < -noise * rule.arrest || release < -rule.arrest);
 }
 
-/// Angles by which the nodes of a front turn, smoothed along it over those that advance with a node: a hat
-/// two nodes wide, twice [rad].
+/// Values of the nodes of a front, smoothed along it over those that advance with a node: a hat two nodes
+/// wide, twice.
 template <int D>
-std::vector<double> turningAngles(const CrackFront<D>& front, const Options& options,
-                                  const std::map<int, FrontNodeState>& states)
+std::vector<double> smoothed(const CrackFront<D>& front, std::vector<double> value)
 {
   const std::size_t count = front.nodes.size();
-  std::vector<double> angle(count, 0.0);
-  for (std::size_t k = 0; k < count; ++k)
-    if (front.nodes[k].advances && !(states.at(front.nodes[k].name).straightLength > 0.0))
-      angle[k] = turningAngle(front.nodes[k].driving, options.direction);
   for (int round = 0; round < 2 && count > 1; ++round)
   {
-    std::vector<double> mean = angle;
+    std::vector<double> mean = value;
     for (std::size_t k = 0; k < count; ++k)
     {
-      double sum = 2.0 * angle[k], weight = 2.0;
+      double sum = 2.0 * value[k], weight = 2.0;
       const std::size_t last = k > 0 ? k - 1 : count - 1, next = k + 1 < count ? k + 1 : 0;
       if (front.nodes[last].facet >= 0 && front.nodes[last].advances)
       {
-        sum += angle[last];
+        sum += value[last];
         weight += 1.0;
       }
       if (front.nodes[k].facet >= 0 && front.nodes[next].advances)
       {
-        sum += angle[next];
+        sum += value[next];
         weight += 1.0;
       }
       mean[k] = sum / weight;
     }
-    angle = mean;
+    value = mean;
   }
-  return angle;
+  return value;
+}
+
+/// Angles by which the nodes of a front turn, smoothed along it [rad].
+template <int D>
+std::vector<double> turningAngles(const CrackFront<D>& front, const Options& options,
+                                  const std::map<int, FrontNodeState>& states)
+{
+  std::vector<double> angle(front.nodes.size(), 0.0);
+  for (std::size_t k = 0; k < angle.size(); ++k)
+    if (front.nodes[k].advances && !(states.at(front.nodes[k].name).straightLength > 0.0))
+      angle[k] = turningAngle(front.nodes[k].driving, options.direction);
+  return smoothed(front, angle);
 }
 
 /// The toughness that a front node reaches when it advances in equilibrium [J/m2].
@@ -142,12 +149,18 @@ double toughnessAtRest(const FrontNode<D>& node, const FrontNodeState& own, cons
   return own.history.running() ? rule.toughness(0.0, rule.temperature) : rule.initiation;
 }
 
-/// G/Gc of a front node in equilibrium, of the part of G that opens the crack.
+/// G/Gc of the nodes of a front that advance in equilibrium, of the part of G that opens the crack; 0 of
+/// others. It is smoothed along the front: nodes are about a cell apart, and the domain of the J integral of
+/// each is several cells wide, so that differences between neighbours are those of the cells.
 template <int D>
-double driveOf(const FrontNode<D>& node, const FrontNodeState& own, const Elasticity& e,
-               const Options& options)
+std::vector<double> drivesAlong(const CrackFront<D>& front, const std::map<int, FrontNodeState>& states,
+                                const Elasticity& e, const Options& options)
 {
-  return openingRelease(node.driving, e) / toughnessAtRest(node, own, options);
+  std::vector<double> drive(front.nodes.size(), 0.0);
+  for (std::size_t k = 0; k < drive.size(); ++k)
+    if (const FrontNode<D>& node = front.nodes[k]; node.advances)
+      drive[k] = openingRelease(node.driving, e) / toughnessAtRest(node, states.at(node.name), options);
+  return smoothed(front, drive);
 }
 
 /// Fraction of its increment by which a front node advances in equilibrium. Fronts of one node advance if
@@ -164,11 +177,12 @@ double advanceFraction(double drive, double largest)
 }
 
 /// What a node does that is selected in equilibrium, with the part of its increment that it advances by.
+/// \param drive its G/Gc
 template <int D>
-std::pair<Advance, double> advanceAtRest(const State<D>& state, const Options& options, const Elasticity& e,
+std::pair<Advance, double> advanceAtRest(const State<D>& state, const Options& options, double drive,
                                          const FrontNode<D>& node, FrontNodeState& own)
 {
-  const double fraction = advanceFraction<D>(driveOf(node, own, e, options), state.cracks.growth.drive);
+  const double fraction = advanceFraction<D>(drive, state.cracks.growth.drive);
   if (!(fraction > 0.0))
     return {Advance{}, 0.0};
   own.history.advanceInEquilibrium(state.clock.time, node.driving.release, fraction * own.increment);
@@ -186,16 +200,17 @@ double resistanceAtRest(double now, bool equilibrium, const AdvanceRule& rule, c
 }
 
 /// The advance of a selected node; zero where the opening part of the energy release rate does not reach the
-/// toughness. \param e of the material at the front \param angle by which it turns [rad]
+/// toughness. \param e of the material at the front \param angle by which it turns [rad] \param drive G/Gc in
+/// equilibrium
 template <int D>
 FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, const Elasticity& e,
-                                double angle, FrontNode<D>& node, FrontState<D>& front)
+                                double angle, double drive, FrontNode<D>& node, FrontState<D>& front)
 {
   FrontNodeState& own = front.nodes.at(node.name);
   Advance made;
   double fraction = 1.0;
   if (options.equilibrium)
-    std::tie(made, fraction) = advanceAtRest(state, options, e, node, own);
+    std::tie(made, fraction) = advanceAtRest(state, options, drive, node, own);
   else
     made = own.history.advance(ruleAt(node.temperature, options), state.clock.time,
                                openingRelease(node.driving, e), own.increment, own.speedLimit);
@@ -331,13 +346,13 @@ void measureDrive(State<D>& state, const Options& options, const std::vector<Fro
     if (!front.advances())
       continue;
     const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
-    for (const FrontNode<D>& node : front.nodes)
-      if (node.advances)
-        if (const double drive = driveOf(node, fronts[f].nodes.at(node.name), e, options); drive > largest)
-        {
-          largest = drive;
-          release = openingRelease(node.driving, e);
-        }
+    const std::vector<double> drive = drivesAlong(front, fronts[f].nodes, e, options);
+    for (std::size_t k = 0; k < drive.size(); ++k)
+      if (const FrontNode<D>& node = front.nodes[k]; node.advances && drive[k] > largest)
+      {
+        largest = drive[k];
+        release = drive[k] * toughnessAtRest(node, fronts[f].nodes.at(node.name), options);
+      }
   }
   state.cracks.growth.drive = largest;
   state.cracks.growth.release = release;
@@ -356,6 +371,8 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
     const std::vector<double> angle = turningAngles(front, options, fronts[f].nodes);
     // The moduli with which the intensities were computed.
     const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
+    const std::vector<double> drive = options.equilibrium ? drivesAlong(front, fronts[f].nodes, e, options)
+                                                          : std::vector<double>(angle.size());
     FrontAdvance<D> advance;
     advance.front = static_cast<int>(f);
     bool any = false;
@@ -364,7 +381,7 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
       FrontNode<D>& node = front.nodes[k];
       if (node.advances)
       {
-        const FrontNodeAdvance<D> by = advanceNode(state, options, e, angle[k], node, fronts[f]);
+        const FrontNodeAdvance<D> by = advanceNode(state, options, e, angle[k], drive[k], node, fronts[f]);
         if (by.length > 0.0)
           warnOfOtherMaterial(options, front, node, by.length * by.direction, state);
         advance.nodes.push_back(by);
