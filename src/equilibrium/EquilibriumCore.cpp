@@ -89,6 +89,7 @@ struct Account
   bool started = false;                    ///< not stored: used in the first step only
   bool warnedOfCut = false;                ///< not stored: a run that continues says it again
   bool warnedOfRounding = false;           ///< not stored either
+  bool warnedOfInstability = false;        ///< not stored either
   std::shared_ptr<LinearSystem<D>> system; ///< of the last step
 };
 
@@ -157,6 +158,21 @@ void warnOfRounding(const StepReport& report, State<D>& state, Account<D>& accou
         "and G are no better known than that, and may be known much worse: use larger loads (results of a "
         "linear body are in proportion to them) or supports that move the bodies less");
   }
+}
+
+/// Warns, once, of an equilibrium in which bodies do not stay.
+template <int D>
+void warnOfInstability(const StepReport& report, State<D>& state, Account<D>& account)
+{
+  if (report.negativeEigenvalues == 0 || account.warnedOfInstability)
+    return;
+  account.warnedOfInstability = true;
+  state.warnings.push_back(
+      "Time > Analysis: the equilibrium at t = " + readableTime(state.clock.time + state.clock.dt) +
+      " is unstable: the stiffness has " + counted(report.negativeEigenvalues, "negative eigenvalue") +
+      "; under smaller loads than these a body buckles, or its law softens, and a real "
+      "one does not stay in this state: use smaller loads, or compute the motion with "
+      "Time > Analysis = Dynamic");
 }
 
 template <int D, class IsNew>
@@ -249,6 +265,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   }
   if (!(last.enough > 0.0))
     warnOfRounding(report, state, account);
+  warnOfInstability(report, state, account);
   warnOfFreePieces(report, isNew, state, account);
 }
 

@@ -224,7 +224,7 @@ SolveResult LinearSystem<D>::runKrylov(const View<double*>& diagonal, int most)
 }
 
 template <int D>
-LinearAnswer LinearSystem<D>::iterate(double enough)
+LinearAnswer LinearSystem<D>::iterate(const LinearGoal& goal)
 {
   double size = 0.0;
   for (int k = 0; k < matrix_.rows(); ++k)
@@ -236,7 +236,7 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
     return {true, 0, 0};
   }
   // The tolerance is that of a right side of size one: a smaller one needs fewer digits.
-  const double wanted = std::min(std::max(enough / size, leastLinearResidual), 0.1);
+  const double wanted = std::min(std::max({goal.force / size, goal.fraction, leastLinearResidual}), 0.1);
   const double scale = size * std::max(1.0, wanted / linearTolerance);
   const auto right = krylov_->right();
   View<double*> diagonal("rhegma::equilibrium::diagonal", matrix_.rows());
@@ -308,7 +308,7 @@ bool LinearSystem<D>::takesUnsymmetric()
 
 template <int D>
 LinearAnswer LinearSystem<D>::solve(StiffnessBlocks stiffness, bool symmetric, const Values& right,
-                                    double enough, const Values& change)
+                                    const LinearGoal& goal, const Values& change)
 {
   if (rowsOfAll_ == 0)
     return {true, 0, 0};
@@ -317,11 +317,11 @@ LinearAnswer LinearSystem<D>::solve(StiffnessBlocks stiffness, bool symmetric, c
   matrix_.moveHeldToRight(stiffness, held_, right, change, b_);
   stiffness = {};
   symmetric_ = symmetric;
-  return finish(method_ == Method::Direct ? solveDirectly(symmetric) : iterate(enough), symmetric, change);
+  return finish(method_ == Method::Direct ? solveDirectly(symmetric) : iterate(goal), symmetric, change);
 }
 
 template <int D>
-LinearAnswer LinearSystem<D>::solveAgain(const Values& right, double enough, const Values& change)
+LinearAnswer LinearSystem<D>::solveAgain(const Values& right, const LinearGoal& goal, const Values& change)
 {
   if (rowsOfAll_ == 0)
     return {true, 0, 0};
@@ -331,7 +331,7 @@ LinearAnswer LinearSystem<D>::solveAgain(const Values& right, double enough, con
     b_(k) = held_(of) != 0 ? 0.0 : right(of);
   }
   if (method_ != Method::Direct)
-    return finish(iterate(enough), symmetric_, change);
+    return finish(iterate(goal), symmetric_, change);
   DirectSolver& direct = symmetric_ ? direct_ : unsymmetric_;
   Kokkos::deep_copy(x_, b_);
   direct.solve(x_);

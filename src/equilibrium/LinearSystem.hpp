@@ -21,6 +21,13 @@ struct LinearAnswer
   int negativeEigenvalues = 0; ///< of the matrix, where a direct solution counts them
 };
 
+/// When a linear solution is exact enough: as soon as its residual is below one of these.
+struct LinearGoal
+{
+  double force;          ///< [N]
+  double fraction = 0.0; ///< of the right side
+};
+
 /// The matrix of all unknowns, of one graph. Rows of unknowns that supports hold are those of the diagonal
 /// alone, so that each node keeps its D rows. On several ranks each has the rows that it owns, and all calls
 /// but `unknowns` and `method` are collective.
@@ -58,13 +65,13 @@ public:
   /// \param stiffness complete for the rows that this rank owns; released before the system is solved, if the
   /// caller keeps no reference
   /// \param symmetric whether the stiffness is \param right forces on all unknowns
-  /// \param enough residual that need not be improved on [N] \param change on entry of held unknowns, on exit
+  /// \param goal of conjugate gradients or GMRES \param change on entry of held unknowns, on exit
   /// of all that this rank owns
-  LinearAnswer solve(StiffnessBlocks stiffness, bool symmetric, const Values& right, double enough,
+  LinearAnswer solve(StiffnessBlocks stiffness, bool symmetric, const Values& right, const LinearGoal& goal,
                      const Values& change);
 
   /// The same with the stiffness of the last call, where no held unknown changes.
-  LinearAnswer solveAgain(const Values& right, double enough, const Values& change);
+  LinearAnswer solveAgain(const Values& right, const LinearGoal& goal, const Values& change);
 
   /// Whether a system of so many rows is too large for direct solutions.
   static bool isLarge(int rows);
@@ -89,7 +96,7 @@ private:
                     const BorrowedView<double*>& y) const;
   LinearAnswer solveDirectly(bool symmetric);
   LinearAnswer finish(LinearAnswer answer, bool symmetric, const Values& change);
-  LinearAnswer iterate(double enough);
+  LinearAnswer iterate(const LinearGoal& goal);
   SolveResult runKrylov(const View<double*>& diagonal, int most = 0);
 
   RowOwners owners_;

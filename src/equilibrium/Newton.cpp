@@ -50,6 +50,11 @@ constexpr double usefulFraction = 0.1;
 /// Residual of a linear solution, as a fraction of what ends the step.
 constexpr double linearFraction = 0.1;
 
+/// Residual of a linear solution with an approximate stiffness, as a fraction of the residual that the
+/// iteration of Newton's method before it has left, and as a fraction of the right side at most. Further
+/// digits would be lost to the error of the stiffness.
+constexpr double linearFractionOfStiffness = 0.1, mostLinearFraction = 1e-3;
+
 } // namespace
 
 template <int D>
@@ -362,6 +367,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   bool keeps = false; // the last stiffness
   SecantMixing mixing = mixingOfFreeMotions();
   bool moved = !supportsAreInPlace();
+  double ofStiffness = mostLinearFraction; // see LinearGoal::fraction
   most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
   for (int k = 0; k <= most; ++k)
   {
@@ -380,10 +386,10 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
       break;
     for (int i = 0; i < n; ++i)
       change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
-    const double enough = linearFraction * forceTolerance * forces;
+    const LinearGoal goal{linearFraction * forceTolerance * forces, boxes_.any() ? ofStiffness : 0.0};
     const LinearAnswer answer =
-        keeps ? system_->solveAgain(residual_, enough, change)
-              : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, enough, change);
+        keeps ? system_->solveAgain(residual_, goal, change)
+              : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, goal, change);
     copyFromOwners(state, graph_, owners_, change);
     removeRigidMotion(change);
     report.linearIterations += answer.iterations;
@@ -398,7 +404,9 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
       report.converged = answer.solved && !moved && isRounding(state, now, forces);
       break;
     }
-    keeps = keepsStiffness(moved ? forces : now, norm(residual_, false), forces);
+    const double left = norm(residual_, false);
+    ofStiffness = std::min(mostLinearFraction, linearFractionOfStiffness * left / (moved ? forces : now));
+    keeps = keepsStiffness(moved ? forces : now, left, forces);
     moved = !supportsAreInPlace();
     keeps = keeps && !moved;
     updateForces(state);

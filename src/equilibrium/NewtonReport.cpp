@@ -77,9 +77,9 @@ void NewtonStep<D>::splitWork(const State<D>& state, const Values& ofStress)
     removeResultants(modes_, pieceOf_, position_, mass_, owners_, right);
   // Of loads and not of the stress, which may release a hundred times as much: an error of the linear
   // solution is a part of what is divided.
-  const double enough = forceTolerance * norm(right, false);
+  const LinearGoal goal{forceTolerance * norm(right, false)};
   if (!assemble(state) ||
-      !system_->solve(std::exchange(stiffness_, {}), symmetric_, right, enough, ofLoads).solved)
+      !system_->solve(std::exchange(stiffness_, {}), symmetric_, right, goal, ofLoads).solved)
     return;
   copyFromOwners(state, graph_, owners_, ofLoads);
   removeRigidMotion(ofLoads);

@@ -81,16 +81,12 @@ void RowOwners::sendCouplings(std::vector<std::vector<int>>& coupled) const
   std::vector<double> pairs;
   for (std::size_t r = 0; r < coupled.size(); ++r)
     if (!owns(static_cast<int>(r)))
-    {
-      std::sort(coupled[r].begin(), coupled[r].end());
-      coupled[r].erase(std::unique(coupled[r].begin(), coupled[r].end()), coupled[r].end());
       for (const int other : coupled[r])
       {
         to.push_back(ownerOf(number_[r]));
         pairs.push_back(static_cast<double>(number_[r]));
         pairs.push_back(static_cast<double>(number_[other]));
       }
-    }
   const std::vector<double> received = sendRows(ranks_, to, pairs, 2);
   for (std::size_t k = 0; k < received.size(); k += 2)
     coupled[rowOf(received[k])].push_back(rowOf(received[k + 1]));

@@ -39,7 +39,7 @@ public:
   }
 
   /// Adds the couplings of rows of other ranks to those of their owners. Collective.
-  /// \param coupled rows coupled with each row
+  /// \param coupled rows coupled with each row, ascending; what is added comes after them
   void sendCouplings(std::vector<std::vector<int>>& coupled) const;
 
   /// Adds entries of rows of other ranks to those of their owners, which then are complete. Collective.

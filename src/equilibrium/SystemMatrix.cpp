@@ -1,10 +1,22 @@
 #include "equilibrium/SystemMatrix.hpp"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace Rhegma::equilibrium
 {
+
+namespace
+{
+
+/// For views that are filled before they are read: to set them to zero takes a tenth of a large assembly.
+auto uninitialised(const std::string& label)
+{
+  return Kokkos::view_alloc(Kokkos::WithoutInitializing, label);
+}
+
+} // namespace
 
 template <int D>
 SystemMatrix<D>::SystemMatrix(const RowGraph& graph, const RowOwners& owners) : graph_(graph), owners_(owners)
@@ -57,11 +69,11 @@ void SystemMatrix<D>::build()
       std::sort(entries.begin() + entryBegin_(i), entries.begin() + entryBegin_(i + 1),
                 [&](int a, int b) { return column[graph_.column(a)] < column[graph_.column(b)]; });
   }
-  entry_ = View<int*>("rhegma::equilibrium::entries", entries.size());
+  entry_ = View<int*>(uninitialised("rhegma::equilibrium::entries"), entries.size());
   std::copy(entries.begin(), entries.end(), entry_.data());
   matrix_.first = View<std::size_t*>("rhegma::equilibrium::first", D * rows + 1);
-  matrix_.column = View<int*>("rhegma::equilibrium::column", D * D * entries.size());
-  matrix_.value = View<double*>("rhegma::equilibrium::value", D * D * entries.size());
+  matrix_.column = View<int*>(uninitialised("rhegma::equilibrium::column"), D * D * entries.size());
+  matrix_.value = View<double*>(uninitialised("rhegma::equilibrium::value"), D * D * entries.size());
   std::size_t next = 0;
   for (int i = 0; i < rows; ++i)
     for (int a = 0; a < D; ++a)

@@ -56,20 +56,54 @@ void forEachStencil(const State<D>& state, const ClippedBoxes<D>& boxes, double 
                 });
 }
 
-void addCouplings(const std::vector<int>& rows, std::vector<std::vector<int>>& coupled)
+/// Lists of rows that are coupled with one another.
+class RowLists
 {
-  constexpr std::size_t most = 512; // then entries that occur twice are removed
-  for (const int row : rows)
+public:
+  /// \param rowOf the row of each element of the list
+  template <class RowOf>
+  void add(const std::vector<int>& list, const RowOf& rowOf)
   {
-    std::vector<int>& list = coupled[row];
-    list.insert(list.end(), rows.begin(), rows.end());
-    if (list.size() > most)
-    {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
+    for (const int of : list)
+      rows_.push_back(rowOf(of));
+    first_.push_back(rows_.size());
   }
-}
+
+  /// The rows that are in a list with each row, ascending, the row itself included.
+  std::vector<std::vector<int>> couplings(int numRows) const
+  {
+    std::vector<std::size_t> begin(numRows + 1, 0);
+    for (const int row : rows_)
+      ++begin[row + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<int> lists(rows_.size()); // of each row
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for (std::size_t list = 0; list + 1 < first_.size(); ++list)
+      for (std::size_t k = first_[list]; k < first_[list + 1]; ++k)
+        lists[next[rows_[k]]++] = static_cast<int>(list);
+    std::vector<std::vector<int>> coupled(numRows);
+    std::vector<int> seenBy(numRows, -1), found;
+    for (int row = 0; row < numRows; ++row)
+    {
+      seenBy[row] = row;
+      found.assign(1, row);
+      for (std::size_t k = begin[row]; k < begin[row + 1]; ++k)
+        for (std::size_t at = first_[lists[k]]; at < first_[lists[k] + 1]; ++at)
+          if (seenBy[rows_[at]] != row)
+          {
+            seenBy[rows_[at]] = row;
+            found.push_back(rows_[at]);
+          }
+      std::sort(found.begin(), found.end());
+      coupled[row] = found;
+    }
+    return coupled;
+  }
+
+private:
+  std::vector<int> rows_;
+  std::vector<std::size_t> first_ = {0}; ///< of each list in `rows_`; one more at the end
+};
 
 } // namespace
 
@@ -102,26 +136,25 @@ template <int D>
 void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes<D>& boxes,
                  const RowOwners& owners, RowGraph& graph, double least)
 {
-  std::vector<std::vector<int>> coupled(graph.rows);
-  std::vector<int> rows;
-  forEachStencil(state, boxes, least,
-                 [&](const std::vector<int>& nodes)
-                 {
-                   rows.clear();
-                   for (const int n : nodes)
-                     rows.push_back(graph.rowOf(n));
-                   addCouplings(rows, coupled);
-                 });
-  for (const std::vector<int>& group : groups)
-    addCouplings(group, coupled);
-  for (int r = 0; r < graph.rows; ++r)
-    coupled[r].push_back(r); // also where only particles of other ranks see it
+  std::vector<std::vector<int>> coupled;
+  {
+    RowLists lists;
+    forEachStencil(state, boxes, least,
+                   [&](const std::vector<int>& nodes)
+                   { lists.add(nodes, [&](int node) { return graph.rowOf(node); }); });
+    for (const std::vector<int>& group : groups)
+      lists.add(group, [](int row) { return row; });
+    coupled = lists.couplings(graph.rows);
+  }
   owners.sendCouplings(coupled);
   graph.first = View<int*>("rhegma::rowStarts", graph.rows + 1);
   for (int r = 0; r < graph.rows; ++r)
   {
-    std::sort(coupled[r].begin(), coupled[r].end());
-    coupled[r].erase(std::unique(coupled[r].begin(), coupled[r].end()), coupled[r].end());
+    if (owners.ranks().many())
+    {
+      std::sort(coupled[r].begin(), coupled[r].end());
+      coupled[r].erase(std::unique(coupled[r].begin(), coupled[r].end()), coupled[r].end());
+    }
     graph.first(r + 1) = graph.first(r) + static_cast<int>(coupled[r].size());
   }
   graph.column = View<int*>("rhegma::columns", graph.first(graph.rows));
