@@ -351,6 +351,20 @@ double NewtonStep<D>::takeLoads(const State<D>& state)
 }
 
 template <int D>
+LinearAnswer NewtonStep<D>::solveLinear(const State<D>& state, const LinearGoal& goal, bool keeps,
+                                        const Values& change)
+{
+  for (int i = 0; i < D * graph_.rows; ++i)
+    change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
+  const LinearAnswer answer =
+      keeps ? system_->solveAgain(residual_, goal, change)
+            : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, goal, change);
+  copyFromOwners(state, graph_, owners_, change);
+  removeRigidMotion(change);
+  return answer;
+}
+
+template <int D>
 StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int most, double enoughAtStart)
 {
   StepReport report;
@@ -384,14 +398,8 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
                    (k == most && !falls && isRounding(state, now, forces)));
     if (report.converged || k == most || !std::isfinite(forces) || (!keeps && !assemble(state)))
       break;
-    for (int i = 0; i < n; ++i)
-      change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
     const LinearGoal goal{linearFraction * forceTolerance * forces, boxes_.any() ? ofStiffness : 0.0};
-    const LinearAnswer answer =
-        keeps ? system_->solveAgain(residual_, goal, change)
-              : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, goal, change);
-    copyFromOwners(state, graph_, owners_, change);
-    removeRigidMotion(change);
+    const LinearAnswer answer = solveLinear(state, goal, keeps, change);
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
     // Before the supports have moved there is no residual to compare with.

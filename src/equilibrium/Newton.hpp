@@ -170,6 +170,8 @@ private:
   std::vector<int> sizesOf(const std::vector<int>& pieceOf, int pieces) const;
   /// Part of a residual on unknowns of all ranks that are held (true) or free (false), as 2-norm.
   double norm(const Values& r, bool held) const;
+  /// The change of all unknowns for the present residual. \param keeps the stiffness of the last call
+  LinearAnswer solveLinear(const State<D>& state, const LinearGoal& goal, bool keeps, const Values& change);
   /// Moves along the change, halving it until the residual falls. \return false where it does not
   bool search(const State<D>& state, const Values& change, double before, double enough);
   /// The same with secants, unless `mixing` is null; along the change itself where they lead nowhere.
