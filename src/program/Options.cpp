@@ -160,7 +160,7 @@ std::string usage()
          "--describe Toughness\nrhegma --describe-markdown      the same as a "
          "page of Markdown (docs/reference.md)\nrhegma --new TEMPLATE           print a commented scene to "
          "start "
-         "from: dcb, plate, quench, burning or 3d-part;\n                        --output FILE: write it to "
+         "from: dcb, plate, drop-weight, quench, burning or 3d-part;\n                        --output FILE: write it to "
          "a "
          "file\nrhegma --materials [NAME]       the library of materials with its sources; of one "
          "material: XML to paste\nrhegma --version\n\nThreads: OMP_NUM_THREADS or "

@@ -18,6 +18,7 @@ SHORT = {
     "3d-part": ["Domain:Cell Size=3 mm"],
     "burning": ["Time:Final Time=20 us"],
     "dcb": ["Time:Load Steps=6", "Domain:Cell Size=2.5 mm"],
+    "drop-weight": ["Time:Final Time=60 us", "Domain:Cell Size=2 mm"],
     "plate": ["Time:Final Time=0.1 ms", "Domain:Cell Size=2.5 mm"],
     "quench": ["Time:Load Steps=5"],
 }
@@ -63,9 +64,9 @@ class Templates(ProgramTest):
             self.assertEqual(file.read(), answer.output)
 
     def test_wrong_names(self):
-        names = "3d-part, burning, dcb, plate or quench"
+        names = "3d-part, burning, dcb, drop-weight, plate or quench"
         self.assert_refused(["--new", "quensh"], [("", ['"quensh"', names, 'did you mean "quench"'])])
-        self.assert_refused(["--new", "drop-weight"], [("", ['"drop-weight"', names])])
+        self.assert_refused(["--new", "bar"], [("", ['"bar"', names])])
         self.assert_refused(["--new"], [("", ["needs the name of a template", names])])
         self.assert_refused(["--new", "dcb", "plate"], [("", ["takes one template", '"plate"'])])
 
