@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace Rhegma::body_contact
 {
@@ -40,8 +41,12 @@ void refuseCombinations(Section& s)
            "the energy of contact needs Mass Matrix > Velocity Update = FLIP; write that");
   s.refuse({self, when::present("Adaptivity")},
            "fields of bodies exist on nodes of equal cells only; remove one of the two sections");
-  s.refuse({self, when::present("Cracks")},
-           "a node has either the fields of a crack or those of bodies; remove one of the two sections");
+  s.refuse({self, when::isNot("Cracks", "Formulation", {"Dual Field"})},
+           "bodies meet cracked ones at nodes with a field for each side of the crack; write Cracks > "
+           "Formulation = Dual Field");
+  s.refuse(
+      {self, when::present("Combustion")},
+      "gas that leaves a crack does not see a body that covers its open end; remove one of the two sections");
   s.refuse(
       {self, when::present("Thermal")},
       "heat through touching faces and heat by friction are not computed; remove one of the two sections");
@@ -73,6 +78,7 @@ struct Parts
   NodalPairs<D> pairs;
   PairLaws laws;
   std::unique_ptr<ContactRecord<D>> record;
+  std::size_t editor = 0; ///< index of its stencil editor
 
   explicit Parts(const Teuchos::ParameterList& scene)
       : section(scene.sublist("Body Contact")), bodies(scene.sublist("Bodies"))
@@ -106,22 +112,25 @@ void start(const std::shared_ptr<Parts<D>>& parts, State<D>& state)
   parts->laws = readLaws(parts->section, named, groups.count());
   parts->record = std::make_unique<ContactRecord<D>>(named, groups);
   setBodyGroups(groups, state);
-  state.stored.editor.edit =
-      [parts](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
+  StencilEditor<D> editor;
+  editor.keepsBodiesApart = true;
+  editor.edit = [parts](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
   { useFieldsOfGroups(s, parts->shared, points, table); };
+  parts->editor = state.stored.editors.size();
+  state.stored.editors.push_back(std::move(editor));
 }
 
 /// Stencils are stored only while groups are near each other.
 template <int D>
 void watch(const std::shared_ptr<Parts<D>>& parts, State<D>& state)
 {
-  auto& prepare = state.stored.editor.prepare;
+  auto& prepare = state.stored.editors[parts->editor].prepare;
   if (!areApart(state, parts->shared))
     prepare = [parts](State<D>& s, const View<int*>& row) { findSharedNodes(s, parts->shared, row); };
   else if (prepare)
   {
     prepare = nullptr;
-    clearSharedNodes(state, parts->shared);
+    clearSharedNodes(parts->shared);
   }
 }
 
@@ -131,6 +140,7 @@ void touch(Parts<D>& parts, const State<D>& state)
   parts.pairs.count = 0;
   if (parts.shared.count == 0)
     return;
+  findFieldsNextToCracks(state, parts.shared);
   listPairs(parts.shared, parts.pairs);
   findGaps(state, parts.shared, parts.pairs);
   exchangeImpulses(state, parts.shared, parts.pairs, parts.laws);
@@ -175,6 +185,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 EffectEntry bodyContactEntry()
 {
   EffectEntry entry{section(), checkLaws, make<2>, make<3>, false};
+  entry.declare = [](const Teuchos::ParameterList&, RunOptions& options) { options.bodiesKeptApart = true; };
   entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
   return entry;
 }

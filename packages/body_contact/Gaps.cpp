@@ -11,27 +11,27 @@ namespace Rhegma::body_contact
 namespace
 {
 
-/// The particles of two groups at a shared node.
+/// The particles of two fields at a shared node, which `one` and `other` are below: their rows.
 template <int D>
 struct ParticlesOfPair
 {
   Grid<D> grid;
   SharedNodes<D> shared;
   View<double* [D][D]> axes;
-  BorrowedView<int*> body, bodyGroup;
+  BorrowedView<int*> body;
   BorrowedView<double*[D]> position, edge;
   BorrowedView<double * [gradientSize<D>]> deformation;
 
-  /// Calls visit(p, label) for the particles of both groups, label -1 for the first and 1 for the second.
+  /// Calls visit(p, label) for the particles of both fields, label -1 for the first and 1 for the second.
   template <class Visit>
   KOKKOS_INLINE_FUNCTION void forEach(int s, int one, int other, const Visit& visit) const
   {
     const int last = shared.firstParticle(s + 1);
     for (int k = shared.firstParticle(s); k < last; ++k)
     {
-      const int p = shared.particle(k), group = bodyGroup(p) - 1;
-      if (group == one || group == other)
-        visit(p, group == one ? -1.0 : 1.0);
+      const int field = shared.field(k);
+      if (field == one || field == other)
+        visit(shared.particle(k), field == one ? -1.0 : 1.0);
     }
   }
 
@@ -70,12 +70,14 @@ struct FindGap
 
   KOKKOS_INLINE_FUNCTION void find(int s, int q) const
   {
-    const int one = pairs.group(q, 0), other = pairs.group(q, 1);
+    const int one = pairs.row(q, 0), other = pairs.row(q, 1);
     const Vector<D> node = particles.grid.nodePosition(particles.shared.node(s));
     const Vector<D> first = normalOf(s, one, other, node);
     Separation best{first, dot(first, first) > 0.0 ? gapAlong(s, one, other, node, first) : 1e300};
     if (best.gap <= 0.0)
       separate(s, one, other, node, best);
+    if (best.gap <= 0.0 && particles.shared.second(s) >= 0)
+      slideAlongFaces(s, one, other, node, best);
     for (int d = 0; d < D; ++d)
       pairs.normal(q, d) = best.normal[d];
     pairs.gap(q) = best.gap;
@@ -98,6 +100,23 @@ struct FindGap
     const double distance = norm(between);
     if (distance > apart * particles.grid.spacing)
       best = {(1.0 / distance) * between, distance};
+  }
+
+  /// A body that moves in along one face of a crack touches the other face at a corner, and the direction
+  /// between cores runs across that corner. Where the gap along the normal of the faces is larger, it slides
+  /// along them.
+  KOKKOS_INLINE_FUNCTION void slideAlongFaces(int s, int one, int other, const Vector<D>& node,
+                                              Separation& best) const
+  {
+    const int own = particles.shared.node(s), second = particles.shared.second(s);
+    if (one != own && one != second && other != own && other != second)
+      return;
+    const Vector<D> across = normalOf(s, own, second, node);
+    for (const double sign : {-1.0, 1.0})
+      if (const double gap =
+              dot(across, across) > 0.0 ? gapAlong(s, one, other, node, sign * across) : best.gap;
+          gap > best.gap)
+        best = {sign * across, gap};
   }
 
   /// Gap between the two groups at a node along a direction [m].
@@ -234,7 +253,6 @@ void findGaps(const State<D>& state, const SharedNodes<D>& shared, const NodalPa
   particles.shared = shared;
   particles.axes = state.bodies.axes;
   particles.body = state.particles.integer(fields::body);
-  particles.bodyGroup = state.particles.integer(fields::bodyGroup);
   particles.position = state.particles.template real<D>(fields::position);
   particles.edge = state.particles.template real<D>(fields::edge);
   particles.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);

@@ -7,7 +7,8 @@
 namespace Rhegma::body_contact
 {
 
-/// Two groups at a shared node. The impulse acts on the second group, its opposite on the first.
+/// Two fields of different groups at a shared node. The impulse acts on that of the second group, its
+/// opposite on the other. Two groups have two such pairs where one of them has two fields next to a crack.
 template <int D>
 struct NodalPairs
 {

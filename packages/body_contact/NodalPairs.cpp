@@ -1,4 +1,4 @@
-/// The pairs of groups at shared nodes, and what they exchange.
+/// The pairs of fields of different groups at shared nodes, and what they exchange.
 
 #include "base/SmallLoops.hpp"
 #include "body_contact/NodalContact.hpp"
@@ -9,14 +9,40 @@ namespace Rhegma::body_contact
 namespace
 {
 
-KOKKOS_INLINE_FUNCTION constexpr int pairsOf(int fields) { return fields * (fields - 1) / 2; }
+KOKKOS_INLINE_FUNCTION constexpr int pairsOf(int groups) { return groups * (groups - 1) / 2; }
+
+/// Number of pairs of a shared node: the two fields of its owner next to a crack are no pair.
+template <int D>
+KOKKOS_INLINE_FUNCTION int pairsOfNode(const SharedNodes<D>& shared, int s)
+{
+  const int groups = numGroups(shared.groups, shared.node(s));
+  return pairsOf(groups) + (shared.second(s) < 0 ? 0 : groups - 1);
+}
+
+constexpr int mostPairs = pairsOf(mostGroups) + mostGroups - 1; ///< of a node
+
+/// Adds a pair of fields, the group with the lower number first.
+template <int D>
+KOKKOS_INLINE_FUNCTION void setPair(const NodalPairs<D>& pairs, int at, const int (&group)[2],
+                                    const int (&row)[2])
+{
+  const int first = group[0] < group[1] ? 0 : 1;
+  for (int k = 0; k < 2; ++k)
+  {
+    const int from = k == 0 ? first : 1 - first;
+    pairs.group(at, k) = group[from] - 1;
+    pairs.row(at, k) = row[from];
+  }
+  for (int d = 0; d < D; ++d)
+    pairs.impulse(at, d) = 0.0;
+}
 
 } // namespace
 
 template <int D>
 void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
 {
-  const int nodes = shared.count, most = pairsOf(mostGroups) * nodes;
+  const int nodes = shared.count, most = mostPairs * nodes;
   if (static_cast<int>(pairs.first.extent(0)) < nodes + 1)
     pairs.first = View<int*>("rhegma::firstPairOfNode", 2 * nodes + 1);
   if (static_cast<int>(pairs.gap.extent(0)) < nodes)
@@ -36,19 +62,20 @@ void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
         const int node = shared.node(s), number = numGroups(shared.groups, node);
         if (!final)
         {
-          at += pairsOf(number);
+          at += pairsOfNode(shared, s);
           return;
         }
         all.first(s) = at;
         for (int a = 0; a < number; ++a)
-          for (int b = a + 1; b < number; ++b, ++at)
+          for (int b = a + 1; b < number; ++b)
           {
-            all.group(at, 0) = shared.groups(node, a) - 1;
-            all.group(at, 1) = shared.groups(node, b) - 1;
-            all.row(at, 0) = rowOfField(shared, s, a);
-            all.row(at, 1) = rowOfField(shared, s, b);
-            for (int d = 0; d < D; ++d)
-              all.impulse(at, d) = 0.0;
+            const int group[2] = {shared.groups(node, a), shared.groups(node, b)};
+            const int row[2] = {rowOfField(shared, s, a), rowOfField(shared, s, b)};
+            setPair(all, at++, group, row);
+            if (a > 0 || shared.second(s) < 0)
+              continue;
+            const int next[2] = {shared.second(s), row[1]};
+            setPair(all, at++, group, next);
           }
         if (s == nodes - 1)
           all.first(nodes) = at;

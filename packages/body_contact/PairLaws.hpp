@@ -2,7 +2,7 @@
 /// How two groups of bodies act on each other where they touch.
 
 #include "base/Types.hpp"
-#include "body_contact/BondedGroups.hpp"
+#include "scene/BondedGroups.hpp"
 #include "scene/Schema.hpp"
 
 #include <Teuchos_ParameterList.hpp>

@@ -162,20 +162,48 @@ int numberSharedNodes(const State<D>& state, const SharedNodes<D>& shared, int& 
   return count;
 }
 
-/// Gives the enriched fields of shared nodes rows past those of the lattice.
+/// Puts the owner of each node first, the others after it in their order.
+template <int D>
+void putOwnersFirst(const State<D>& state, const SharedNodes<D>& shared)
+{
+  const View<int*> cut = state.cracks.bodyGroupOf, side = state.cracks.nodeSide;
+  if (cut.extent(0) == 0)
+    return;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<int* [mostGroups]> groups = shared.groups;
+  Kokkos::parallel_for(
+      "rhegma::putOwnersFirst", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = nodes.active(i);
+        if (groups(n, 1) == 0)
+          return;
+        const int crack = side(n) > 0 ? side(n) - 1 : -side(n) - 1, here = crack < 0 ? 0 : cut(crack);
+        int owner = 0, best = 0; // 2: cut here, 1: cut somewhere
+        for (int k = numGroups(groups, n) - 1; k >= 0; --k)
+        {
+          int rank = groups(n, k) == here ? 2 : 0;
+          for (int c = 0; c < static_cast<int>(cut.extent(0)) && rank == 0; ++c)
+            rank = groups(n, k) == cut(c) ? 1 : 0;
+          owner = rank >= best ? k : owner;
+          best = rank >= best ? rank : best;
+        }
+        const int first = groups(n, owner);
+        for (int k = owner; k > 0; --k)
+          groups(n, k) = groups(n, k - 1);
+        groups(n, 0) = first;
+      });
+}
+
+/// Gives the fields of other groups than the owners rows.
 template <int D>
 void claimRows(State<D>& state, SharedNodes<D>& shared)
 {
-  Nodes<D>& nodes = state.mesh.nodes;
-  if (static_cast<int>(nodes.parent.extent(0)) < shared.fields)
-    nodes.parent = View<int*>("rhegma::parentsOfGroupFields", 2 * shared.fields);
-  if (static_cast<int>(nodes.sums.extent(0)) < nodes.numLattice + shared.fields)
-    nodes.reserve(nodes.numLattice, 2 * shared.fields);
-  nodes.numEnriched = shared.fields;
+  state.mesh.nodes.claimEnriched(shared.fields);
   if (static_cast<int>(shared.node.extent(0)) < shared.count)
   {
     shared.node = View<int*>("rhegma::sharedNode", 2 * shared.count);
     shared.row = View<int*>("rhegma::sharedNodeRow", 2 * shared.count);
+    shared.second = View<int*>("rhegma::secondFieldOfSharedNode", 2 * shared.count);
     shared.firstParticle = View<int*>("rhegma::firstParticleOfNode", 2 * shared.count + 1);
   }
 }
@@ -185,7 +213,11 @@ void fillRows(const State<D>& state, const SharedNodes<D>& shared)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int* [mostGroups]> groups = shared.groups;
-  const View<int*> indexOf = shared.indexOf, node = shared.node, row = shared.row;
+  const View<int*> indexOf = shared.indexOf, node = shared.node, row = shared.row, second = shared.second;
+  const View<int*> cut = state.cracks.bodyGroupOf, side = state.cracks.nodeSide,
+                   ofCrack = state.cracks.enrichedField;
+  const bool cracked = cut.extent(0) > 0;
+  const int claimed = nodes.numEnriched - shared.fields;
   int count = 0;
   Kokkos::parallel_scan(
       "rhegma::rowsOfSharedNodes", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -197,9 +229,11 @@ void fillRows(const State<D>& state, const SharedNodes<D>& shared)
         if (final)
         {
           node(s) = n;
-          row(s) = nodes.numLattice + at;
+          row(s) = nodes.numLattice + claimed + at;
           for (int k = 0; k < extra; ++k)
-            nodes.parent(at + k) = n;
+            nodes.parent(claimed + at + k) = n;
+          const int name = cracked ? side(n) : 0, crack = name > 0 ? name - 1 : -name - 1;
+          second(s) = crack >= 0 && cut(crack) == groups(n, 0) ? ofCrack(n) : -1;
         }
         at += extra;
       },
@@ -236,13 +270,26 @@ struct ListParticles
                     if (!(weight > leastWeight))
                       return;
                     if (lists)
-                      shared.particle(shared.firstParticle(s) + number(s)) = p;
+                    {
+                      const int at = shared.firstParticle(s) + number(s);
+                      shared.particle(at) = p;
+                      shared.field(at) = rowOfField(shared, s, placeOf(node, group));
+                    }
                     ++number(s);
                   });
     if (!lists)
       touching(p) = any ? 1 : 0;
     if (enriched)
       row(p) = 0;
+  }
+
+  /// The place of a group among those of a node.
+  KOKKOS_INLINE_FUNCTION int placeOf(int node, int group) const
+  {
+    int k = 0;
+    while (k + 1 < mostGroups && shared.groups(node, k) != group)
+      ++k;
+    return k;
   }
 };
 
@@ -283,7 +330,10 @@ void listParticles(const State<D>& state, SharedNodes<D>& shared, const View<int
       },
       all);
   if (static_cast<int>(shared.particle.extent(0)) < all)
+  {
     shared.particle = View<int*>("rhegma::particlesOfNodes", 2 * all);
+    shared.field = View<int*>("rhegma::fieldsOfParticles", 2 * all);
+  }
   pass(true);
 }
 
@@ -311,6 +361,18 @@ void clearNodeMarks(const State<D>& state, SharedNodes<D>& shared)
       });
 }
 
+/// The group of a point: as given, or that of the bodies which the crack next to it cuts; 0: not known.
+struct GroupOfPoint
+{
+  View<int*> group, side, ofCrack;
+
+  KOKKOS_INLINE_FUNCTION int operator()(int r) const
+  {
+    const int given = group.extent(0) > 0 ? group(r) : 0, name = side(r) > 0 ? side(r) : -side(r);
+    return given != 0 || name == 0 || ofCrack.extent(0) == 0 ? given : ofCrack(name - 1);
+  }
+};
+
 } // namespace
 
 template <int D>
@@ -326,7 +388,7 @@ bool areApart(const State<D>& state, SharedNodes<D>& shared)
 }
 
 template <int D>
-void clearSharedNodes(State<D>& state, SharedNodes<D>& shared)
+void clearSharedNodes(SharedNodes<D>& shared)
 {
   // Stencils of points are edited by these marks.
   if (shared.indexOf.extent(0) > 0 && shared.count > 0)
@@ -335,7 +397,6 @@ void clearSharedNodes(State<D>& state, SharedNodes<D>& shared)
     Kokkos::deep_copy(shared.groups, 0);
   }
   shared.count = shared.fields = 0;
-  state.mesh.nodes.numEnriched = 0;
 }
 
 template <int D>
@@ -344,6 +405,7 @@ void findSharedNodes(State<D>& state, SharedNodes<D>& shared, const View<int*>& 
   clearNodeMarks(state, shared);
   findMeetingCells(state, shared.nearBlock, shared.cells);
   listGroups(state, shared);
+  putOwnersFirst(state, shared);
   shared.count = numberSharedNodes(state, shared, shared.fields);
   if (onHost(shared.overflows)(0) != 0 && state.failure.empty())
     state.failure = "more than " + std::to_string(mostGroups) +
@@ -356,6 +418,28 @@ void findSharedNodes(State<D>& state, SharedNodes<D>& shared, const View<int*>& 
 }
 
 template <int D>
+void findFieldsNextToCracks(const State<D>& state, const SharedNodes<D>& shared)
+{
+  if (state.cracks.bodyGroupOf.extent(0) == 0)
+    return;
+  const SharedNodes<D> at = shared;
+  const StencilTable<D> table = state.stored.table;
+  const View<int*> row = state.stored.row;
+  parallelForSmall(
+      "rhegma::findFieldsNextToCracks", shared.count, KOKKOS_LAMBDA(const int s) {
+        const int second = at.second(s);
+        for (int k = at.firstParticle(s); second >= 0 && k < at.firstParticle(s + 1); ++k)
+        {
+          const int r = at.field(k) == at.node(s) ? row(at.particle(k)) : -1,
+                    count = r < 0 ? 0 : table.count(r);
+          for (int e = 0; e < count; ++e)
+            if (table.node(r, e) == second)
+              at.field(k) = second;
+        }
+      });
+}
+
+template <int D>
 void useFieldsOfGroups(const State<D>& state, const SharedNodes<D>& shared, const ObservedPoints<D>& points,
                        const StencilTable<D>& table)
 {
@@ -363,9 +447,10 @@ void useFieldsOfGroups(const State<D>& state, const SharedNodes<D>& shared, cons
     return;
   const SharedNodes<D> at = shared;
   const int lattice = state.mesh.nodes.numLattice;
+  const GroupOfPoint groupOf{points.group, points.side, state.cracks.bodyGroupOf};
   parallelForSmall(
       "rhegma::useFieldsOfGroups", points.count, KOKKOS_LAMBDA(const int r) {
-        const int group = points.side(r), count = group != 0 ? table.count(r) : 0;
+        const int group = groupOf(r), count = group != 0 ? table.count(r) : 0;
         for (int k = 0; k < count; ++k)
         {
           const int n = table.node(r, k);
@@ -388,8 +473,10 @@ void useFieldsOfGroups(const State<D>& state, const SharedNodes<D>& shared, cons
 
 template bool areApart(const State<2>&, SharedNodes<2>&);
 template bool areApart(const State<3>&, SharedNodes<3>&);
-template void clearSharedNodes(State<2>&, SharedNodes<2>&);
-template void clearSharedNodes(State<3>&, SharedNodes<3>&);
+template void clearSharedNodes(SharedNodes<2>&);
+template void clearSharedNodes(SharedNodes<3>&);
+template void findFieldsNextToCracks(const State<2>&, const SharedNodes<2>&);
+template void findFieldsNextToCracks(const State<3>&, const SharedNodes<3>&);
 template void findSharedNodes(State<2>&, SharedNodes<2>&, const View<int*>&);
 template void findSharedNodes(State<3>&, SharedNodes<3>&, const View<int*>&);
 template void useFieldsOfGroups(const State<2>&, const SharedNodes<2>&, const ObservedPoints<2>&,

@@ -11,8 +11,11 @@ namespace Rhegma::body_contact
 /// Groups that may touch a node.
 constexpr int mostGroups = 4;
 
-/// The nodes that several groups touch in this step. At such a node the group with the lowest number has the
-/// node's own row, and each other one an enriched field, in the order of their numbers.
+/// The nodes that several groups touch in this step. At such a node one group owns the node's own row, and
+/// each other one has an enriched field, in the order of their numbers. The owner is the group that a crack
+/// cuts at the node, else the lowest number of those that have a crack, else the lowest number. Next to a
+/// crack the owner has an enriched field, too, that of the crack (CrackSet::enrichedField), whether or not it
+/// is massless.
 template <int D>
 struct SharedNodes
 {
@@ -22,16 +25,18 @@ struct SharedNodes
   MeetingCells cells;     ///< in which particles may touch a shared node
   View<int[1]> overflows; ///< not 0 where that is so
 
-  View<int* [mostGroups]> groups; ///< of each lattice node: those that touch it, then zeros
+  View<int* [mostGroups]> groups; ///< of each lattice node: those that touch it, the owner first, then zeros
   View<int*> indexOf;             ///< of each lattice node: its index in `node`, or -1
   View<int*> node;                ///< the shared nodes
   View<int*> row;                 ///< of each: row of the field of its second group
+  View<int*> second;              ///< of each: row of its owner's enriched field next to a crack, or -1
   int count = 0;                  ///< number of shared nodes
   int fields = 0;                 ///< number of enriched fields
 
   View<char*> touching;     ///< of the particles of marked blocks: not 0 for those at a shared node
   View<int*> firstParticle; ///< particles that touch shared node s: particle(firstParticle(s)) ..
   View<int*> particle;      ///< particle(firstParticle(s + 1) - 1), in the order of blocks
+  View<int*> field;         ///< row of the field of each of these at its node
 };
 
 /// Number of groups that touch a node.
@@ -43,7 +48,7 @@ KOKKOS_INLINE_FUNCTION int numGroups(const View<int* [mostGroups]>& groups, int 
   return count;
 }
 
-/// Row of the field of the k-th group of shared node s.
+/// Row of the field of the k-th group of shared node s, of the owner the node's own row.
 template <int D>
 KOKKOS_INLINE_FUNCTION int rowOfField(const SharedNodes<D>& shared, int s, int k)
 {
@@ -62,11 +67,15 @@ void findSharedNodes(State<D>& state, SharedNodes<D>& shared, const View<int*>& 
 
 /// Forgets the shared nodes of an earlier step.
 template <int D>
-void clearSharedNodes(State<D>& state, SharedNodes<D>& shared);
+void clearSharedNodes(SharedNodes<D>& shared);
 
-/// Replaces shared nodes in stencils by the field of the point's group there. A point's side is
-/// its group; points without one keep their nodes, others get no weight of nodes that their group does not
-/// touch.
+/// Finds the field of the particles at shared nodes next to a crack, from their stored stencils.
+template <int D>
+void findFieldsNextToCracks(const State<D>& state, const SharedNodes<D>& shared);
+
+/// Replaces shared nodes in stencils by the field of the point's group there, after cracks have replaced
+/// nodes by their enriched fields. Points without a group keep their nodes, others get no weight of nodes
+/// that their group does not touch.
 template <int D>
 void useFieldsOfGroups(const State<D>& state, const SharedNodes<D>& shared, const ObservedPoints<D>& points,
                        const StencilTable<D>& table);

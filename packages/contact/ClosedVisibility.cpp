@@ -60,10 +60,11 @@ void mendClosed(const ObservedPoints<2>& points, const FacePoints<2>& faces, con
 
 void ClosedVisibility::install(State<2>& state)
 {
-  cut_ = state.stored.editor.edit;
-  state.stored.editor.keep = nullptr; // faces close and open
-  state.stored.editor.edit = [this](const State<2>& s, const ObservedPoints<2>& points,
-                                    const StencilTable<2>& table) { edit(s, points, table); };
+  StencilEditor<2>& editor = state.stored.editors.front(); // of the cracks
+  cut_ = editor.edit;
+  editor.keep = nullptr; // faces close and open
+  editor.edit = [this](const State<2>& s, const ObservedPoints<2>& points, const StencilTable<2>& table)
+  { edit(s, points, table); };
 }
 
 void ClosedVisibility::edit(const State<2>& state, const ObservedPoints<2>& points,

@@ -27,12 +27,12 @@ struct FieldSums
   View<double* [width]> rows;
 
   explicit FieldSums(const State<D>& state)
-      : rows("rhegma::contact::fieldSums", 2 * state.mesh.nodes.numEnriched)
+      : rows("rhegma::contact::fieldSums", 2 * state.mesh.nodes.numOfCracks)
   {
     const Nodes<D>& nodes = state.mesh.nodes;
     const View<int*> fieldOf("rhegma::contact::fieldOfNode", nodes.sums.extent(0));
     Kokkos::deep_copy(fieldOf, -1);
-    for (int i = 0; i < nodes.numEnriched; ++i)
+    for (int i = 0; i < nodes.numOfCracks; ++i)
     {
       fieldOf(nodes.parent(i)) = 2 * i;
       fieldOf(nodes.numLattice + i) = 2 * i + 1;
@@ -73,10 +73,10 @@ std::vector<FaceNode<D>> findFaceNodes(const State<D>& state)
 {
   const Nodes<D>& nodes = state.mesh.nodes;
   const FieldSums<D> sums(state);
-  std::vector<FaceNode<D>> found(nodes.numEnriched);
+  std::vector<FaceNode<D>> found(nodes.numOfCracks);
   const double whole =
       std::pow(state.mesh.smallestSpacing(), D - 1) * (D == 2 ? state.method.thickness : 1.0);
-  for (int i = 0; i < nodes.numEnriched; ++i)
+  for (int i = 0; i < nodes.numOfCracks; ++i)
   {
     const bool primaryIsPlus = state.cracks.nodeSide(nodes.parent(i)) > 0;
     const int plus = 2 * i + (primaryIsPlus ? 0 : 1), minus = 2 * i + (primaryIsPlus ? 1 : 0);

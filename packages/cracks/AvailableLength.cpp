@@ -1,5 +1,6 @@
 #include "cracks/AvailableLength.hpp"
 
+#include "state/BodyGroup.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/BlocksInReach.hpp"
 
@@ -97,7 +98,8 @@ void uniteRanks(const State<D>& state, std::vector<std::uint64_t>& bits)
 /// Which of the points k = 1 .. 48 along each path are filled by particles of a body, or of any for -1: a bit
 /// each. Collective.
 template <int D>
-std::vector<std::uint64_t> filledPoints(const State<D>& state, const std::vector<Path<D>>& paths, int of)
+std::vector<std::uint64_t> filledPoints(const State<D>& state, int crack, const std::vector<Path<D>>& paths,
+                                        int of)
 {
   const int count = static_cast<int>(paths.size());
   const View<double * [2 * D + 1]> rows("rhegma::cracks::paths", count);
@@ -113,6 +115,7 @@ std::vector<std::uint64_t> filledPoints(const State<D>& state, const std::vector
     host(k, 2 * D) = stepOf(paths[k]);
   }
   Kokkos::deep_copy(rows, host);
+  const ParticlesOfGroup own = particlesOfCrack(state, crack);
   const auto body = state.particles.integer(fields::body);
   const auto position = state.particles.template real<D>(fields::position);
   const ParticleReach<D> reachOf{state.particles.template real<D>(fields::edge),
@@ -123,7 +126,7 @@ std::vector<std::uint64_t> filledPoints(const State<D>& state, const std::vector
   blocks.find(state, {AxisBox<D>{box.lower, box.upper}.widened(reachOfParticles * state.mesh.grid.spacing)});
   blocks.forEachParticle(
       "rhegma::cracks::filledPoints", KOKKOS_LAMBDA(const int p) {
-        if (of >= 0 && body(p) != of)
+        if ((of >= 0 && body(p) != of) || !own.hold(p))
           return;
         Vector<D> x;
         for (int d = 0; d < D; ++d)
@@ -160,10 +163,10 @@ std::vector<std::uint64_t> filledPoints(const State<D>& state, const std::vector
 
 /// Whether two points of a path are filled by particles of one body. Collective.
 template <int D>
-bool isOneBody(const State<D>& state, const Path<D>& path, int one, int other)
+bool isOneBody(const State<D>& state, int crack, const Path<D>& path, int one, int other)
 {
   for (int b = 0; b < static_cast<int>(state.bodies.axes.extent(0)); ++b)
-    if (const std::uint64_t filled = filledPoints<D>(state, {path}, b)[0];
+    if (const std::uint64_t filled = filledPoints<D>(state, crack, {path}, b)[0];
         (filled >> one & 1) != 0 && (filled >> other & 1) != 0)
       return true;
   return false;
@@ -172,12 +175,12 @@ bool isOneBody(const State<D>& state, const Path<D>& path, int one, int other)
 } // namespace
 
 template <int D>
-std::vector<Ligament> ligamentsAhead(const State<D>& state, const std::vector<Path<D>>& paths)
+std::vector<Ligament> ligamentsAhead(const State<D>& state, int crack, const std::vector<Path<D>>& paths)
 {
   std::vector<Ligament> ligaments;
   if (paths.empty())
     return ligaments;
-  const std::vector<std::uint64_t> filled = filledPoints(state, paths, -1);
+  const std::vector<std::uint64_t> filled = filledPoints(state, crack, paths, -1);
   for (std::size_t k = 0; k < paths.size(); ++k)
   {
     const Path<D>& path = paths[k];
@@ -187,7 +190,7 @@ std::vector<Ligament> ligamentsAhead(const State<D>& state, const std::vector<Pa
       if ((filled[k] >> i & 1) != 0)
       {
         if (last > 0 && i - last > 1 && (i - last) * step > apart * path.cell &&
-            !isOneBody(state, path, last, i))
+            !isOneBody(state, crack, path, last, i))
           break;
         last = i;
       }
@@ -197,7 +200,7 @@ std::vector<Ligament> ligamentsAhead(const State<D>& state, const std::vector<Pa
   return ligaments;
 }
 
-template std::vector<Ligament> ligamentsAhead(const State<2>&, const std::vector<Path<2>>&);
-template std::vector<Ligament> ligamentsAhead(const State<3>&, const std::vector<Path<3>>&);
+template std::vector<Ligament> ligamentsAhead(const State<2>&, int, const std::vector<Path<2>>&);
+template std::vector<Ligament> ligamentsAhead(const State<3>&, int, const std::vector<Path<3>>&);
 
 } // namespace Rhegma::cracks

@@ -36,8 +36,8 @@ struct Ligament
 /// 48 points along each advance and half a cell beyond it are checked. A point is filled that lies within
 /// 0.55 of the diagonal of a particle of that particle's centre. Particles count in 2D as they are deformed,
 /// in 3D as they were at the start. Two bodies further apart than an eighth of a cell are not joined over a
-/// gap.
+/// gap. Bodies that are kept apart from the one that the crack cuts are no material ahead.
 template <int D>
-std::vector<Ligament> ligamentsAhead(const State<D>& state, const std::vector<Path<D>>& paths);
+std::vector<Ligament> ligamentsAhead(const State<D>& state, int crack, const std::vector<Path<D>>& paths);
 
 } // namespace Rhegma::cracks

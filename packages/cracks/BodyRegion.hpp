@@ -18,10 +18,11 @@ class BodyRegion
 {
 public:
   /// \param shapes of the scene's bodies; must outlive this \param state with their particles; without any,
-  /// bodies end at the surfaces of their shapes
-  BodyRegion(const SceneBodies<D>& shapes, const State<D>& state)
+  /// bodies end at the surfaces of their shapes \param holds whether particles of each body belong to these
+  /// shapes; empty: all do
+  BodyRegion(const SceneBodies<D>& shapes, const State<D>& state, const std::vector<bool>& holds = {})
       : shapes_(shapes),
-        centres_(readVectors(state, fields::position)),
+        centres_(readCentres(state, holds)),
         reach_(reachOf(state)),
         nearest_(centres_, reach_.fromCentre)
   {
@@ -39,14 +40,20 @@ public:
   }
 
 private:
-  static std::vector<Vector<D>> readVectors(const State<D>& state, const std::string& field)
+  static std::vector<Vector<D>> readCentres(const State<D>& state, const std::vector<bool>& holds)
   {
-    const auto values = onHost(state.particles.template real<D>(field));
-    std::vector<Vector<D>> vectors(state.particles.size());
+    const auto position = onHost(state.particles.template real<D>(fields::position));
+    const auto body = onHost(state.particles.integer(fields::body));
+    std::vector<Vector<D>> centres;
     for (int p = 0; p < state.particles.size(); ++p)
+    {
+      if (!holds.empty() && !holds[body(p)])
+        continue;
+      centres.emplace_back();
       for (int d = 0; d < D; ++d)
-        vectors[p][d] = values(p, d);
-    return vectors;
+        centres.back()[d] = position(p, d);
+    }
+    return centres;
   }
 
   /// How far the ball round a particle reaches [m].

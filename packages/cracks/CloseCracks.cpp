@@ -120,6 +120,31 @@ std::string messageOf(const std::string& one, const std::string& other, const To
          "Adaptivity)";
 }
 
+/// The bounds of each crack.
+template <int D>
+std::vector<Geometry::Bounds<D>> boundsOf(const CrackSet<D>& set, const Corners<D>& corners)
+{
+  std::vector<Geometry::Bounds<D>> bounds;
+  for (const Crack<D>& crack : set.cracks)
+  {
+    bounds.push_back(Geometry::emptyBounds<D>());
+    for (int s = crack.firstSimplex; s < crack.firstSimplex + crack.numSimplices; ++s)
+      for (const Vector<D>& x : corners[s])
+        bounds.back().include(x);
+  }
+  return bounds;
+}
+
+/// Whether two bounds come within a distance of each other.
+template <int D>
+bool areNear(const Geometry::Bounds<D>& a, const Geometry::Bounds<D>& b, double distance)
+{
+  bool near = true;
+  for (int d = 0; d < D; ++d)
+    near = near && a.lower[d] < b.upper[d] + distance && b.lower[d] < a.upper[d] + distance;
+  return near;
+}
+
 } // namespace
 
 template <int D>
@@ -130,14 +155,7 @@ void refuseCloseCracks(const State<D>& state)
     return;
   const Branches<D> refined = refinedCells(state);
   const Corners<D> corners = cornersOf(set);
-  std::vector<Geometry::Bounds<D>> bounds;
-  for (const Crack<D>& crack : set.cracks)
-  {
-    bounds.push_back(Geometry::emptyBounds<D>());
-    for (int s = crack.firstSimplex; s < crack.firstSimplex + crack.numSimplices; ++s)
-      for (const Vector<D>& x : corners[s])
-        bounds.back().include(x);
-  }
+  const std::vector<Geometry::Bounds<D>> bounds = boundsOf<D>(set, corners);
   const Geometry::NearBoxes<D> boxes(bounds);
   for (std::size_t a = 0; a < set.cracks.size(); ++a)
     for (const int b : boxes.near(bounds[a], cellsApart * state.mesh.grid.spacing))
@@ -146,6 +164,32 @@ void refuseCloseCracks(const State<D>& state)
           throw std::invalid_argument(messageOf(set.cracks[a].name, set.cracks[b].name, near));
 }
 
+template <int D>
+void stopCracksThatMeet(State<D>& state)
+{
+  const std::vector<Crack<D>>& cracks = state.cracks.cracks;
+  const auto isOfFirst = [&](const Crack<D>& crack) { return crack.bodyGroup == cracks.front().bodyGroup; };
+  if (!state.failure.empty() || std::all_of(cracks.begin(), cracks.end(), isOfFirst))
+    return;
+  const Corners<D> corners = cornersOf(state.cracks);
+  const std::vector<Geometry::Bounds<D>> bounds = boundsOf<D>(state.cracks, corners);
+  const Branches<D> refined = refinedCells(state);
+  for (std::size_t a = 0; a < cracks.size(); ++a)
+    for (std::size_t b = a + 1; b < cracks.size(); ++b)
+    {
+      if (cracks[a].bodyGroup == cracks[b].bodyGroup ||
+          !areNear(bounds[a], bounds[b], cellsApart * state.mesh.grid.spacing))
+        continue;
+      if (const TooNear near = worstApproach<D>(cracks[a], cracks[b], corners, refined); near.found)
+        state.failure = "the cracks " + cracks[a].name + " and " + cracks[b].name +
+                        ", of bodies that are not bonded, are " + readableLength(near.distance) +
+                        " from each other, closer than three cells, which cells can't separate; use smaller "
+                        "cells (Domain > Cell Size)";
+    }
+}
+
+template void stopCracksThatMeet(State<2>&);
+template void stopCracksThatMeet(State<3>&);
 template void refuseCloseCracks(const State<2>&);
 template void refuseCloseCracks(const State<3>&);
 

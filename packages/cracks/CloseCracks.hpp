@@ -13,4 +13,9 @@ namespace Rhegma::cracks
 template <int D>
 void refuseCloseCracks(const State<D>& state);
 
+/// Stops the run where cracks of bodies that are kept apart have come as near to each other, as these bodies
+/// move.
+template <int D>
+void stopCracksThatMeet(State<D>& state);
+
 } // namespace Rhegma::cracks

@@ -127,7 +127,7 @@ void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
     paths.push_back({node.to, (1.0 / norm(along)) * along, cell, cell});
     ends.push_back(&node);
   }
-  const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
+  const std::vector<Ligament> ligaments = ligamentsAhead(state, f.front.crack, paths);
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (ligaments[i].ends && ligaments[i].length > leastInside * paths[i].cell)
     {
@@ -170,7 +170,7 @@ auto CrackGrowth<D>::landPieces(const State<D>& state, Advancing& f, const std::
     paths.push_back({a, f.advances[outer].direction, step * cell, cell});
     paths.push_back({b, f.advances[inner].direction, step * cell, cell});
   }
-  const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
+  const std::vector<Ligament> ligaments = ligamentsAhead(state, f.front.crack, paths);
   std::vector<Piece> next;
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
@@ -234,7 +234,7 @@ std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, c
         {f.number, static_cast<int>(k), f.lines[k].vertex, path, {}, {}, advance.nodes[k].length > 0.0});
     paths.push_back(path);
   }
-  const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
+  const std::vector<Ligament> ligaments = ligamentsAhead(state, f.front.crack, paths);
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     AdvancingNode<D>& node = nodes[i];

@@ -52,12 +52,12 @@ int piecesOfACell(const RunOptions& options) { return 1 << std::min(2, options.f
 
 /// The shapes of a scene's bodies; none where one is wrong, which is said where bodies are placed.
 template <int D>
-std::shared_ptr<const SceneBodies<D>> readBodies(const Teuchos::ParameterList& scene)
+std::shared_ptr<const CrackedBodies<D>> readBodies(const Teuchos::ParameterList& scene, bool keptApart)
 {
-  std::shared_ptr<const SceneBodies<D>> bodies;
+  std::shared_ptr<const CrackedBodies<D>> bodies;
   Attempts hidden;
   if (scene.isSublist("Bodies"))
-    hidden.attempt([&] { bodies = std::make_shared<SceneBodies<D>>(scene); });
+    hidden.attempt([&] { bodies = std::make_shared<CrackedBodies<D>>(scene, keptApart); });
   return bodies;
 }
 
@@ -65,8 +65,8 @@ std::shared_ptr<const SceneBodies<D>> readBodies(const Teuchos::ParameterList& s
 template <int D>
 struct Parts
 {
-  const Teuchos::ParameterList& section;        ///< of the scene, which outlives the effect
-  std::shared_ptr<const SceneBodies<D>> bodies; ///< none where a shape is wrong: then nothing starts
+  const Teuchos::ParameterList& section;          ///< of the scene, which outlives the effect
+  std::shared_ptr<const CrackedBodies<D>> bodies; ///< none where a shape is wrong: then nothing starts
   MirroredSides mirrored;
   std::vector<MirrorPlane> mirrors;
   std::vector<surface::CrackMesh<D>> meshes; ///< as they were read, until they are judged
@@ -93,7 +93,7 @@ struct Parts
 
   Parts(const Teuchos::ParameterList& scene, const RunOptions& options)
       : section(scene.sublist("Cracks")),
-        bodies(readBodies<D>(scene)),
+        bodies(readBodies<D>(scene, options.bodiesKeptApart)),
         mirrored(scene),
         mirrors(mirrorPlanes(scene)),
         formulation(readFormulation(section)),
@@ -135,6 +135,8 @@ void prepareStencils(Parts<D>& parts, State<D>& state, const View<int*>& row)
   }
   else
     findSides(state, parts.surroundings, row);
+  if (parts.bodies->areKeptApart())
+    stopCracksThatMeet(state);
   if (parts.surroundings.stamp == 1)
     warnOfIdleCracks(state);
   if constexpr (D == 2) // other formulations are 2D only
@@ -173,11 +175,14 @@ Geometry::Cuts<D> cutsOf(const Parts<D>& parts, const State<D>& state)
   if (parts.bodies == nullptr || !dividesParticles(parts, state))
     return cuts;
   std::vector<std::string> warnings;
+  std::vector<int> bodyGroups;
   const auto [edge, front] = sizesOf(parts, state);
   Attempts hidden;
   hidden.attempt(
-      [&, edge = edge, front = front] {
-        cuts = surface::cutsOfMeshes(readMeshes(parts.section, *parts.bodies, state, edge, front, warnings));
+      [&, edge = edge, front = front]
+      {
+        cuts = surface::cutsOfMeshes(
+            readMeshes(parts.section, *parts.bodies, state, edge, front, warnings, bodyGroups));
       });
   return cuts;
 }
@@ -204,15 +209,16 @@ void start(const Shared<D>& parts, State<D>& state)
   judgeLengths(front, state);
   if (parts->hasSprings)
     parts->advected.start(state);
-  state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row) { prepareStencils(*parts, s, row); };
-  state.stored.editor.keep = [=](State<D>&) { ++parts->surroundings.stamp; };
-  state.stored.editor.edit =
-      [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
+  StencilEditor<D> editor;
+  editor.prepare = [=](State<D>& s, const View<int*>& row) { prepareStencils(*parts, s, row); };
+  editor.keep = [=](State<D>&) { ++parts->surroundings.stamp; };
+  editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
   {
     if constexpr (D == 2)
       parts->junctions.hideNodes(s, points, table);
     editStencils(s, parts->formulation, parts->ghosts, points, table);
   };
+  state.stored.editors.push_back(std::move(editor));
 }
 
 template <int D>

@@ -129,13 +129,14 @@ int frontInThePath(const CrackSet<2>& set, const Obstacles& obstacles, const Adv
   return nearest;
 }
 
-/// Whether there is material up to another crack. A gap in the last cell is the opening of that crack.
-bool isSolid(const State<2>& state, Path<2> path, const Vector<2>& to)
+/// Whether there is material from a crack up to another one. A gap in the last cell is the opening of that
+/// crack.
+bool isSolid(const State<2>& state, int own, Path<2> path, const Vector<2>& to)
 {
   const double length = norm(to);
   path.direction = (1.0 / length) * to;
   path.length = length - 1.5 * path.cell;
-  return path.length <= 0.0 || !ligamentsAhead<2>(state, {path})[0].ends;
+  return path.length <= 0.0 || !ligamentsAhead<2>(state, own, {path})[0].ends;
 }
 
 } // namespace
@@ -160,7 +161,7 @@ Encounter<2> findEncounter(const State<2>& state, const std::vector<GrowingCrack
   {
     const Vector<2> to = tipOf(cracks, set.fronts[met], met) - path.from;
     // A front cannot reach the other crack across a gap.
-    return isSolid(state, path, to)
+    return isSolid(state, own, path, to)
                ? Encounter<2>{Kind::Meets, set.fronts[met].crack, met, norm(to), (1.0 / norm(to)) * to}
                : Encounter<2>{};
   }
@@ -169,7 +170,7 @@ Encounter<2> findEncounter(const State<2>& state, const std::vector<GrowingCrack
                         obstacles.firstAlong(path.from, path.direction, other.crack).distance < reach;
   if (!isAcross || across.crack == own)
     return {Kind::Stops, isAcross ? across.crack : other.crack, -1, 0.0, {}};
-  return isSolid(state, path, across.distance * path.direction)
+  return isSolid(state, own, path, across.distance * path.direction)
              ? Encounter<2>{Kind::Joins, across.crack, -1, across.distance, path.direction}
              : Encounter<2>{};
 }

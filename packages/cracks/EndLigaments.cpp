@@ -45,7 +45,7 @@ struct ShortestAhead
 /// Length of the material along each path, up to the surface [m]; infinite where the path does not come to
 /// it. Collective.
 template <int D>
-std::vector<double> lengthsAhead(const State<D>& state, const std::vector<Path<D>>& paths)
+std::vector<double> lengthsAhead(const State<D>& state, int crack, const std::vector<Path<D>>& paths)
 {
   std::vector<double> ahead(paths.size(), 0.0);
   std::vector<Path<D>> rest = paths;
@@ -54,7 +54,7 @@ std::vector<double> lengthsAhead(const State<D>& state, const std::vector<Path<D
     of[k] = k;
   for (int round = 0; round < mostLengths && !rest.empty(); ++round)
   {
-    const std::vector<Ligament> found = ligamentsAhead(state, rest);
+    const std::vector<Ligament> found = ligamentsAhead(state, crack, rest);
     std::vector<Path<D>> more;
     std::vector<std::size_t> ofMore;
     for (std::size_t k = 0; k < rest.size(); ++k)
@@ -107,7 +107,7 @@ ShortestAhead<D> shortestAhead(const State<D>& state, const CrackFront<D>& front
     paths.push_back(path);
   }
   ShortestAhead<D> shortest;
-  const std::vector<double> lengths = lengthsAhead(state, paths);
+  const std::vector<double> lengths = lengthsAhead(state, front.crack, paths);
   for (std::size_t k = 0; k < paths.size(); ++k)
     if (std::isfinite(lengths[k]))
     {

@@ -179,7 +179,7 @@ std::vector<double> sumByFront(const State<D>& state, const NodalSprings<D>& spr
   std::vector<double> sums(state.cracks.fronts.size(), 0.0);
   for (std::size_t f = 0; f < sums.size(); ++f)
     sums[f] = parallelSumSmall<double>(
-        "rhegma::cracks::sumByFront", nodes.numEnriched, KOKKOS_LAMBDA(const int i, double& sum) {
+        "rhegma::cracks::sumByFront", nodes.numOfCracks, KOKKOS_LAMBDA(const int i, double& sum) {
           if (energyOfNode(i) > 0.0 && springs.front(nodes.parent(i)) == static_cast<int>(f))
             sum += energyOfNode(i);
         });
@@ -226,7 +226,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
   const Nodes<D> nodes = state.mesh.nodes;
   if (grows_)
     frontOf_.update(state.cracks);
-  const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numEnriched : 0);
+  const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numOfCracks : 0);
   const FindSpring<D> find{nodes,
                            nodePositions(state),
                            CrackSight<D>(state.cracks, state.mesh.grid.spacing),
@@ -249,7 +249,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
                            density_,
                            surroundings.stamp};
   double converted = 0.0;
-  parallelSumSmall("rhegma::cracks::findSprings", 0, nodes.numEnriched, find, passed_, converted);
+  parallelSumSmall("rhegma::cracks::findSprings", 0, nodes.numOfCracks, find, passed_, converted);
   state.energy.fracture += converted;
   slowRelativeMotion(state, RelativePart::Momentum);
   if (state.method.scheme == UpdateScheme::Usf || state.method.scheme == UpdateScheme::Usavg)

@@ -28,7 +28,7 @@ void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
   {
     int found = -1;
     Kokkos::parallel_reduce(
-        "rhegma::cracks::heldFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+        "rhegma::cracks::heldFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numOfCracks),
         KOKKOS_LAMBDA(const int i, int& last) {
           const int n = nodes.parent(i);
           const Vector<D> x = positions(n);

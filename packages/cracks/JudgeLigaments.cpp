@@ -197,7 +197,7 @@ Closest<D> closestToItself(const CrackMesh<D>& mesh, const State<D>& state)
 } // namespace
 
 template <int D>
-void judgeLigaments(const SceneBodies<D>& bodies, const MirroredSides& mirrored,
+void judgeLigaments(const CrackedBodies<D>& bodies, const MirroredSides& mirrored,
                     const std::vector<CrackMesh<D>>& meshes, State<D>& state)
 {
   constexpr char advice[] = ": use smaller cells (Domain > Cell Size), or move the crack";
@@ -205,7 +205,8 @@ void judgeLigaments(const SceneBodies<D>& bodies, const MirroredSides& mirrored,
   for (std::size_t c = 0; c < meshes.size(); ++c)
   {
     const std::string where = "Cracks > " + state.cracks.cracks[c].name;
-    const Closest<D> toSurface = Ligaments<D>(bodies, mirrored, meshes[c], state).closest();
+    const SceneBodies<D>& shapes = bodies.of(state.cracks.cracks[c].bodyGroup);
+    const Closest<D> toSurface = Ligaments<D>(shapes, mirrored, meshes[c], state).closest();
     if (toSurface.distance < infinity)
       messages.push_back(
           where + ": a surface of the body is " + toSurface.text(" away from it at ") +
@@ -221,9 +222,9 @@ void judgeLigaments(const SceneBodies<D>& bodies, const MirroredSides& mirrored,
   state.warnings.insert(state.warnings.end(), said.begin(), said.end());
 }
 
-template void judgeLigaments(const SceneBodies<2>&, const MirroredSides&, const std::vector<CrackMesh<2>>&,
+template void judgeLigaments(const CrackedBodies<2>&, const MirroredSides&, const std::vector<CrackMesh<2>>&,
                              State<2>&);
-template void judgeLigaments(const SceneBodies<3>&, const MirroredSides&, const std::vector<CrackMesh<3>>&,
+template void judgeLigaments(const CrackedBodies<3>&, const MirroredSides&, const std::vector<CrackMesh<3>>&,
                              State<3>&);
 
 } // namespace Rhegma::cracks

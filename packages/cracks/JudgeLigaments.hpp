@@ -3,9 +3,7 @@
 /// (docs/reference/warnings-of-cracks-and-runs.md).
 
 #include "boundary/DomainEdges.hpp"
-#include "scene/SceneBodies.hpp"
-#include "state/State.hpp"
-#include "surface/CrackMesh.hpp"
+#include "cracks/CrackedBodies.hpp"
 
 namespace Rhegma::cracks
 {
@@ -17,7 +15,7 @@ namespace Rhegma::cracks
 /// \param mirrored sides of bodies, which are no surfaces
 /// \param meshes of the cracks, in their order, cut to the bodies
 template <int D>
-void judgeLigaments(const SceneBodies<D>& bodies, const MirroredSides& mirrored,
+void judgeLigaments(const CrackedBodies<D>& bodies, const MirroredSides& mirrored,
                     const std::vector<surface::CrackMesh<D>>& meshes, State<D>& state);
 
 } // namespace Rhegma::cracks

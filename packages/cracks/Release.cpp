@@ -85,7 +85,7 @@ View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& s
                                     const NodalSprings<D>& springs, const HoldingForce<D>& holding)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  View<double * [D + 3]> rows("rhegma::cracks::passedNodes", nodes.numEnriched);
+  View<double * [D + 3]> rows("rhegma::cracks::passedNodes", nodes.numOfCracks);
   const NodePositions<D> positions = nodePositions(state);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   const bool refined = state.mesh.tree.refined();
@@ -94,7 +94,7 @@ View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& s
   const NodeArea<D> areaOf{CrackSight<D>(state.cracks, spacing),
                            smallestDensity(state.materials.properties) * state.method.thickness};
   parallelForSmall(
-      "rhegma::cracks::passedNodes", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
+      "rhegma::cracks::passedNodes", nodes.numOfCracks, KOKKOS_LAMBDA(const int i) {
         const int primary = nodes.parent(i);
         if (!springs.isPassed(primary))
           return;
@@ -157,7 +157,7 @@ std::vector<PassedNode> listPassed(const State<D>& state, const View<double * [D
   const auto host = onHost(rows);
   const auto parent = onHost(state.mesh.nodes.parent);
   std::vector<PassedNode> passed;
-  for (int i = 0; i < state.mesh.nodes.numEnriched; ++i)
+  for (int i = 0; i < state.mesh.nodes.numOfCracks; ++i)
   {
     if (host(i, 0) == 0.0)
       continue;
@@ -241,7 +241,7 @@ View<double*> releaseRanges(State<D>& state, const View<double * [D + 3]>& rows,
       if (energy[k] > 0.0)
         range[first[f] + k] = releaseRange(energy[k], sums[first[f] + k].force);
   }
-  View<double*> rangeOf("rhegma::cracks::releaseRanges", state.mesh.nodes.numEnriched);
+  View<double*> rangeOf("rhegma::cracks::releaseRanges", state.mesh.nodes.numOfCracks);
   const auto host = Kokkos::create_mirror_view(rangeOf);
   for (const PassedNode& node : passed)
     host(node.second) = range[node.at];
@@ -264,7 +264,7 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
   const View<double * [D + 1]> spring = state.cracks.spring;
   const StableStiffness<D> stable(state);
   parallelForSmall(
-      "rhegma::cracks::releasePassedNodes", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
+      "rhegma::cracks::releasePassedNodes", nodes.numOfCracks, KOKKOS_LAMBDA(const int i) {
         const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
         if (!springs.isPassed(primary))
           return;

@@ -3,6 +3,7 @@
 #include "base/RelaxedLoad.hpp"
 #include "cracks/CohesiveLaw.hpp"
 #include "cracks/Nearest.hpp"
+#include "state/BodyGroup.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -195,11 +196,7 @@ int numberEnrichedFields(const State<D>& state)
 template <int D>
 void listParents(State<D>& state, int count)
 {
-  if (static_cast<int>(state.mesh.nodes.parent.extent(0)) < count)
-    state.mesh.nodes.parent = View<int*>("rhegma::enrichedFieldParent", 2 * count);
-  if (static_cast<int>(state.mesh.nodes.sums.extent(0)) < state.mesh.nodes.numLattice + count)
-    state.mesh.nodes.reserve(state.mesh.nodes.numLattice, 2 * count);
-  state.mesh.nodes.numEnriched = count;
+  state.mesh.nodes.claimFieldsOfCracks(count);
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> second = state.cracks.enrichedField;
   Kokkos::parallel_for(
@@ -256,7 +253,8 @@ struct MarkParticle
   Grid<D> grid;
   SideOfPosition<D> sideOf;
   BorrowedView<double* [D]> position;
-  BorrowedView<int*> side;
+  BorrowedView<int*> side, bodyGroup;
+  View<int*> bodyGroupOf; ///< of each crack; empty where it may cut all particles
   View<int*> nodeSide, row;
   bool onlySplit; ///< false: mark it in any case
 
@@ -292,7 +290,14 @@ struct MarkParticle
       x[d] = position(p, d);
       cell[d] = static_cast<int>(grid.inCells(x[d], d));
     }
-    return sideOf(cell, x);
+    const int found = sideOf(cell, x);
+    return found == 0 || isCutBy(p, found > 0 ? found : -found) ? found : 0;
+  }
+
+  /// Whether a particle belongs to the bodies that a crack cuts. \param name its number + 1
+  KOKKOS_INLINE_FUNCTION bool isCutBy(int p, int name) const
+  {
+    return bodyGroupOf.extent(0) == 0 || bodyGroupOf(name - 1) == bodyGroup(p);
   }
 };
 
@@ -305,10 +310,16 @@ void markParticles(const State<D>& state, const Surroundings& around, const View
   const Blocks<D> blocks = state.mesh.blocks;
   const auto position = state.particles.template real<D>(fields::position);
   const SideOfPosition<D> sideOf{grid, CrackSight<D>(state.cracks, grid.spacing), around.nearest};
+  const View<int*> bodyGroupOf = state.cracks.bodyGroupOf;
+  BorrowedView<int*> bodyGroup;
+  if (bodyGroupOf.extent(0) > 0)
+    bodyGroup = state.particles.integer(fields::bodyGroup);
   const MarkParticle<D> mark{grid,
                              sideOf,
                              position,
                              state.particles.integer(fields::side),
+                             bodyGroup,
+                             bodyGroupOf,
                              state.cracks.nodeSide,
                              row,
                              state.cracks.dualField};

@@ -140,7 +140,7 @@ void FrontSprings<D>::addForces(State<D>& state) const
   const View<double*> damping = damping_, damped = dampedInSubsteps_;
   const View<double* [D]> dampingForce = dampingForce_;
   parallelForSmall(
-      "rhegma::cracks::addSprings", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
+      "rhegma::cracks::addSprings", nodes.numOfCracks, KOKKOS_LAMBDA(const int i) {
         const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
         Vector<D> rate{};
         for (int d = 0; d < D && damping(primary) > 0.0; ++d)
@@ -179,7 +179,7 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
     const Nodes<D> nodes = state.mesh.nodes;
     const View<double * [D + 1]> spring = state.cracks.spring;
     Kokkos::parallel_for(
-        "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+        "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numOfCracks),
         KOKKOS_LAMBDA(const int i) {
           const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
           if (slots.moves(primary) == slots.moves(enriched) || !isOwnedByThisRank(nodes, primary))
@@ -199,7 +199,7 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
     const View<double* [D]> dampingForce = dampingForce_;
     const NodalSprings<D> all = springs(state);
     Kokkos::parallel_for(
-        "rhegma::cracks::changeOfSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+        "rhegma::cracks::changeOfSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numOfCracks),
         KOKKOS_LAMBDA(const int i) {
           const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
           if (spring(primary, D) == 0.0 || !slots.moves(primary) || !slots.moves(enriched) ||
@@ -233,7 +233,7 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
 template <int D>
 void FrontSprings<D>::advance(State<D>& state)
 {
-  const View<double*> excess("rhegma::cracks::excess", grows_ ? state.mesh.nodes.numEnriched : 0);
+  const View<double*> excess("rhegma::cracks::excess", grows_ ? state.mesh.nodes.numOfCracks : 0);
   const StretchSpring<D> stretch{state.mesh.nodes,
                                  nodePositions(state),
                                  state.cracks.nodeSide,
@@ -247,7 +247,7 @@ void FrontSprings<D>::advance(State<D>& state)
                                  state.method.scheme == UpdateScheme::Usl,
                                  state.clock.strainPass.before};
   double elastic = 0.0, dissipated = 0.0, beyond = 0.0;
-  parallelSumSmall("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numEnriched, stretch, elastic,
+  parallelSumSmall("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numOfCracks, stretch, elastic,
                    dissipated, beyond);
   state.energy.springs = elastic;
   state.energy.fracture += dissipated;
@@ -276,7 +276,7 @@ void FrontSprings<D>::recordDamping(State<D>& state) const
   const double dt = state.clock.dt;
   double damped = 0.0;
   parallelSumSmall(
-      "rhegma::cracks::recordDamping", 0, nodes.numEnriched,
+      "rhegma::cracks::recordDamping", 0, nodes.numOfCracks,
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
         if (!isOwnedByThisRank(nodes, primary))
@@ -303,7 +303,7 @@ typename DisplacementDependentForce<D>::Work FrontSprings<D>::dampingInSubsteps(
     const View<double* [D]> force = dampingForce_;
     const View<double*> damped = dampedInSubsteps_;
     parallelForSmall(
-        "rhegma::cracks::dampingInSubsteps", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
+        "rhegma::cracks::dampingInSubsteps", nodes.numOfCracks, KOKKOS_LAMBDA(const int i) {
           const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
           if (!slots.moves(primary) || !slots.moves(enriched))
             return;

@@ -10,7 +10,7 @@ typename SpringsInEquilibrium<D>::Groups SpringsInEquilibrium<D>::begin(const St
   springs_.clear();
   Groups groups;
   const Nodes<D>& nodes = state.mesh.nodes;
-  for (int i = 0; i < nodes.numEnriched && state.cracks.spring.extent(0) > 0; ++i)
+  for (int i = 0; i < nodes.numOfCracks && state.cracks.spring.extent(0) > 0; ++i)
   {
     const int n = nodes.parent(i), a = rowOf(n), b = rowOf(nodes.numLattice + i);
     if (a >= 0 && b >= 0 && state.cracks.spring(n, D) > 0.0 && isOwnedByThisRank(nodes, n))

@@ -51,7 +51,8 @@ void nearestRotation(double (&a)[D][D])
   }
 }
 
-MeanMotion meanMotion(const State<D>& state, const Region<D>& box, const BlocksInReach<D>& blocks)
+MeanMotion meanMotion(const State<D>& state, const ParticlesOfGroup& own, const Region<D>& box,
+                      const BlocksInReach<D>& blocks)
 {
   const auto position = state.particles.real<D>(fields::position);
   const auto velocity = state.particles.real<D>(fields::velocity);
@@ -60,7 +61,7 @@ MeanMotion meanMotion(const State<D>& state, const Region<D>& box, const BlocksI
   blocks.sumOverParticles(
       "rhegma::meanMotionOfFront",
       KOKKOS_LAMBDA(const int p, double(&sum)[D * D + D + 1]) {
-        if (!box.holds({position(p, 0), position(p, 1), position(p, 2)}))
+        if (!own.hold(p) || !box.holds({position(p, 0), position(p, 1), position(p, 2)}))
           return;
         for (int k = 0; k < D * D; ++k)
           sum[k] += F(p, k);
@@ -90,6 +91,7 @@ struct ForceBlock
 {
   static constexpr int width = 4;
   Connect connect;
+  ParticlesOfGroup own;
   Region<D> box;
   MeanMotion mean;
   ConfigurationalForces force;
@@ -126,7 +128,7 @@ struct ForceBlock
 
   KOKKOS_INLINE_FUNCTION bool isIn(int p) const
   {
-    return box.holds({position(p, 0), position(p, 1), position(p, 2)});
+    return own.hold(p) && box.holds({position(p, 0), position(p, 1), position(p, 2)});
   }
 
   /// The image in the cells of each axis of the tube, which turns with the body unless the cells are
@@ -206,20 +208,21 @@ struct ForceBlock
 
 } // namespace
 
-ConfigurationalForces configurationalForces(const State<3>& state, const Region<3>& box,
-                                            const NodalAcceleration<3>& acceleration,
+ConfigurationalForces configurationalForces(const State<3>& state, const ParticlesOfGroup& own,
+                                            const Region<3>& box, const NodalAcceleration<3>& acceleration,
                                             const FrontWork<3>& kept)
 {
   const Region<3> nodes = nodesOf(state, box);
   ConfigurationalForces force = kept.rows.clearForces(state, nodes);
   kept.blocks.find(state, {box});
-  const MeanMotion mean = meanMotion(state, box, kept.blocks);
+  const MeanMotion mean = meanMotion(state, own, box, kept.blocks);
   const bool moving = haveNodalValues(state);
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
                      ForceBlock<Connect> block{connect,
+                                               own,
                                                box,
                                                mean,
                                                force,

@@ -1,5 +1,6 @@
 #include "energy_release/Contour.hpp"
 
+#include "state/BodyGroup.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/PushNodes.hpp"
@@ -25,8 +26,9 @@ KOKKOS_INLINE_FUNCTION void addTo(double& sum, double more)
 
 /// Adds the particles' volume to the nodes, without regard to cracks: calls add(node, volume).
 template <int D, class Add>
-void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, const Add& add)
+void sumVolume(const State<D>& state, int crack, const Vector<D>& centre, double radius, const Add& add)
 {
+  const ParticlesOfGroup own = particlesOfCrack(state, crack);
   const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
   const auto initial = state.particles.scalar(fields::volume);
@@ -48,7 +50,7 @@ void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, co
             x[d] = position(p, d);
             half[d] = boxes ? box(p, d) : 0.0;
           }
-          if (dot(x - centre, x - centre) < radius * radius)
+          if (own.hold(p) && dot(x - centre, x - centre) < radius * radius)
             sight.forEachNode(x, half,
                               [&](int node, double weight, const double(&)[D])
                               { add(node, weight * initial(p)); });
@@ -58,14 +60,14 @@ void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, co
 
 /// The volume of particles at the nodes of a box, of all ranks [m3].
 template <int D>
-View<double*> volumeOfNodes(const State<D>& state, const Vector<D>& centre, double radius,
+View<double*> volumeOfNodes(const State<D>& state, int crack, const Vector<D>& centre, double radius,
                             const BoxNodes<D>& box)
 {
   View<double*> volume("rhegma::volumeOfNodes", box.count());
   if (!state.mesh.subdomain)
   {
     sumVolume(
-        state, centre, radius, KOKKOS_LAMBDA(const int node, const double more) {
+        state, crack, centre, radius, KOKKOS_LAMBDA(const int node, const double more) {
           if (const int k = box.find(node); k >= 0)
             addTo(volume(k), more);
         });
@@ -73,7 +75,8 @@ View<double*> volumeOfNodes(const State<D>& state, const Vector<D>& centre, doub
   }
   const View<double*> all("rhegma::volumeOfAllNodes", state.mesh.grid.numNodes + state.mesh.tree.numFine);
   sumVolume(
-      state, centre, radius, KOKKOS_LAMBDA(const int node, const double more) { addTo(all(node), more); });
+      state, crack, centre, radius,
+      KOKKOS_LAMBDA(const int node, const double more) { addTo(all(node), more); });
   sumOverRanks(state, all);
   Kokkos::parallel_for(
       "rhegma::volumeOfNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()),
@@ -146,10 +149,11 @@ constexpr double smallestOuterCells = 2.0;
 } // namespace
 
 template <int D>
-NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius)
+NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius, int crack)
 {
   const BoxNodes<D> box(state, boxAround(centre, radius));
-  const View<double*> cover = volumeOfNodes(state, centre, radius + 3.0 * state.mesh.grid.spacing, box);
+  const View<double*> cover =
+      volumeOfNodes(state, crack, centre, radius + 3.0 * state.mesh.grid.spacing, box);
   double cell = D == 2 ? state.method.thickness : 1.0;
   for (int d = 0; d < D; ++d)
     cell *= state.mesh.grid.spacing;
@@ -163,7 +167,7 @@ NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double
 
 double largestContour(const State<2>& state, const CrackFront<2>& front, double radius)
 {
-  const NodeCover<2> cover = coverOfNodes(state, front.position, radius);
+  const NodeCover<2> cover = coverOfNodes(state, front.position, radius, front.crack);
   const Gap gap(state, front);
   const Vector<2> centre = front.position;
   double nearest = radius;
@@ -198,7 +202,7 @@ double smallestOuter(const GivenRadii& given, double cell)
   return given.inner > 0.0 ? given.inner + cell : smallestOuterCells * cell;
 }
 
-template NodeCover<2> coverOfNodes(const State<2>&, const Vector<2>&, double);
-template NodeCover<3> coverOfNodes(const State<3>&, const Vector<3>&, double);
+template NodeCover<2> coverOfNodes(const State<2>&, const Vector<2>&, double, int);
+template NodeCover<3> coverOfNodes(const State<3>&, const Vector<3>&, double, int);
 
 } // namespace Rhegma::energy_release

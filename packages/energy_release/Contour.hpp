@@ -58,9 +58,10 @@ struct NodeCover
 };
 
 /// The cover of the nodes within `radius` [m] of a position, on the lattice and in refined cells; that of
-/// others in the box around them may be too small. Collective.
+/// others in the box around them may be too small. Collective. \param crack only bodies that it may cut
+/// count; -1: all
 template <int D>
-NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius);
+NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius, int crack = -1);
 
 /// Largest outer radius around a front in 2D up to which every node is surrounded by material, and clear of
 /// other fronts, at most `radius` [m]. Collective.

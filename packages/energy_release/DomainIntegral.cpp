@@ -208,7 +208,8 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
                        work.nearFront = heatNearFront(state, front.position, radii);
                      // What closed faces press with follows from their opening (integrateAboutTip).
                      work.intensities = intensities || state.cracks.tractions || work.nearFront.corrects();
-                     kept.blocks.find(state, {boxAround(front.position, work.reach)});
+                     kept.blocks.find(state, {boxAround(front.position, work.reach)},
+                                      particlesOfCrack(state, front.crack));
                      work.disk = describeDisk(state, front, radii, work.intensities, kept.blocks);
                      const Region<D> nodes = nodesOf(state, boxAround(front.position, work.reach));
                      work.rows = kept.rows.fill(state, nodes, work.moving, acceleration, weight, path);

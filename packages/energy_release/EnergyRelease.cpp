@@ -2,6 +2,7 @@
 
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
+#include "energy_release/BodiesInContour.hpp"
 #include "energy_release/CheckTubes.hpp"
 #include "energy_release/Disagreement.hpp"
 #include "energy_release/DomainIntegral.hpp"
@@ -191,6 +192,7 @@ void integrateAll(State<D>& state, const Options& options, Samples<D>& samples, 
     s.tube = fittingTube(state, s.front, options.radii);
     warnOfTube(state, s.front, s.tube.radii, options, samples);
     warnOfLoads(state, s.front, s.tube.radii, samples.loads);
+    warnOfBodies(state, s.front, s.tube.radii.outer);
     ranges.push_back(rangeOf(state, s));
   }
   work.acceleration.renew();

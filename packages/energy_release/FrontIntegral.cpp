@@ -74,8 +74,8 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
         if (k < 0 || values(k, 7) == 0.0)
           return;
         for (int d = 0; d < D; ++d)
-          values(k, 2) += values(k, 3 + d) * force(nodes.numLattice + i, d);
-        if (spring.extent(0) > 0 && isOwnedByThisRank(nodes, nodes.parent(i)))
+          Kokkos::atomic_add(&values(k, 2), values(k, 3 + d) * force(nodes.numLattice + i, d));
+        if (i < nodes.numOfCracks && spring.extent(0) > 0 && isOwnedByThisRank(nodes, nodes.parent(i)))
           values(k, 8) = spring(nodes.parent(i));
       });
   const auto host = onHost(values);
@@ -220,9 +220,9 @@ std::vector<std::optional<double>> integrateWithAcceleration(const State<3>& sta
     return std::vector<std::optional<double>>(line.nodes.size());
   FrontRowTable<3> rows;
   BlocksInReach<3> blocks;
-  return integrate(
-      state, line, tube,
-      configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration, {rows, blocks}));
+  return integrate(state, line, tube,
+                   configurationalForces(state, {}, regionAround(line, reachOf(state, tube)), acceleration,
+                                         {rows, blocks}));
 }
 
 std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, int crack,
@@ -242,7 +242,7 @@ std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, in
   if (line.empty())
     return std::vector<std::optional<double>>(line.nodes.size());
   const ConfigurationalForces force =
-      configurationalForces(state, regionAround(line, reachOf(state, tube)),
+      configurationalForces(state, particlesOfCrack(state, crack), regionAround(line, reachOf(state, tube)),
                             acceleration.around(state, accelerationRange(state, line, tube)), kept);
   addForceOfPressure(state, crack, line, tube, force);
   return integrate(state, line, tube, force);

@@ -35,7 +35,7 @@ double leftOutAtEnds(double length, double cell)
 
 /// Distance from a front within which all nodes are surrounded by material; the ends of an open one, where
 /// the surface is, are left out.
-double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radius)
+double clearOfSurfaces(const State<3>& state, int crack, const FrontLine& line, double radius)
 {
   Vector<3> middle{{0.0, 0.0, 0.0}};
   for (const FrontNode<3>& s : line.nodes)
@@ -43,7 +43,7 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   double extent = 0.0;
   for (const FrontNode<3>& s : line.nodes)
     extent = std::max(extent, norm(s.position - middle));
-  const NodeCover<3> cover = coverOfNodes(state, middle, extent + radius);
+  const NodeCover<3> cover = coverOfNodes(state, middle, extent + radius, crack);
   const FrontSight sight(line, radius);
   const double cell = state.mesh.grid.spacing;
   double most = 1e300;
@@ -192,7 +192,7 @@ double clearAround(const State<3>& state, const CrackFront<3>& front, double rad
   radius = std::min(radius, radiusOfCurvature(line, cell));
   radius = clearOfOwnFronts(state.cracks, front, line, radius);
   radius = clearOfCracks(state.cracks, front, radius, cell);
-  return clearOfSurfaces(state, line, radius);
+  return clearOfSurfaces(state, front.crack, line, radius);
 }
 
 template <int D>

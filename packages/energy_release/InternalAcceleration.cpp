@@ -128,7 +128,7 @@ void addSprings(const State<D>& state, const NodalAcceleration<D>& force)
     return;
   const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
-      "rhegma::internalSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+      "rhegma::internalSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numOfCracks),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.parent(i), m = nodes.numLattice + i;
         for (int d = 0; d < D; ++d)
@@ -217,7 +217,8 @@ const NodalAcceleration<D>& InternalAcceleration<D>::around(const State<D>& stat
         "rhegma::internalAcceleration", state, box, KOKKOS_LAMBDA(const int n, const Vector<D>&) {
           const double mass = force(n, D);
           const int primary = n < nodes.numLattice ? n : nodes.parent(n - nodes.numLattice);
-          const int other = !slowed ? -1 : n < nodes.numLattice ? enriched(n) : primary;
+          const bool ofCrack = slowed && n < nodes.numLattice + nodes.numOfCracks;
+          const int other = !ofCrack ? -1 : n < nodes.numLattice ? enriched(n) : primary;
           const bool pair = other >= 0 && added(primary) > 0.0 && mass > 0.0 && force(other, D) > 0.0;
           for (int i = 0; i < D; ++i)
           {

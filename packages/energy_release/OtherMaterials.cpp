@@ -1,6 +1,7 @@
 #include "energy_release/OtherMaterials.hpp"
 
 #include "energy_release/PointBounds.hpp"
+#include "state/BodyGroup.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -25,6 +26,7 @@ double distanceTo(const State<D>& state, const CrackFront<D>& front, int materia
 {
   const auto position = state.particles.template real<D>(fields::position);
   const auto of = state.particles.integer(fields::material);
+  const ParticlesOfGroup own = particlesOfCrack(state, front.crack);
   double nearest = std::numeric_limits<double>::infinity();
   for (const Vector<D>& x : front.points())
   {
@@ -32,7 +34,7 @@ double distanceTo(const State<D>& state, const CrackFront<D>& front, int materia
     Kokkos::parallel_reduce(
         "rhegma::distanceToMaterial", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
         KOKKOS_LAMBDA(const int p, double& smallest) {
-          if (of(p) != material)
+          if (of(p) != material || !own.hold(p))
             return;
           double square = 0.0;
           for (int d = 0; d < D; ++d)

@@ -2,6 +2,7 @@
 
 #include "energy_release/CrackSide.hpp"
 #include "energy_release/WholeNodes.hpp"
+#include "state/BodyGroup.hpp"
 #include "state/CellFrame.hpp"
 #include "state/ParticlePlace.hpp"
 #include "state/Subdomain.hpp"
@@ -25,9 +26,10 @@ constexpr double noWeight = 1e-20;
 /// Numbers of one particle that the host needs: position, displacement, mass, volume, four stresses.
 constexpr int rowWidth = 10;
 
-/// The particles within a radius of a position, in their order.
-View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double radius)
+/// The particles that a crack may cut within a radius of a position, in their order.
+View<int*> listParticles(const State<2>& state, int crack, const Vector<2>& centre, double radius)
 {
+  const ParticlesOfGroup own = particlesOfCrack(state, crack);
   const auto position = state.particles.real<2>(fields::position);
   BlocksInReach<2> blocks;
   blocks.find(state, {boxAround(centre, radius)});
@@ -35,7 +37,7 @@ View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double 
   const auto isIn = KOKKOS_LAMBDA(const int p)
   {
     const double x = position(p, 0) - centre[0], y = position(p, 1) - centre[1];
-    return x * x + y * y <= radius * radius;
+    return x * x + y * y <= radius * radius && own.hold(p);
   };
   const View<int*> first("rhegma::patchParticlesOfBlocks", blocks.count() + 1);
   int count = 0;
@@ -187,7 +189,7 @@ std::vector<ParticleAroundTip> ofAllRanks(const Ranks& ranks, const std::vector<
 std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const CrackFront<2>& front,
                                                double radius)
 {
-  const View<int*> list = listParticles(state, front.position, radius);
+  const View<int*> list = listParticles(state, front.crack, front.position, radius);
   const auto row = onHost(gatherRows(state, list));
   const StencilTable<2> table = state.method.shape == ShapeKind::Linear
                                     ? patchStencils<ShapeKind::Linear>(state, list)

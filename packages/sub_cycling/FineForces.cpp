@@ -237,7 +237,7 @@ void FineParticles<D>::slowRelativeMotion(const State<D>& state, const Values& a
   const View<double*> mass = mass_;
   const View<int* [D]> held = held_;
   parallelForSmall(
-      "rhegma::subcycling::slowRelativeMotion", added.extent(0) > 0 ? nodes.numEnriched : 0,
+      "rhegma::subcycling::slowRelativeMotion", added.extent(0) > 0 ? nodes.numOfCracks : 0,
       KOKKOS_LAMBDA(const int i) {
         const int primary = nodes.parent(i), a = slotOf(primary), b = slotOf(nodes.numLattice + i);
         if (!(added(primary) > 0.0) || a < 0 || b < 0)

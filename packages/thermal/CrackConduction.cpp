@@ -182,7 +182,7 @@ void CrackConduction<D>::ofFronts(const State<D>& state, const HeatNodes<D>& hea
   const View<int*> level = state.mesh.tree.nodeLevel;
   const bool faces = conducts_, refined = state.mesh.tree.refined();
   Kokkos::parallel_for(
-      "rhegma::thermal::conductanceAtFronts", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+      "rhegma::thermal::conductanceAtFronts", Kokkos::RangePolicy<ExecSpace>(0, nodes.numOfCracks),
       KOKKOS_LAMBDA(const int i) {
         const int one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
@@ -263,7 +263,7 @@ void CrackConduction<D>::findConductance(const State<D>& state)
   const View<double * [D + 2]> faces = faces_;
   const View<double*> conductance = conductance_;
   Kokkos::parallel_for(
-      "rhegma::thermal::findConductance", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+      "rhegma::thermal::findConductance", Kokkos::RangePolicy<ExecSpace>(0, nodes.numOfCracks),
       KOKKOS_LAMBDA(const int i) {
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         double along = 0.0, square = 0.0;
@@ -290,7 +290,7 @@ void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, 
   const View<double*> conductance = conductance_;
   const bool several = heat.meets.extent(0) > 0;
   Kokkos::parallel_for(
-      "rhegma::thermal::mergeFields", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+      "rhegma::thermal::mergeFields", Kokkos::RangePolicy<ExecSpace>(0, nodes.numOfCracks),
       KOKKOS_LAMBDA(const int i) {
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
@@ -319,7 +319,7 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
   const View<double*> conductance = conductance_;
   double fromOutside = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::thermal::exchangeBetweenFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+      "rhegma::thermal::exchangeBetweenFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numOfCracks),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);

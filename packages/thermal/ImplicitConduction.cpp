@@ -81,7 +81,7 @@ template <int D>
 void ConductionIntegrator<D>::findPairs(const State<D>& state, const HeatNodes<D>& heat,
                                         const CrackConduction<D>& faces, double dt)
 {
-  numPairs_ = faces.active(state) ? state.mesh.nodes.numEnriched : 0;
+  numPairs_ = faces.active(state) ? state.mesh.nodes.numOfCracks : 0;
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double*>& conductance = faces.conductance();
   const View<double* [pairWidth]> pairs = pairs_;

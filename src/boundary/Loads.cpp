@@ -27,11 +27,7 @@ void updateParticles(const State<D>& state, const View<int*>& id, const View<dou
   const auto reference = state.particles.template real<D>(fields::reference);
   const View<int*> indexOf = state.particles.indexOf;
   const bool undeformed = state.method.totalLagrangian;
-  BorrowedView<int*> side;
-  const std::string name = sideField(state.particles);
-  const bool sides = !name.empty();
-  if (sides)
-    side = state.particles.integer(name);
+  const ParticleSides sides(state.particles);
   parallelForSmall(
       "rhegma::placeLoad", points.count, KOKKOS_LAMBDA(const int k) {
         const int p = indexOf(id(k));
@@ -42,8 +38,7 @@ void updateParticles(const State<D>& state, const View<int*>& id, const View<dou
             points.position(k, d) = grid.origin[d] + gridMargin * grid.spacing;
           return;
         }
-        if (sides)
-          points.side(k) = side(p);
+        sides.copy(p, points, k);
         for (int i = 0; i < D; ++i)
         {
           double x = position(p, i);
@@ -151,6 +146,7 @@ void Load<D>::makePoints(const std::vector<int>& levels)
   points_.position = View<double* [D]>("rhegma::loadPosition", count);
   points_.half = View<double* [D]>("rhegma::loadHalf", count);
   points_.side = View<int*>("rhegma::loadSide", count);
+  points_.group = View<int*>();
 }
 
 template <int D>
@@ -191,6 +187,7 @@ template <int D>
 void Load<D>::place(State<D>& state)
 {
   updateLevels(state);
+  ParticleSides(state.particles).reserve("rhegma::loadGroup", points_.count, points_);
   updateParticles(state, id_, start_, fraction_, here_, points_);
   // A light node at the rim bears its fraction of the stress next to it, so it must also get its fraction of
   // the load: otherwise the particles at the rim yield until their stress vanishes, and the load does work

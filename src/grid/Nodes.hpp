@@ -3,13 +3,16 @@
 
 #include "base/Types.hpp"
 
+#include <utility>
+
 namespace Rhegma
 {
 
 /// Nodal values, a row a node. Quantities that a transfer needs together are in one row, so that the
 /// contribution of a particle is a few vector operations a node: mass and momentum fill one register of four
 /// numbers, forces another. Rows 0 .. numLattice - 1 are the lattice's nodes and then those of refined cells
-/// (Tree.hpp); rows past them are enriched fields of nodes next to a crack.
+/// (Tree.hpp); rows past them are enriched fields: first those of nodes next to a crack, then the
+/// fields of groups of bodies that meet at a node. Effects claim them anew in each step (StencilEditor).
 template <int D>
 struct Nodes
 {
@@ -31,6 +34,7 @@ struct Nodes
   View<int*> parent;   ///< node at whose position each enriched field is
   int numLattice = 0;  ///< nodes of the lattice and of refined cells
   int numEnriched = 0; ///< enriched fields in use
+  int numOfCracks = 0; ///< the first of them: those of nodes next to a crack, at most one a node
 
   int numActive() const { return static_cast<int>(active.extent(0)) + numEnriched; }
 
@@ -44,6 +48,35 @@ struct Nodes
     sums = View<double* [sumWidth]>("rhegma::nodeSums", rows);
     motion = View<double* [motionWidth]>("rhegma::nodeMotion", rows);
     projection = View<double* [projectionWidth]>("rhegma::nodeProjection", rows);
+  }
+
+  /// Gives up all enriched fields.
+  void releaseEnriched() { numEnriched = numOfCracks = 0; }
+
+  /// Makes enriched fields after those in use. Their parents are the caller's to fill in, those of the fields
+  /// in use stay. Nodal values are lost where there are not enough rows. \return the row of the first
+  int claimEnriched(int count)
+  {
+    const int first = numLattice + numEnriched, all = numEnriched + count;
+    if (static_cast<int>(parent.extent(0)) < all)
+    {
+      const View<int*> more("rhegma::enrichedFieldParent", 2 * all);
+      const auto used = std::make_pair(0, numEnriched);
+      if (numEnriched > 0)
+        Kokkos::deep_copy(Kokkos::subview(more, used), Kokkos::subview(parent, used));
+      parent = more;
+    }
+    if (static_cast<int>(sums.extent(0)) < numLattice + all)
+      reserve(numLattice, 2 * all);
+    numEnriched = all;
+    return first;
+  }
+
+  /// The same for those of nodes next to a crack, which come before all others.
+  void claimFieldsOfCracks(int count)
+  {
+    claimEnriched(count);
+    numOfCracks = numEnriched;
   }
 };
 

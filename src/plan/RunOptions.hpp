@@ -48,9 +48,10 @@ struct RunOptions
   bool adaptive = false; ///< cells change
   int frontLevels = 0;   ///< levels of finer cells at crack fronts
 
-  bool openingKnown = true;            ///< stencils at cracks have linear completeness
-  bool extrapolated = false;           ///< they extrapolate from nodes on one side
-  bool contact = false;                ///< faces that close press against each other
+  bool openingKnown = true;     ///< stencils at cracks have linear completeness
+  bool extrapolated = false;    ///< they extrapolate from nodes on one side
+  bool bodiesKeptApart = false; ///< bodies that are not bonded have a motion of their own at common nodes
+  bool contact = false;         ///< faces that close press against each other
   std::set<std::string> pressedCracks; ///< with a given pressure
   /// These pressures as functions of time [Pa], by their paths in the scene.
   std::map<std::string, std::string> facePressures;

@@ -5,6 +5,7 @@
 #include "base/Numbers.hpp"
 #include "state/State.hpp"
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 #include <string>
@@ -17,7 +18,9 @@ namespace Rhegma
 template <int D>
 bool areKeptApart(const State<D>& state)
 {
-  return static_cast<bool>(state.stored.editor.edit) && state.cracks.empty();
+  const auto& editors = state.stored.editors;
+  return std::any_of(editors.begin(), editors.end(),
+                     [](const StencilEditor<D>& editor) { return editor.keepsBodiesApart; });
 }
 
 /// Each pair in both orders. \param scene validated; its section Bodies is read

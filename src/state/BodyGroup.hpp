@@ -2,6 +2,7 @@
 /// Groups of bodies that are kept apart at common nodes, and what stencils know of them.
 
 #include "base/FieldTable.hpp"
+#include "state/State.hpp"
 
 #include <string>
 
@@ -15,14 +16,63 @@ namespace fields
 inline const std::string bodyGroup = "body group";
 } // namespace fields
 
-/// The field of particles that says on which side of a cut each lies: the side of a crack, or its group of
-/// bodies. Empty where there is none.
-inline std::string sideField(const FieldTable& particles)
+/// What particles know of cuts, for points that lie where they do.
+struct ParticleSides
 {
-  for (const std::string& name : {fields::side, fields::bodyGroup})
-    if (particles.has(name))
-      return name;
-  return {};
+  BorrowedView<int*> side, group;
+  bool hasSide, hasGroup; ///< whether particles have the field
+
+  explicit ParticleSides(const FieldTable& particles)
+      : hasSide(particles.has(fields::side)), hasGroup(particles.has(fields::bodyGroup))
+  {
+    if (hasSide)
+      side = particles.integer(fields::side);
+    if (hasGroup)
+      group = particles.integer(fields::bodyGroup);
+  }
+
+  /// Gives points room for them. \param label of the view
+  template <int D>
+  void reserve(const std::string& label, int count, ObservedPoints<D>& points) const
+  {
+    if (hasGroup && static_cast<int>(points.group.extent(0)) < count)
+      points.group = View<int*>(label, count);
+  }
+
+  /// Copies those of particle p to point k.
+  template <int D>
+  KOKKOS_INLINE_FUNCTION void copy(int p, const ObservedPoints<D>& points, int k) const
+  {
+    if (hasSide)
+      points.side(k) = side(p);
+    if (hasGroup)
+      points.group(k) = group(p);
+  }
+};
+
+/// The particles that a crack may cut: all, or where groups are kept apart those of its group.
+struct ParticlesOfGroup
+{
+  BorrowedView<int*> of;
+  int group = 0; ///< 0: all particles
+
+  ParticlesOfGroup() = default;
+  ParticlesOfGroup(const FieldTable& particles, int number)
+      : group(particles.has(fields::bodyGroup) ? number : 0)
+  {
+    if (group != 0)
+      of = particles.integer(fields::bodyGroup);
+  }
+
+  KOKKOS_INLINE_FUNCTION bool hold(int p) const { return group == 0 || of(p) == group; }
+};
+
+/// The particles that a crack may cut. \param crack its index; -1: any
+template <int D>
+ParticlesOfGroup particlesOfCrack(const State<D>& state, int crack)
+{
+  const int cracks = static_cast<int>(state.cracks.cracks.size());
+  return {state.particles, crack >= 0 && crack < cracks ? state.cracks.cracks[crack].bodyGroup : 0};
 }
 
 } // namespace Rhegma

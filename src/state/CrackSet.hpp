@@ -147,6 +147,8 @@ struct Crack
   std::string name; ///< as in the scene
   int firstVertex = 0, numVertices = 0;
   int firstSimplex = 0, numSimplices = 0;
+  /// Group of bodies that it cuts (fields::bodyGroup), where groups are kept apart; 0: whatever is there.
+  int bodyGroup = 0;
 };
 
 /// The advance of a front node between two steps.
@@ -221,6 +223,8 @@ struct CrackSet
 
   View<double* [D]> normal;       ///< unit normal of each simplex, from side -1 to side +1
   View<double* [D]> vertexNormal; ///< unit normal of each vertex, mean of its simplices' by their angles
+
+  View<int*> bodyGroupOf; ///< Crack::bodyGroup of each crack; empty where groups are not kept apart
 
   View<int*> nodeSide;      ///< of each node: its side where the node lies behind a front, else 0
   View<int*> enrichedField; ///< row of the enriched field of each node, or -1 (dual field only)

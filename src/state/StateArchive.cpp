@@ -187,6 +187,8 @@ void archiveBlocks(State<D>& state, Archive& archive)
   int rows = static_cast<int>(state.mesh.nodes.sums.extent(0));
   archive("nodal rows", rows);
   archive("enriched fields", state.mesh.nodes.numEnriched);
+  if (archive.loads()) // of which kind they are is known from the next step on
+    state.mesh.nodes.numOfCracks = state.mesh.nodes.numEnriched;
   if (archive.loads())
     state.mesh.nodes.reserve(state.mesh.nodes.numLattice, rows - state.mesh.nodes.numLattice);
 }

@@ -33,6 +33,23 @@ bool isInside(const AxisBox<D>& inner, const AxisBox<D>& outer)
   return outer.holds(inner.lower) && outer.holds(inner.upper);
 }
 
+/// Adds the particles of a range that count, as ranges.
+template <class Group>
+void addRange(int begin, int end, int group, const Group& of, std::vector<std::array<int, 2>>& ranges)
+{
+  if (group == 0)
+    return ranges.push_back({begin, end});
+  for (int p = begin; p < end; ++p)
+  {
+    if (of(p) != group)
+      continue;
+    const int first = p;
+    while (p < end && of(p) == group)
+      ++p;
+    ranges.push_back({first, p});
+  }
+}
+
 } // namespace
 
 template <int D>
@@ -51,10 +68,13 @@ bool BlocksInReach<D>::isKept(const State<D>& state, const std::vector<AxisBox<D
 }
 
 template <int D>
-void BlocksInReach<D>::find(const State<D>& state, const std::vector<AxisBox<D>>& boxes)
+void BlocksInReach<D>::find(const State<D>& state, const std::vector<AxisBox<D>>& boxes,
+                            const ParticlesOfGroup& own)
 {
-  if (isKept(state, boxes))
+  if (own.group == group_ && isKept(state, boxes))
     return;
+  group_ = own.group;
+  const auto of = onHost(own.of);
   const Blocks<D>& blocks = state.mesh.blocks;
   std::vector<std::array<int, 2>> ranges;
   std::fill(std::begin(colourStart_), std::end(colourStart_), 0);
@@ -65,8 +85,8 @@ void BlocksInReach<D>::find(const State<D>& state, const std::vector<AxisBox<D>>
   if (!state.particles.sorted)
   {
     sorted_ = View<int*>();
-    ranges.push_back({0, state.particles.size()});
-    std::fill(std::begin(colourStart_) + 1, std::end(colourStart_), 1);
+    addRange(0, state.particles.size(), group_, of, ranges);
+    std::fill(std::begin(colourStart_) + 1, std::end(colourStart_), static_cast<int>(ranges.size()));
   }
   else
   {
@@ -82,7 +102,7 @@ void BlocksInReach<D>::find(const State<D>& state, const std::vector<AxisBox<D>>
         const int at[] = {corner(b, 0), corner(b, 1)};
         if (all || std::any_of(found_.begin(), found_.end(),
                                [&](const AxisBox<D>& box) { return isNear(state.mesh.grid, at, box); }))
-          ranges.push_back({first(b), first(b + 1)});
+          addRange(first(b), first(b + 1), group_, of, ranges);
       }
       colourStart_[colour + 1] = static_cast<int>(ranges.size());
     }

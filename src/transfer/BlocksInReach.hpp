@@ -1,7 +1,7 @@
 #pragma once
 /// The particles in and around some boxes, by blocks of cells.
 
-#include "state/State.hpp"
+#include "state/BodyGroup.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -54,8 +54,9 @@ public:
   /// Most numbers that sum() adds at a time.
   static constexpr int mostSums = 16;
 
-  /// Lists the blocks. Call it before the loops whenever particles or boxes may have changed.
-  void find(const State<D>& state, const std::vector<AxisBox<D>>& boxes);
+  /// Lists the blocks. Call it before the loops whenever particles or boxes may have changed. \param own only
+  /// these particles are listed; a block may then be several ranges, which share nodes: not for forEach
+  void find(const State<D>& state, const std::vector<AxisBox<D>>& boxes, const ParticlesOfGroup& own = {});
 
   /// Calls body(begin, end) with the particles of each block, colour by colour: blocks of one colour share no
   /// node.
@@ -137,6 +138,7 @@ private:
   View<double* [mostSums]> parts_;
   int colourStart_[Blocks<D>::colours + 1] = {};
   std::vector<AxisBox<D>> found_; ///< the boxes, larger by a cell
+  int group_ = 0;                 ///< ParticlesOfGroup::group
   Vector<D> node0_{};             ///< position of the first node of the lattice then [m]
   View<int*> sorted_;             ///< Blocks::first of the sort; held, so that no other has its address
 };

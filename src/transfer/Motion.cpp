@@ -15,7 +15,7 @@ void slowRelativeMotion(State<D>& state, RelativePart part)
   const bool velocity = part == RelativePart::Projection;
   const int at = part == RelativePart::Force ? Nodes<D>::forceAt : Nodes<D>::momentumAt;
   parallelForSmall(
-      "rhegma::slowRelativeMotion", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
+      "rhegma::slowRelativeMotion", nodes.numOfCracks, KOKKOS_LAMBDA(const int i) {
         const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
         if (!(added(primary) > 0.0))
           return;

@@ -119,7 +119,7 @@ private:
   int numLattice_ = 1, numFine_;
 };
 
-/// The enriched field of a node, in kernels.
+/// The enriched field of a node next to a crack, in kernels.
 template <int D>
 struct EnrichedFields
 {
@@ -128,7 +128,7 @@ struct EnrichedFields
 
   explicit EnrichedFields(const State<D>& state) : nodes(state.mesh.nodes), field(state.cracks.enrichedField)
   {
-    if (nodes.numEnriched == 0)
+    if (nodes.numOfCracks == 0)
       field = {};
   }
 
@@ -139,7 +139,7 @@ struct EnrichedFields
     if (node >= static_cast<int>(field.extent(0)))
       return -1;
     const int row = field(node), i = row - nodes.numLattice;
-    return i >= 0 && i < nodes.numEnriched && nodes.parent(i) == node ? row : -1;
+    return i >= 0 && i < nodes.numOfCracks && nodes.parent(i) == node ? row : -1;
   }
 };
 
@@ -164,6 +164,18 @@ void forEachNodeIn(const char* label, const State<D>& state, const AxisBox<D>& b
     Kokkos::parallel_for(
         label, Kokkos::RangePolicy<ExecSpace>(0, all.numFine()),
         KOKKOS_LAMBDA(const int i) { all.visitFine(i, box, withEnriched); });
+  const Nodes<D> nodes = state.mesh.nodes;
+  if (nodes.numEnriched > nodes.numOfCracks) // fields of groups of bodies
+    Kokkos::parallel_for(
+        label, Kokkos::RangePolicy<ExecSpace>(nodes.numOfCracks, nodes.numEnriched),
+        KOKKOS_LAMBDA(const int i) {
+          const int k = all.find(nodes.parent(i));
+          if (k < 0)
+            return;
+          const Vector<D> x = all.position(k);
+          if (box.holds(x))
+            body(nodes.numLattice + i, x);
+        });
 }
 
 } // namespace Rhegma

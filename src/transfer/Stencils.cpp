@@ -155,23 +155,20 @@ void gatherPoints(State<D>& state)
     state.stored.points.half = View<double* [D]>("rhegma::storedHalf", capacity);
     state.stored.points.side = View<int*>("rhegma::storedSide", capacity);
   }
+  const ParticleSides sides(state.particles);
+  sides.reserve("rhegma::storedGroup", static_cast<int>(state.stored.points.side.extent(0)),
+                state.stored.points);
   const ObservedPoints<D> points = state.stored.points;
   const auto position = state.particles.template real<D>(fields::position);
   BorrowedView<double* [D]> box;
   const bool boxes = state.method.shape == ShapeKind::Gimp;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
-  BorrowedView<int*> side;
-  const std::string name = sideField(state.particles);
-  const bool sides = !name.empty();
-  if (sides)
-    side = state.particles.integer(name);
   const View<int*> particle = state.stored.particle;
   Kokkos::parallel_for(
       "rhegma::gatherStored", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int r) {
         const int p = particle(r);
-        if (sides)
-          points.side(r) = side(p);
+        sides.copy(p, points, r);
         for (int d = 0; d < D; ++d)
         {
           points.position(r, d) = position(p, d);
@@ -181,23 +178,38 @@ void gatherPoints(State<D>& state)
       });
 }
 
+/// Edits stencils of points, one effect after the other.
+template <int D>
+void edit(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
+{
+  for (const StencilEditor<D>& editor : state.stored.editors)
+    if (editor.edit)
+      editor.edit(state, points, table);
+}
+
 } // namespace
 
 template <int D>
 void storeStencils(State<D>& state)
 {
-  const bool edits = static_cast<bool>(state.stored.editor.prepare);
+  bool edits = false, mayKeep = state.method.totalLagrangian;
+  for (const StencilEditor<D>& editor : state.stored.editors)
+  {
+    edits = edits || editor.prepare;
+    mayKeep = mayKeep && (!editor.prepare || editor.keep);
+  }
   const StencilSource source{state.particles.sorts, state.mesh.tree.generation, state.cracks.changes};
-  const bool mayKeep = state.method.totalLagrangian && (!edits || state.stored.editor.keep);
   if (mayKeep && source == state.stored.source)
   {
-    if (edits)
-      state.stored.editor.keep(state);
+    for (const StencilEditor<D>& editor : state.stored.editors)
+      if (editor.prepare)
+        editor.keep(state);
     return;
   }
+  state.mesh.nodes.releaseEnriched();
   state.stored.source = mayKeep ? source : StencilSource{};
   state.stored.count = 0;
-  if (!state.stored.editor.prepare && !state.mesh.tree.refined())
+  if (!edits && !state.mesh.tree.refined())
     return;
   const int n = state.particles.size();
   if (static_cast<int>(state.stored.row.extent(0)) != n)
@@ -206,8 +218,9 @@ void storeStencils(State<D>& state)
     markRefined(state, state.stored.row);
   else
     Kokkos::deep_copy(state.stored.row, -1);
-  if (state.stored.editor.prepare)
-    state.stored.editor.prepare(state, state.stored.row);
+  for (const StencilEditor<D>& editor : state.stored.editors)
+    if (editor.prepare)
+      editor.prepare(state, state.stored.row);
   state.stored.count = numberRows(state.mesh.blocks, state.stored.row, state.stored.particle);
   if (state.stored.count == 0)
     return;
@@ -217,8 +230,7 @@ void storeStencils(State<D>& state)
   if (writeUnbroken(state, state.method.shape, points, state.stored.table) > 0)
     state.failure =
         "a particle overlaps more nodes than its stencil can hold: it is far larger than the cells around it";
-  if (state.stored.editor.edit)
-    state.stored.editor.edit(state, points, state.stored.table);
+  edit(state, points, state.stored.table);
 }
 
 template <int D>
@@ -226,8 +238,7 @@ void placeStencils(const State<D>& state, const ObservedPoints<D>& points, Stenc
 {
   table.reserve(points.count);
   writeUnbroken(state, ShapeKind::Linear, points, table);
-  if (state.stored.editor.edit)
-    state.stored.editor.edit(state, points, table);
+  edit(state, points, table);
 }
 
 template <int D>

@@ -40,7 +40,8 @@ Cell cellSeenFrom(const Corners& cornerSide, const Vector<2>& position, int side
     nodeSide(corner[c]) = cornerSide[c];
   }
   Kokkos::deep_copy(state.cracks.nodeSide, nodeSide);
-  state.stored.editor.edit =
+  state.stored.editors.resize(1);
+  state.stored.editors[0].edit =
       [](const State<2>& s, const ObservedPoints<2>& points, const StencilTable<2>& table)
   { editStencils(s, Formulation::BrokenCell, {}, points, table); };
   ObservedPoints<2> points;

@@ -44,7 +44,7 @@ struct Column
       state.mesh.grid.axisOrder[d] = d == 1 ? D - 1 : d == 0 ? 0 : 1;
     }
     state.mesh.nodes.reserve(count, count);
-    state.mesh.nodes.numEnriched = count;
+    state.mesh.nodes.numEnriched = state.mesh.nodes.numOfCracks = count;
     state.mesh.nodes.parent = View<int*>("parent", count);
     state.mesh.nodes.active = View<int*>("active", count);
     CrackSet<D>& set = state.cracks;

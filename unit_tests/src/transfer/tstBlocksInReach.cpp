@@ -144,7 +144,7 @@ public:
     State<D> state = scattered<D>(engine);
     const int count = state.mesh.grid.numNodes, enriched = 400;
     state.mesh.nodes.reserve(count, enriched);
-    state.mesh.nodes.numEnriched = enriched;
+    state.mesh.nodes.numEnriched = state.mesh.nodes.numOfCracks = enriched;
     state.mesh.nodes.parent = View<int*>("test::parent", 2 * enriched);
     state.cracks.enrichedField = View<int*>("test::enriched", count);
     std::vector<int> numbers(count);

@@ -1,10 +1,10 @@
 /// Groups of bonded bodies.
 
-#include "body_contact/BondedGroups.hpp"
+#include "scene/BondedGroups.hpp"
 
 #include <gtest/gtest.h>
 
-namespace Rhegma::body_contact
+namespace Rhegma
 {
 
 namespace
@@ -34,4 +34,4 @@ TEST(BondedGroups, AreSingleBodiesWithoutBonds)
 
 } // namespace
 
-} // namespace Rhegma::body_contact
+} // namespace Rhegma

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace Rhegma::body_contact
+namespace Rhegma
 {
 
 /// Bodies that the scene bonds to each other, directly or by way of others, are one group.
@@ -24,4 +24,4 @@ BondedGroups bondedGroups(const Teuchos::ParameterList& bodies, const std::vecto
 /// Names that the parameter Bonded To of a body lists.
 std::vector<std::string> splitNames(const std::string& list);
 
-} // namespace Rhegma::body_contact
+} // namespace Rhegma

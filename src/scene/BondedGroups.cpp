@@ -1,4 +1,4 @@
-#include "body_contact/BondedGroups.hpp"
+#include "scene/BondedGroups.hpp"
 
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <sstream>
 
-namespace Rhegma::body_contact
+namespace Rhegma
 {
 
 std::vector<std::string> splitNames(const std::string& list)
@@ -53,4 +53,4 @@ BondedGroups bondedGroups(const Teuchos::ParameterList& bodies, const std::vecto
   return groups;
 }
 
-} // namespace Rhegma::body_contact
+} // namespace Rhegma
