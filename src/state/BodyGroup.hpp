@@ -19,9 +19,12 @@ inline const std::string bodyGroup = "body group";
 /// What particles know of cuts, for points that lie where they do.
 struct ParticleSides
 {
-  BorrowedView<int*> side, group;
-  bool hasSide, hasGroup; ///< whether particles have the field
+  BorrowedView<int*> side;  ///< fields::side
+  BorrowedView<int*> group; ///< fields::bodyGroup
+  bool hasSide;             ///< whether particles have the former
+  bool hasGroup;            ///< whether particles have the latter
 
+  /// \param particles of a run
   explicit ParticleSides(const FieldTable& particles)
       : hasSide(particles.has(fields::side)), hasGroup(particles.has(fields::bodyGroup))
   {
@@ -31,7 +34,7 @@ struct ParticleSides
       group = particles.integer(fields::bodyGroup);
   }
 
-  /// Gives points room for them. \param label of the view
+  /// Gives points room for them. \param label of the view \param count of points \param points that get it
   template <int D>
   void reserve(const std::string& label, int count, ObservedPoints<D>& points) const
   {
@@ -53,21 +56,22 @@ struct ParticleSides
 /// The particles that a crack may cut: all, or where groups are kept apart those of its group.
 struct ParticlesOfGroup
 {
-  BorrowedView<int*> of;
-  int group = 0; ///< 0: all particles
+  BorrowedView<int*> of; ///< group of each particle
+  int group = 0;         ///< 0: all particles
 
   ParticlesOfGroup() = default;
+  /// \param particles of a run \param number of the group; not used where there are no groups
   ParticlesOfGroup(const FieldTable& particles, int number)
       : group(particles.has(fields::bodyGroup) ? number : 0)
   {
     if (group != 0)
       of = particles.integer(fields::bodyGroup);
   }
-
+  /// Whether particle p is one of them.
   KOKKOS_INLINE_FUNCTION bool hold(int p) const { return group == 0 || of(p) == group; }
 };
 
-/// The particles that a crack may cut. \param crack its index; -1: any
+/// The particles that a crack may cut. \param state of a run \param crack its index; -1: any
 template <int D>
 ParticlesOfGroup particlesOfCrack(const State<D>& state, int crack)
 {
