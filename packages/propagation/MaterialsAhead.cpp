@@ -6,12 +6,14 @@
 #include "material/RayleighSpeed.hpp"
 #include "plan/LoadOverStep.hpp"
 #include "plausibility/Judges.hpp"
+#include "state/BodyGroup.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace Rhegma::propagation
@@ -61,21 +63,25 @@ std::string toughnessText(const State<D>& state, const Options& options)
          " J/m2" + (state.method.equilibrium() ? "" : " at rest") + ", is that of all materials";
 }
 
-/// The material of each cell.
+/// The material of each cell, of the particles that a crack may cut.
 template <int D>
 class MaterialOfCells
 {
 public:
   static constexpr int nothing = -1, several = -2, edge = -3;
 
-  explicit MaterialOfCells(const State<D>& state) : grid_(state.mesh.grid), material_(grid_.numNodes, nothing)
+  MaterialOfCells(const State<D>& state, const ParticlesOfGroup& among)
+      : grid_(state.mesh.grid), material_(grid_.numNodes, nothing)
   {
+    const auto group = onHost(among.of);
     const auto position = onHost(state.particles.template real<D>(fields::position));
     const auto edges = onHost(state.particles.template real<D>(fields::edge));
     const auto material = onHost(state.particles.integer(fields::material));
     constexpr double within = 0.5 * (1.0 - 1e-9); // boxes end at faces of cells, to rounding
     for (int p = 0; p < state.particles.size(); ++p)
     {
+      if (among.group != 0 && group(p) != among.group)
+        continue;
       Vector<D> x;
       for (int d = 0; d < D; ++d)
         x[d] = position(p, d);
@@ -143,13 +149,14 @@ bool liesAlongBorder(const State<D>& state, const MaterialOfCells<D>& cells, con
 
 /// The same while fronts grow, from the particles nearest to points a cell away. Collective.
 template <int D>
-bool runsAlongBorder(const State<D>& state, const FrontNode<D>& node)
+bool runsAlongBorder(const State<D>& state, const FrontNode<D>& node, const ParticlesOfGroup& among)
 {
   const double h = state.mesh.grid.spacing;
   for (const int k : {0, behind})
   {
     const Vector<D> x = node.position - (k * h) * node.direction;
-    if (!differ(state, materialAt(state, x + h * node.normal), materialAt(state, x - h * node.normal)))
+    if (!differ(state, materialAt(state, x + h * node.normal, among),
+                materialAt(state, x - h * node.normal, among)))
       return false;
   }
   return true;
@@ -234,9 +241,12 @@ void judgeMaterialsAhead(const Teuchos::ParameterList& scene, const Options& opt
 {
   if (state.materials.properties.size() < 2 || state.cracks.fronts.empty())
     return;
-  const MaterialOfCells<D> cells(state);
+  std::map<int, MaterialOfCells<D>> cellsOf; // by group of bodies
   Messages messages;
   for (const CrackFront<D>& front : state.cracks.fronts)
+  {
+    const ParticlesOfGroup among = particlesOfCrack(state, front.crack);
+    const MaterialOfCells<D>& cells = cellsOf.try_emplace(among.group, state, among).first->second;
     if (const Ahead ahead = nearestAheadOf(scene, options, state, cells, front); ahead.other >= 0)
       messages.push_back(
           toughnessText(state, options) + ", and straight ahead of " + frontName(state.cracks, front) +
@@ -246,6 +256,7 @@ void judgeMaterialsAhead(const Teuchos::ParameterList& scene, const Options& opt
           "of " +
           state.materials.names[ahead.other] + "; use the results before that, or end the run before (" +
           (state.method.analysis == Analysis::LoadFactor ? "Time > Load Steps" : "Time > Final Time") + ")");
+  }
   for (const std::string& message : firstTen(messages))
     state.warnings.push_back(message);
 }
@@ -262,8 +273,9 @@ void warnOfOtherMaterial(const Options& options, const CrackFront<D>& front, con
                   [&](const std::string& warning) { return warning.rfind(start, 0) == 0; }))
     return;
   const Vector<D> to = node.position + by;
-  const int own = materialAt(state, node.position), other = materialAt(state, to);
-  if (!differ(state, own, other) || runsAlongBorder(state, node))
+  const ParticlesOfGroup among = particlesOfCrack(state, front.crack);
+  const int own = materialAt(state, node.position, among), other = materialAt(state, to, among);
+  if (!differ(state, own, other) || runsAlongBorder(state, node, among))
     return;
   const std::string when = state.method.analysis == Analysis::LoadFactor
                                ? "in load step " + std::to_string(state.clock.step)

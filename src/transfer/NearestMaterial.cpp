@@ -14,7 +14,8 @@ using Nearest = typename Reducer::value_type;
 
 /// The particle of this rank that is nearest to x, of those in the blocks around it.
 template <int D>
-Nearest nearestParticle(const State<D>& state, const Vector<D>& x, double reach)
+Nearest nearestParticle(const State<D>& state, const Vector<D>& x, const ParticlesOfGroup& among,
+                        double reach)
 {
   const auto position = state.particles.template real<D>(fields::position);
   BlocksInReach<D> blocks;
@@ -29,7 +30,7 @@ Nearest nearestParticle(const State<D>& state, const Vector<D>& x, double reach)
           double square = 0.0;
           for (int d = 0; d < D; ++d)
             square += (position(p, d) - x[d]) * (position(p, d) - x[d]);
-          if (square < best.val)
+          if (square < best.val && among.hold(p))
           {
             best.val = square;
             best.loc = p;
@@ -43,14 +44,14 @@ Nearest nearestParticle(const State<D>& state, const Vector<D>& x, double reach)
 } // namespace
 
 template <int D>
-int materialAt(const State<D>& state, const Vector<D>& x)
+int materialAt(const State<D>& state, const Vector<D>& x, const ParticlesOfGroup& among)
 {
   if (state.materials.properties.size() == 1)
     return 0;
   double reach = 2.0 * state.mesh.grid.spacing;
-  Nearest nearest = nearestParticle(state, x, reach);
+  Nearest nearest = nearestParticle(state, x, among, reach);
   if (!(nearest.val <= reach * reach)) // others may be nearer
-    nearest = nearestParticle(state, x, 1e300);
+    nearest = nearestParticle(state, x, among, 1e300);
   double closeness = -nearest.val; // least where this rank has no particle
   maxParts(state, &closeness, 1);
   int own = 0;
@@ -61,7 +62,7 @@ int materialAt(const State<D>& state, const Vector<D>& x)
   return static_cast<int>(index);
 }
 
-template int materialAt(const State<2>&, const Vector<2>&);
-template int materialAt(const State<3>&, const Vector<3>&);
+template int materialAt(const State<2>&, const Vector<2>&, const ParticlesOfGroup&);
+template int materialAt(const State<3>&, const Vector<3>&, const ParticlesOfGroup&);
 
 } // namespace Rhegma
