@@ -94,7 +94,8 @@ void ContactRecord<D>::sample(State<D>& state)
 template <int D>
 void ContactRecord<D>::report(nlohmann::json& summary) const
 {
-  summary["energy"]["friction"] = pairs_.front().friction;
+  summary["energy"]["friction"] =
+      summary["energy"].value("friction", 0.0) + pairs_.front().friction; // and of faces of cracks
   summary["body_contact"] = nlohmann::json::array();
   for (const ReportedPair<D>& pair : pairs_)
   {

@@ -20,13 +20,14 @@ readMeshes(const Teuchos::ParameterList& section, const CrackedBodies<D>& bodies
            double edge, double cellAtFronts, std::vector<std::string>& warnings, std::vector<int>& bodyGroups)
 {
   std::vector<surface::CrackMesh<D>> meshes;
+  const typename CrackedBodies<D>::Regions regions = bodies.regions(state);
   Attempts attempts;
   for (const std::string& name : sublistNames(section))
     attempts.attempt(
         [&]
         {
           int bodyGroup = 0;
-          meshes.push_back(bodies.read(section.sublist(name), "Cracks > " + name, state, edge, cellAtFronts,
+          meshes.push_back(bodies.read(section.sublist(name), "Cracks > " + name, regions, state, edge, cellAtFronts,
                                        warnings, bodyGroup));
           bodyGroups.push_back(bodyGroup);
         });

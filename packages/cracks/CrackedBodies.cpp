@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 
 namespace Rhegma::cracks
@@ -72,6 +73,49 @@ Teuchos::ParameterList only(const Teuchos::ParameterList& scene, const std::vect
   return part;
 }
 
+/// What of a crack lies in one group of bodies.
+template <int D>
+struct PartOfCrack
+{
+  CrackMesh<D> mesh;
+  double size = 0.0; ///< as of sizeOf; 0: nothing, infinite: the crack is wrong in itself
+  std::vector<std::string> warnings;
+  std::exception_ptr wrong; ///< why it cannot be a crack of this group
+};
+
+/// Reads that part. Where its fronts are wrong, it still has its mesh, so that its size and how far it reaches
+/// are known.
+template <int D>
+PartOfCrack<D> partIn(const Teuchos::ParameterList& list, const std::string& where,
+                      const ReadingContext<D>& context)
+{
+  PartOfCrack<D> part;
+  try
+  {
+    part.mesh = readCrack<D>(list, where, context, part.warnings);
+    part.size = sizeOf(part.mesh);
+    return part;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    part.wrong = std::current_exception();
+    if (std::string(error.what()).find(outsideOfBodies) != std::string::npos)
+      return part;
+  }
+  Teuchos::ParameterList plain(list);
+  plain.set("Fronts", "None");
+  try
+  {
+    part.mesh = readCrack<D>(plain, where, context, part.warnings);
+    part.size = sizeOf(part.mesh);
+  }
+  catch (const std::invalid_argument&)
+  {
+    part.size = std::numeric_limits<double>::infinity();
+  }
+  return part;
+}
+
 } // namespace
 
 template <int D>
@@ -89,52 +133,45 @@ CrackedBodies<D>::CrackedBodies(const Teuchos::ParameterList& scene, bool keptAp
 }
 
 template <int D>
+typename CrackedBodies<D>::Regions CrackedBodies<D>::regions(const State<D>& state) const
+{
+  Regions regions;
+  if (groups_.empty())
+    regions.push_back(std::make_unique<BodyRegion<D>>(all_, state));
+  for (const Group& group : groups_)
+    regions.push_back(std::make_unique<BodyRegion<D>>(group.shapes, state, group.holds));
+  return regions;
+}
+
+template <int D>
 CrackMesh<D> CrackedBodies<D>::read(const Teuchos::ParameterList& list, const std::string& where,
-                                    const State<D>& state, double edge, double front,
+                                    const Regions& regions, const State<D>& state, double edge, double front,
                                     std::vector<std::string>& warnings, int& bodyGroup) const
 {
   const double cell = state.mesh.grid.spacing;
-  const auto readIn =
-      [&](const SceneBodies<D>& shapes, const std::vector<bool>& bodies, std::vector<std::string>& said)
-  {
-    const BodyRegion<D> region(shapes, state, bodies);
-    return readCrack<D>(list, where, ReadingContext<D>{region, cell, edge, front}, said);
-  };
   bodyGroup = 0;
   if (groups_.empty())
-    return readIn(all_, {}, warnings);
-  std::vector<CrackMesh<D>> parts(groups_.size());
-  std::vector<std::vector<std::string>> said(groups_.size());
-  std::exception_ptr wrong;
-  double largest = 0.0;
+    return readCrack<D>(list, where, ReadingContext<D>{*regions.front(), cell, edge, front}, warnings);
+  std::vector<PartOfCrack<D>> parts;
+  std::size_t own = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g)
-    try
-    {
-      parts[g] = readIn(groups_[g].shapes, groups_[g].holds, said[g]);
-      const double size = sizeOf(parts[g]);
-      bodyGroup = size > largest ? static_cast<int>(g) + 1 : bodyGroup;
-      largest = std::max(largest, size);
-    }
-    catch (const std::invalid_argument&)
-    {
-      wrong = std::current_exception();
-    }
-  if (bodyGroup == 0)
   {
-    readIn(all_, {}, warnings); // says what is wrong with the crack itself
-    std::rethrow_exception(wrong);
+    parts.push_back(partIn(list, where, ReadingContext<D>{*regions[g], cell, edge, front}));
+    own = parts[g].size > parts[own].size ? g : own;
   }
-  const CrackMesh<D>& own = parts[bodyGroup - 1];
+  if (parts[own].wrong)
+    std::rethrow_exception(parts[own].wrong);
+  bodyGroup = static_cast<int>(own) + 1;
   for (std::size_t g = 0; g < groups_.size(); ++g)
-    if (static_cast<int>(g) + 1 != bodyGroup && !parts[g].simplices.empty())
-      if (const double beyond = furthest(parts[g], own); beyond > mostOverhang * cell)
-        throw std::invalid_argument(
-            where + ": it cuts " + groups_[bodyGroup - 1].name + " and reaches " + readableLength(beyond) +
-            " into " + groups_[g].name +
-            ", which is not bonded to it: a crack belongs to bodies that are one; let "
-            "it end at the surface, or bond the two (Bodies > NAME > Bonded To)");
-  warnings.insert(warnings.end(), said[bodyGroup - 1].begin(), said[bodyGroup - 1].end());
-  return own;
+    if (const double beyond = furthest(parts[g].mesh, parts[own].mesh);
+        g != own && beyond > mostOverhang * cell)
+      throw std::invalid_argument(
+          where + ": it cuts " + groups_[own].name + " and reaches " + readableLength(beyond) + " into " +
+          groups_[g].name +
+          ", which is not bonded to it: a crack belongs to bodies that are one; let "
+          "it end at the surface, or bond the two (Bodies > NAME > Bonded To)");
+  warnings.insert(warnings.end(), parts[own].warnings.begin(), parts[own].warnings.end());
+  return parts[own].mesh;
 }
 
 template class CrackedBodies<2>;

@@ -3,6 +3,7 @@
 
 #include "cracks/ReadCrack.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,21 @@ public:
   /// Whether there are groups that are kept apart.
   bool areKeptApart() const { return !groups_.empty(); }
 
+  /// Where each group is, or where all bodies are if they are not kept apart.
+  using Regions = std::vector<std::unique_ptr<BodyRegion<D>>>;
+  /// \param state with the particles
+  Regions regions(const State<D>& state) const;
+
   /// Reads one crack, cut to the bodies of its group: the one of which it cuts most.
   ///
-  /// \param list, where, warnings as for readCrack \param state, edge, front as in ReadingContext
+  /// \param list, where, warnings as for readCrack \param regions of these bodies \param state, edge, front
+  /// as in ReadingContext
   /// \param bodyGroup becomes that of the crack
   ///
   /// \throws std::invalid_argument as readCrack, and for a crack that reaches more than mostOverhang into a
   /// second group
   surface::CrackMesh<D> read(const Teuchos::ParameterList& list, const std::string& where,
-                             const State<D>& state, double edge, double front,
+                             const Regions& regions, const State<D>& state, double edge, double front,
                              std::vector<std::string>& warnings, int& bodyGroup) const;
 
 private:

@@ -6,6 +6,7 @@
 #include "state/BodyGroup.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 namespace Rhegma::cracks
@@ -196,6 +197,8 @@ int numberEnrichedFields(const State<D>& state)
 template <int D>
 void listParents(State<D>& state, int count)
 {
+  if (state.mesh.nodes.numEnriched != 0) // rows of cracks come first
+    throw std::logic_error("the effect Cracks prepares stencils after another effect that divides nodes");
   state.mesh.nodes.claimFieldsOfCracks(count);
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> second = state.cracks.enrichedField;

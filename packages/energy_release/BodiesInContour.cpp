@@ -84,7 +84,7 @@ void warnOfBodies(State<D>& state, const CrackFront<D>& front, double radius)
                            readableLength(nearest.distance) + " " + name +
                            " from t = " + readableTime(state.clock.time) +
                            " on, and the domain integral reaches " + readableLength(radius) +
-                           ": where that body presses within this distance, G_J can be wrong by 10 %; choose "
+                           ": if that body presses within this distance, its force is missing in G_J; choose "
                            "a smaller Outer Radius");
 }
 

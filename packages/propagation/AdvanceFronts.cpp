@@ -3,6 +3,7 @@
 #include "propagation/Direction.hpp"
 #include "propagation/HoopStress.hpp"
 #include "propagation/MaterialsAhead.hpp"
+#include "propagation/SmoothedAlong.hpp"
 #include "state/DistancesFromEnds.hpp"
 #include "state/RecordStop.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -99,36 +100,6 @@ bool isArrestedByNegative(const AdvanceRule& rule, double release, const FrontHi
   return !history.running() && (history.meanSinceAdvance() < -noise * rule.arrest || release < -rule.arrest);
 }
 
-/// Values of the nodes of a front, smoothed along it over those that advance with a node: a hat two nodes
-/// wide, twice.
-template <int D>
-std::vector<double> smoothed(const CrackFront<D>& front, std::vector<double> value)
-{
-  const std::size_t count = front.nodes.size();
-  for (int round = 0; round < 2 && count > 1; ++round)
-  {
-    std::vector<double> mean = value;
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      double sum = 2.0 * value[k], weight = 2.0;
-      const std::size_t last = k > 0 ? k - 1 : count - 1, next = k + 1 < count ? k + 1 : 0;
-      if (front.nodes[last].facet >= 0 && front.nodes[last].advances)
-      {
-        sum += value[last];
-        weight += 1.0;
-      }
-      if (front.nodes[k].facet >= 0 && front.nodes[next].advances)
-      {
-        sum += value[next];
-        weight += 1.0;
-      }
-      mean[k] = sum / weight;
-    }
-    value = mean;
-  }
-  return value;
-}
-
 /// Angles by which the nodes of a front turn, smoothed along it [rad].
 template <int D>
 std::vector<double> turningAngles(const CrackFront<D>& front, const Options& options,
@@ -138,7 +109,7 @@ std::vector<double> turningAngles(const CrackFront<D>& front, const Options& opt
   for (std::size_t k = 0; k < angle.size(); ++k)
     if (front.nodes[k].advances && !(states.at(front.nodes[k].name).straightLength > 0.0))
       angle[k] = turningAngle(front.nodes[k].driving, options.direction);
-  return smoothed(front, angle);
+  return smoothedAlong(front, angle);
 }
 
 /// The toughness that a front node reaches when it advances in equilibrium [J/m2].
@@ -150,17 +121,22 @@ double toughnessAtRest(const FrontNode<D>& node, const FrontNodeState& own, cons
 }
 
 /// G/Gc of the nodes of a front that advance in equilibrium, of the part of G that opens the crack; 0 of
-/// others. It is smoothed along the front: nodes are about a cell apart, and the domain of the J integral of
-/// each is several cells wide, so that differences between neighbours are those of the cells.
+/// others. G is smoothed along the front: nodes are about a cell apart, and the domain of the J integral of
+/// each is several cells wide, so that differences between neighbours are those of the cells. The toughness is
+/// that of each node.
 template <int D>
 std::vector<double> drivesAlong(const CrackFront<D>& front, const std::map<int, FrontNodeState>& states,
                                 const Elasticity& e, const Options& options)
 {
-  std::vector<double> drive(front.nodes.size(), 0.0);
+  std::vector<double> release(front.nodes.size(), 0.0);
+  for (std::size_t k = 0; k < release.size(); ++k)
+    if (front.nodes[k].advances)
+      release[k] = openingRelease(front.nodes[k].driving, e);
+  std::vector<double> drive = smoothedAlong(front, release);
   for (std::size_t k = 0; k < drive.size(); ++k)
     if (const FrontNode<D>& node = front.nodes[k]; node.advances)
-      drive[k] = openingRelease(node.driving, e) / toughnessAtRest(node, states.at(node.name), options);
-  return smoothed(front, drive);
+      drive[k] /= toughnessAtRest(node, states.at(node.name), options);
+  return drive;
 }
 
 /// Fraction of its increment by which a front node advances in equilibrium. Fronts of one node advance if

@@ -95,8 +95,7 @@ void readJohnsonCook(const Reader& reader, Properties& m)
   const auto text = [](double value) { return Reader::text(value); };
   if (!reader.has("Johnson-Cook A"))
   {
-    for (const char* other : {"Johnson-Cook B", "Johnson-Cook n", "Johnson-Cook C", "Johnson-Cook Rate",
-                              "Johnson-Cook m", "Voce Stress"})
+    for (const char* other : {"Johnson-Cook B", "Johnson-Cook C", "Johnson-Cook m", "Voce Stress"})
       if (reader.optional(other, "number") > 0.0)
         reader.refuse("Johnson-Cook A",
                       std::string("is missing, and ") + other + " is given; give the yield stress [Pa] too.");

@@ -277,11 +277,22 @@ class BodiesAndCracks(ProgramTest):
         answer = rhegma(self.write("bonded.xml", scene.text()), "--check")
         self.assertEqual(answer.status, 0, answer)
 
+    def test_fronts_that_are_wrong_do_not_choose_another_body(self):
+        """A crack right through the plate, which has no front there, and 3 mm into the projectile."""
+        scene, (x, y) = self.struck_plate(0.2, 0.8, 1e-6)
+        scene.set("Cracks > Notch > Points", [x - 3e-3, y + 0.04, x + 0.11, y + 0.04]).set("Cracks > Notch > Fronts", "Last")
+        scene.remove("Energy Release")
+        answer = rhegma(self.write("wrong.xml", scene.text()), "--check")
+        self.assertEqual(answer.status, 1, answer)
+        self.assertIn("Cracks > Notch > Fronts", answer.messages)
+        self.assertIn("no material ahead", answer.messages)
+
     def test_what_is_refused(self):
         scene, _ = self.struck_plate(0.2, 0.8, 1e-6)
         for changes, words in (
             ({"Cracks > Formulation": "Broken Cell", "Cracks > Front Springs": False}, "Dual Field"),
             ({"Adaptivity > Levels": 1}, "equal cells"),
+            ({"Combustion > Notch > Burn Law": "Vieille"}, "gas that leaves a crack does not see a body"),
         ):
             answer = rhegma(self.write("wrong.xml", scene.varied(changes).text()), "--check")
             self.assertEqual(answer.status, 1, answer)
