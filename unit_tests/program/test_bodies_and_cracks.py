@@ -284,7 +284,7 @@ class BodiesAndCracks(ProgramTest):
         scene.remove("Energy Release")
         answer = rhegma(self.write("wrong.xml", scene.text()), "--check")
         self.assertEqual(answer.status, 1, answer)
-        self.assertIn("Cracks > Notch > Fronts", answer.messages)
+        self.assertIn("Fronts = Last makes a front of the end", answer.messages)
         self.assertIn("no material ahead", answer.messages)
 
     def test_what_is_refused(self):
