@@ -27,8 +27,8 @@ readMeshes(const Teuchos::ParameterList& section, const CrackedBodies<D>& bodies
         [&]
         {
           int bodyGroup = 0;
-          meshes.push_back(bodies.read(section.sublist(name), "Cracks > " + name, regions, state, edge, cellAtFronts,
-                                       warnings, bodyGroup));
+          meshes.push_back(bodies.read(section.sublist(name), "Cracks > " + name, regions, state, edge,
+                                       cellAtFronts, warnings, bodyGroup));
           bodyGroups.push_back(bodyGroup);
         });
   attempts.throwIfAny();

@@ -83,8 +83,8 @@ struct PartOfCrack
   std::exception_ptr wrong; ///< why it cannot be a crack of this group
 };
 
-/// Reads that part. Where its fronts are wrong, it still has its mesh, so that its size and how far it reaches
-/// are known.
+/// Reads that part. Where its fronts are wrong, it still has its mesh, so that its size and how far it
+/// reaches are known.
 template <int D>
 PartOfCrack<D> partIn(const Teuchos::ParameterList& list, const std::string& where,
                       const ReadingContext<D>& context)
@@ -165,11 +165,10 @@ CrackMesh<D> CrackedBodies<D>::read(const Teuchos::ParameterList& list, const st
   for (std::size_t g = 0; g < groups_.size(); ++g)
     if (const double beyond = furthest(parts[g].mesh, parts[own].mesh);
         g != own && beyond > mostOverhang * cell)
-      throw std::invalid_argument(
-          where + ": it cuts " + groups_[own].name + " and reaches " + readableLength(beyond) + " into " +
-          groups_[g].name +
-          ", which is not bonded to it: a crack belongs to bodies that are one; let "
-          "it end at the surface, or bond the two (Bodies > NAME > Bonded To)");
+      throw std::invalid_argument(where + ": it cuts " + groups_[own].name + " and reaches " +
+                                  readableLength(beyond) + " into " + groups_[g].name +
+                                  ", which is not bonded to it: a crack belongs to bodies that are one; let "
+                                  "it end at the surface, or bond the two (Bodies > NAME > Bonded To)");
   warnings.insert(warnings.end(), parts[own].warnings.begin(), parts[own].warnings.end());
   return parts[own].mesh;
 }

@@ -122,8 +122,8 @@ double toughnessAtRest(const FrontNode<D>& node, const FrontNodeState& own, cons
 
 /// G/Gc of the nodes of a front that advance in equilibrium, of the part of G that opens the crack; 0 of
 /// others. G is smoothed along the front: nodes are about a cell apart, and the domain of the J integral of
-/// each is several cells wide, so that differences between neighbours are those of the cells. The toughness is
-/// that of each node.
+/// each is several cells wide, so that differences between neighbours are those of the cells. The toughness
+/// is that of each node.
 template <int D>
 std::vector<double> drivesAlong(const CrackFront<D>& front, const std::map<int, FrontNodeState>& states,
                                 const Elasticity& e, const Options& options)

@@ -97,12 +97,13 @@ std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<Weighte
               << " points miss the body; the first of them, ";
     for (int d = 0; d < D; ++d)
       message << (d == 0 ? "(" : ", ") << missing->x[d];
-    message << ") m, is farther than a particle's diagonal (" << reach
-            << " m) from every particle; move the load onto the body's surface"
-            << (D == 3 && load.size() > 1 && !points.empty()
-                    ? ": a whole parallelogram must lie on it, so on a round face give a smaller one with the "
-                      "same force."
-                    : ".");
+    message
+        << ") m, is farther than a particle's diagonal (" << reach
+        << " m) from every particle; move the load onto the body's surface"
+        << (D == 3 && load.size() > 1 && !points.empty()
+                ? ": a whole parallelogram must lie on it, so on a round face give a smaller one with the "
+                  "same force."
+                : ".");
     throw std::invalid_argument(message.str());
   }
   normalise(points);
