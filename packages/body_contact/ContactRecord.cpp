@@ -94,8 +94,8 @@ void ContactRecord<D>::sample(State<D>& state)
 template <int D>
 void ContactRecord<D>::report(nlohmann::json& summary) const
 {
-  summary["energy"]["friction"] =
-      summary["energy"].value("friction", 0.0) + pairs_.front().friction; // and of faces of cracks
+  nlohmann::json& friction = summary["energy"]["friction"]; // of faces of cracks, too
+  friction = pairs_.front().friction + (friction.is_number() ? friction.get<double>() : 0.0);
   summary["body_contact"] = nlohmann::json::array();
   for (const ReportedPair<D>& pair : pairs_)
   {

@@ -155,8 +155,8 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
       summary["cracks"][c]["contact"]["closed_points"] =
           account.visibility->closedPoints(static_cast<int>(c));
-  summary["energy"]["friction"] =
-      summary["energy"].value("friction", 0.0) + contact.dissipated(); // and of bodies
+  nlohmann::json& friction = summary["energy"]["friction"]; // of bodies, too
+  friction = contact.dissipated() + (friction.is_number() ? friction.get<double>() : 0.0);
   if (account.equilibrium)
     return;
   summary["energy"]["last_fraction"] = account.balance.lastFraction();
