@@ -88,7 +88,7 @@ TEST(SceneCrossChecks, ShapesOfTheWrongDimension)
                      parameter("To", "Array(double)", "{2, 2, 2}") + parameter("Radius", "double", "1")))
           .errors;
   expectOnly(errors, "Bodies > Plate > Shape",
-             {"is Cylinder, which only a 3D scene has", "write Box, Ball, Polygon or File"});
+             {"is Cylinder, which only a 3D scene has", "write Box, Ball, Polygon, File or Voxels"});
 }
 
 TEST(SceneCrossChecks, ThreeDimensionsHaveNoPlane)
