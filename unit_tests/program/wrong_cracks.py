@@ -91,7 +91,7 @@ NOT_IN_3D = [
     ("cylinder_in_2d",
      plate().set("Bodies > Bar", {"Material": "Polymer", "Shape": "Cylinder", "From": [0.0, 0.0, 0.0], "To": [0.0,
      0.0, 1.0], "Radius": 0.1}),
-     one("Bodies > Bar > Shape", "Cylinder", "Box, Ball, Polygon or File")),
+     one("Bodies > Bar > Shape", "Cylinder", "Box, Ball, Polygon, File or Voxels")),
     ("corners_of_two_numbers_in_3d", ball().set("Domain > Upper Corner", [0.1, 0.1]),
      one("Domain > Upper Corner", "2 numbers", "3 numbers")),
     ("traction_on_a_line_in_3d",
