@@ -24,8 +24,8 @@ GroupRange groupsOfBlocks(const State<D>& state)
 {
   const Grid<D>& grid = state.mesh.grid;
   const Blocks<D> blocks = state.mesh.blocks;
-  const GroupRange range("rhegma::groupsOfBlocks", grid.cells[grid.axisOrder[0]] / Blocks<D>::edge + 1,
-                         grid.cells[grid.axisOrder[1]] / Blocks<D>::edge + 1);
+  GroupRange range("rhegma::groupsOfBlocks", grid.cells[grid.axisOrder[0]] / Blocks<D>::edge + 1,
+                   grid.cells[grid.axisOrder[1]] / Blocks<D>::edge + 1);
   Kokkos::parallel_for(
       "rhegma::clearGroupsOfBlocks", Kokkos::RangePolicy<ExecSpace>(0, range.extent(0)),
       KOKKOS_LAMBDA(const int i) {
