@@ -3,21 +3,18 @@
 
 Positions relative to the cells, angles and friction are drawn; RHEGMA_SEED in the environment chooses them, and is printed."""
 
-import csv
-import json
 import math
 import os
-import random
 import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import ProgramTest, rhegma  # noqa: E402
+from drawn_scenes import DrawnScenes  # noqa: E402
+from program import rhegma  # noqa: E402
 from scenes import Scene  # noqa: E402
 
-SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
 ROUNDING = 1e-12  # sums over thousands of steps and particles
 DENSITY, YOUNG = 8000.0, 200e9
 SOUND = math.sqrt(YOUNG / DENSITY)  # without lateral contraction waves in bars, plates and solids have this speed
@@ -31,22 +28,7 @@ def box(lower, upper, **more):
     return {"Material": "Steel", "Shape": "Box", "Lower Corner": lower, "Upper Corner": upper, **more}
 
 
-class BodiesAndCracks(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        self.rng = random.Random(f"{SEED} {self.id()}")
-        print(f"seed {SEED} (RHEGMA_SEED)", flush=True)
-
-    def run_scene(self, scene, *arguments, name="scene"):
-        """Summary, and columns of the history."""
-        answer = rhegma(self.write(name + ".xml", scene.text()), "--quiet", "--output", self.path(name), *arguments)
-        self.assertEqual(answer.status, 0, answer)
-        with open(self.path(name, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-        with open(self.path(name, "history.csv"), encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
-        return summary, {column: [float(row[column]) for row in rows] for column in rows[0]}
-
+class BodiesAndCracks(DrawnScenes):
     def assert_conserves(self, history, scale):
         """Momentum to rounding. \\a scale: that of the moving body."""
         for axis in [c for c in history if c.startswith("momentum_")]:

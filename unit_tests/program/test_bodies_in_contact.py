@@ -4,20 +4,18 @@
 Positions relative to the cells, gaps, angles and friction are drawn; RHEGMA_SEED in the environment chooses them, and is printed."""
 
 import csv
-import json
 import math
 import os
-import random
 import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import ProgramTest, rhegma  # noqa: E402
+from drawn_scenes import DrawnScenes  # noqa: E402
+from program import rhegma  # noqa: E402
 from scenes import Scene  # noqa: E402
 
-SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
 ROUNDING = 1e-12  # sums over thousands of steps and particles
 DENSITY = 1000.0
 
@@ -30,22 +28,7 @@ def solid(young, poisson=0.3):
     return {"Model": "Linear Elastic", "Density": DENSITY, "Young Modulus": young, "Poisson Ratio": poisson}
 
 
-class Bodies(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        self.rng = random.Random(f"{SEED} {self.id()}")
-        print(f"seed {SEED} (RHEGMA_SEED)", flush=True)
-
-    def run_scene(self, scene, *arguments, name="scene"):
-        """Summary, and columns of the history."""
-        answer = rhegma(self.write(name + ".xml", scene.text()), "--quiet", "--output", self.path(name), *arguments)
-        self.assertEqual(answer.status, 0, answer)
-        with open(self.path(name, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-        with open(self.path(name, "history.csv"), encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
-        return summary, {column: [float(row[column]) for row in rows] for column in rows[0]}
-
+class Bodies(DrawnScenes):
     def bars(self, gap, speed, time, cells=60, ratio=1, dimension=2, **domain):
         """Two bars in a row, their faces and sides anywhere in the cells; the first one moves."""
         length, more = 0.1, dimension - 1
