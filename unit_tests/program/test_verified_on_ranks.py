@@ -4,12 +4,13 @@
 import os
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import SOURCE  # noqa: E402
-from ranks import OnRanks  # noqa: E402
+from program import SOURCE, rhegma  # noqa: E402
+from ranks import LAUNCHER, ROOT, OnRanks  # noqa: E402
 
 FOLDER = os.path.join(SOURCE, "xml_inputs", "verification")
 
@@ -39,6 +40,9 @@ LARGER_CELLS = {"running_start.xml": 5e-4, "running_start_fast.xml": 5e-4}
 # Of an equilibrium.
 LOAD_STEPS = 3
 
+# A section whose scenes run on one rank only.
+ALONE = "Body Contact"
+
 
 class Verified(OnRanks):
     def scenes(self):
@@ -53,6 +57,11 @@ class Verified(OnRanks):
         for path in self.scenes():
             name = os.path.basename(path)
             with self.subTest(name):
+                if ElementTree.parse(path).find(f"ParameterList[@name='{ALONE}']") is not None:
+                    answer = rhegma(path, "--output", os.path.join(self.folder, name), launcher=(*LAUNCHER, "-np", "2"), **ROOT)
+                    self.assertEqual(answer.status, 1, answer)
+                    self.assertIn(f"{ALONE}: such scenes run on one rank only", answer.messages)
+                    continue
                 static = name.endswith(("_static.xml", "_steady.xml"))
                 steps = LOAD_STEPS if static else LONGER.get(name, STEPS)
                 settings = ["--set", f"Time:Maximum Steps={steps}"]
