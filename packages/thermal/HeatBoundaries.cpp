@@ -50,10 +50,10 @@ HeldTemperature<D> readHeld(const Teuchos::ParameterList& list, const State<D>& 
 }
 
 template <int D>
-HeatedSurface<D> readHeated(const Teuchos::ParameterList& list, const State<D>& state,
-                            const std::string& name)
+HeatedSurface<D> readHeated(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+                            const State<D>& state, const std::string& name)
 {
-  HeatedSurface<D> heated{readSurface<D>(list, state, name), 0.0, 0.0, 0.0,
+  HeatedSurface<D> heated{readSurface<D>(scene, list, state, name), 0.0, 0.0, 0.0,
                           TimeFunction::parse(list.get<std::string>("History"))};
   if (list.get<std::string>("Type") == "Heat Flux")
     heated.flux = list.get<double>("Flux");
@@ -68,8 +68,9 @@ HeatedSurface<D> readHeated(const Teuchos::ParameterList& list, const State<D>& 
 } // namespace
 
 template <int D>
-void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, State<D>& state)
+void HeatBoundaries<D>::read(const Teuchos::ParameterList& scene, State<D>& state)
 {
+  const Teuchos::ParameterList& section = scene.sublist("Boundaries");
   Attempts attempts;
   for (const std::string& name : sublistNames(section))
   {
@@ -78,7 +79,7 @@ void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, State<D>& st
     if (type == "Temperature")
       attempts.attempt([&] { held_.push_back(readHeld<D>(list, state, name)); });
     else if (type == "Heat Flux" || type == "Convection")
-      attempts.attempt([&] { surfaces_.push_back(readHeated<D>(list, state, name)); });
+      attempts.attempt([&] { surfaces_.push_back(readHeated<D>(scene, list, state, name)); });
   }
   attempts.throwIfAny();
   const auto warn = [&](const std::string& name, const char* what, double T)

@@ -38,9 +38,9 @@ template <int D>
 class HeatBoundaries
 {
 public:
-  /// Reads them from the section Boundaries. Throws std::invalid_argument, with the path, for one that holds
-  /// no node or meets no particle; warns of one that is cold at the start.
-  void read(const Teuchos::ParameterList& section, State<D>& state);
+  /// Reads them from the scene's Boundaries. \param scene validated. Throws std::invalid_argument, with the
+  /// path, for one that holds no node or meets no particle; warns of one that is cold at the start.
+  void read(const Teuchos::ParameterList& scene, State<D>& state);
 
   /// Pairs of boxes that prescribe different temperatures on a node, for the present particles and cells.
   /// Collective. \return a message for each pair (boundary/Contradictions.hpp); empty where there is none

@@ -4,7 +4,7 @@
 
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
-#include "geometry/Cross.hpp"
+#include "boundary/BodySurface.hpp"
 #include "plausibility/BodyGroups.hpp"
 #include "thermal/Conduction.hpp"
 
@@ -12,16 +12,6 @@
 
 namespace Rhegma::thermal
 {
-
-/// Length (in 2D times the thickness) or area of the surface of a boundary [m2]. \param thickness of 2D [m]
-template <int D>
-double areaOfSurface(const Teuchos::ParameterList& list, double thickness)
-{
-  if constexpr (D == 2)
-    return thickness * norm(readVector<2>(list, "To") - readVector<2>(list, "From"));
-  else
-    return norm(cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2")));
-}
 
 /// The power of all sources at the end of the run in each body, as sources give it to particles [W].
 template <int D>
@@ -49,7 +39,7 @@ void judgeSteady(const Teuchos::ParameterList& scene, const Conduction<D>& condu
   const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
   if (bodies.size() < 2 || !scene.isSublist("Boundaries")) // else an error, where there is none
     return;
-  const double cell = state.mesh.grid.spacing, thickness = state.method.thickness;
+  const double cell = state.mesh.grid.spacing;
   BodyGroups<D> groups(bodies, cell);
   std::map<std::string, int> groupOf;
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -69,7 +59,7 @@ void judgeSteady(const Teuchos::ParameterList& scene, const Conduction<D>& condu
       determined[groupOf.at(list.get<std::string>("Body"))] = 1;
     else if (type == "Heat Flux")
       heat[groupOf.at(list.get<std::string>("Body"))] +=
-          list.get<double>("Flux") * areaOfSurface<D>(list, thickness) *
+          list.get<double>("Flux") * measureSurface<D>(scene, list, "Boundaries > " + name).area *
           TimeFunction::parse(list.get<std::string>("History"))(end);
   }
   const std::vector<double> power = powerOfBodies(conduction, end, state.bodies.info.size(), state);

@@ -70,10 +70,10 @@ void useReferenceProperties(State<D>& state, const Teuchos::ParameterList& mater
 }
 
 template <int D>
-void readBoundaries(State<D>& state, const Teuchos::ParameterList& section, Run<D>& run)
+void readBoundaries(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
 {
   Conduction<D>& conduction = run.conduction;
-  conduction.boundaries.read(section, state);
+  conduction.boundaries.read(scene, state);
   conduction.cellsSeen = state.mesh.tree.generation;
   const std::string wrong = conduction.boundaries.contradictions(state, run.finalTime);
   if (!wrong.empty())
@@ -106,7 +106,7 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     for (const std::string& name : sublistNames(list.sublist("Probes")))
       run.probes.push_back({name, readVector<D>(list.sublist("Probes").sublist(name), "Point")});
   if (scene.isSublist("Boundaries"))
-    readBoundaries(state, scene.sublist("Boundaries"), run);
+    readBoundaries(state, scene, run);
   if (list.isSublist("Crack Faces"))
     run.conduction.faces.read(list.sublist("Crack Faces"), state);
   if (state.method.mechanics)

@@ -9,6 +9,7 @@
 #include "boundary/IdleSupports.hpp"
 #include "boundary/LoadDisplacements.hpp"
 #include "boundary/LoadForces.hpp"
+#include "boundary/SurfaceReport.hpp"
 #include "plan/LastStage.hpp"
 
 #include <memory>
@@ -96,8 +97,15 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
   }
   if (!parts.loads.empty())
     addLoads(effect, scene, loads);
+  const auto surfaces = std::make_shared<nlohmann::json>();
+  effect.report = inOrder(effect.report,
+                          [surfaces](const State<D>&, nlohmann::json& summary)
+                          {
+                            if (!surfaces->empty())
+                              summary["surfaces"] = *surfaces;
+                          });
   effect.atStart = inOrder(effect.atStart,
-                           [constraints, loads, finalTime, cellsChange, supports = parts.supports,
+                           [constraints, loads, surfaces, finalTime, cellsChange, supports = parts.supports,
                             placed = parts.loads, all = &scene](State<D>& state)
                            {
                              Attempts attempts;
@@ -114,6 +122,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
                              for (const auto& read : placed)
                                attempts.attempt([&] { loads->push_back(read(state)); });
                              attempts.throwIfAny();
+                             *surfaces = surfacesOf<D>(*all);
                              warnOfIdleSupports(*all, *constraints, state);
                            });
   return effect;

@@ -1,6 +1,7 @@
 #pragma once
 /// The supports and loads of a scene, and parameters of several types.
 
+#include "boundary/BodySurface.hpp"
 #include "boundary/ReadLoad.hpp"
 #include "boundary/Supports.hpp"
 #include "plan/BoundaryType.hpp"
@@ -26,12 +27,6 @@ ParameterBuilder describeHistory(Section& section);
 
 /// Adds the parameter Body, on which a load acts.
 void describeLoadedBody(Section& section);
-
-/// Adds the parameters of a part of a body's surface: Body; From, To (2D); Corner, Edge 1, Edge 2 (3D).
-void describeSurface(Section& section);
-
-/// Checks them.
-void checkSurface(SectionChecks& checks, const Teuchos::ParameterList& list, const std::string& where);
 
 /// A parameter as a point; zero along z in 2D [m].
 Vector<3> readPoint(const Teuchos::ParameterList& list, const std::string& name);

@@ -8,8 +8,7 @@ namespace
 {
 
 template <int D>
-PlacedLoad<D> position(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double /*thickness*/,
-                       const std::string& where)
+PlacedLoad<D> position(const Teuchos::ParameterList& list, const Seeds<D>& seeds, const std::string& where)
 {
   const Profile profile =
       list.get<std::string>("Profile") == "Parabolic" ? Profile::Parabolic : Profile::Uniform;

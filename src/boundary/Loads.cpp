@@ -52,17 +52,23 @@ void updateParticles(const State<D>& state, const View<int*>& id, const View<dou
       });
 }
 
+template <int D>
+LoadForce<D> scaled(double factor, const LoadForce<D>& force)
+{
+  return {factor * force.even, factor * force.alongNormals};
+}
+
 /// Adds force times fraction to the nodes.
 template <int D>
 void addToNodes(const Nodes<D>& nodes, const StencilTable<D>& stencils, const View<double*>& fraction,
-                int count, const Vector<D>& force)
+                const View<double* [D]>& normal, int count, const LoadForce<D>& force)
 {
   forEachPushing(
       "rhegma::addLoad", count, KOKKOS_LAMBDA(const int k) {
         for (int e = 0; e < stencils.count(k); ++e)
           for (int d = 0; d < D; ++d)
             Kokkos::atomic_add(&nodes.sums(stencils.node(k, e), Nodes<D>::forceAt + d),
-                               stencils.weight(k, e) * fraction(k) * force[d]);
+                               stencils.weight(k, e) * fraction(k) * force.at(normal, k, d));
       });
 }
 
@@ -92,7 +98,7 @@ int sidesOf(const LoadPoint<D>& point)
 
 template <int D>
 Load<D>::Load(std::string name, const std::vector<LoadPoint<D>>& points, const std::vector<int>& ids,
-              const std::vector<Vector<D>>& carriers, const Vector<D>& force, TimeFunction history)
+              const std::vector<Vector<D>>& carriers, const LoadForce<D>& force, TimeFunction history)
     : whole_(points),
       carrier_(ids),
       carrierStart_(carriers),
@@ -100,11 +106,15 @@ Load<D>::Load(std::string name, const std::vector<LoadPoint<D>>& points, const s
       level_("rhegma::loadLevel", points.size()),
       name_(std::move(name)),
       force_(force),
+      resultant_(force.even),
       history_(std::move(history))
 {
   const auto id = Kokkos::create_mirror_view(wholeId_);
   for (std::size_t k = 0; k < points.size(); ++k)
+  {
     id(k) = ids[k];
+    resultant_ = resultant_ + force.alongNormals * points[k].fraction * points[k].normal;
+  }
   Kokkos::deep_copy(wholeId_, id);
   makePoints(std::vector<int>(points.size(), 0));
 }
@@ -118,10 +128,12 @@ void Load<D>::makePoints(const std::vector<int>& levels)
     count += parts(k);
   id_ = View<int*>("rhegma::loadId", count);
   start_ = View<double* [D]>("rhegma::loadStart", count);
+  normal_ = View<double* [D]>("rhegma::loadNormal", count);
   fraction_ = View<double*>("rhegma::loadFraction", count);
   here_ = View<double*>("rhegma::loadFractionHere", count);
   const auto id = Kokkos::create_mirror_view(id_);
   const auto start = Kokkos::create_mirror_view(start_);
+  const auto normal = Kokkos::create_mirror_view(normal_);
   const auto fraction = Kokkos::create_mirror_view(fraction_);
   int at = 0;
   for (std::size_t k = 0; k < whole_.size(); ++k)
@@ -136,11 +148,15 @@ void Load<D>::makePoints(const std::vector<int>& levels)
       for (int s = 0; s < sidesOf(whole_[k]); ++s, rest /= along)
         x = x + ((rest % along + 0.5) / along - 0.5) * whole_[k].side[s];
       for (int d = 0; d < D; ++d)
+      {
         start(at, d) = x[d];
+        normal(at, d) = whole_[k].normal[d];
+      }
     }
   }
   Kokkos::deep_copy(id_, id);
   Kokkos::deep_copy(start_, start);
+  Kokkos::deep_copy(normal_, normal);
   Kokkos::deep_copy(fraction_, fraction);
   points_.count = count;
   points_.position = View<double* [D]>("rhegma::loadPosition", count);
@@ -180,7 +196,7 @@ void Load<D>::apply(State<D>& state)
 {
   now_ = loadOverStep(state, history_);
   place(state);
-  addToNodes(state.mesh.nodes, stencils_, here_, points_.count, force());
+  addToNodes(state.mesh.nodes, stencils_, here_, normal_, points_.count, scaled(now_.acts, force_));
 }
 
 template <int D>
@@ -206,23 +222,25 @@ template <int D>
 void Load<D>::addWork(State<D>& state) const
 {
   addWorkOfLoad(state, now_,
-                [&](const auto& velocity, double value) { return workOf(state, velocity, value * force_); });
+                [&](const auto& velocity, double value)
+                { return workOf(state, velocity, scaled(value, force_)); });
 }
 
 template <int D>
 double Load<D>::shift(const State<D>& state) const
 {
-  const double whole = norm(force_);
-  return whole > 0.0 ? workOf(state, LoadVelocity<D>(state), (1.0 / whole) * force_) : 0.0;
+  const double whole = norm(force_.even) + std::abs(force_.alongNormals);
+  return whole > 0.0 ? workOf(state, LoadVelocity<D>(state), scaled(1.0 / whole, force_)) : 0.0;
 }
 
 template <int D>
 template <class Velocity>
-double Load<D>::workOf(const State<D>& state, const Velocity& velocity, const Vector<D>& force) const
+double Load<D>::workOf(const State<D>& state, const Velocity& velocity, const LoadForce<D>& force) const
 {
   // No light node moves on its own in equilibrium: work is that of the forces as they act.
   const StencilTable<D> stencils = state.method.equilibrium() ? stencils_ : massedStencils_;
   const View<double*> fraction = here_;
+  const View<double* [D]> normal = normal_;
   const double dt = state.clock.dt;
   return parallelSumSmall<double>(
       "rhegma::loadWork", points_.count, KOKKOS_LAMBDA(const int k, double& sum) {
@@ -230,7 +248,7 @@ double Load<D>::workOf(const State<D>& state, const Velocity& velocity, const Ve
         {
           const int n = stencils.node(k, e);
           for (int d = 0; d < D; ++d)
-            sum += dt * stencils.weight(k, e) * fraction(k) * force[d] * velocity(n, d);
+            sum += dt * stencils.weight(k, e) * fraction(k) * force.at(normal, k, d) * velocity(n, d);
         }
       });
 }

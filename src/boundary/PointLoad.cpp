@@ -8,8 +8,7 @@ namespace
 {
 
 template <int D>
-PlacedLoad<D> position(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double /*thickness*/,
-                       const std::string& where)
+PlacedLoad<D> position(const Teuchos::ParameterList& list, const Seeds<D>& seeds, const std::string& where)
 {
   return {pointLoad<D>(seeds, readVector<D>(list, "Point"), where), readVector<D>(list, "Force")};
 }

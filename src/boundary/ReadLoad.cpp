@@ -1,7 +1,6 @@
 #include "boundary/ReadLoad.hpp"
 
 #include "base/ReadList.hpp"
-#include "geometry/Cross.hpp"
 
 #include <utility>
 
@@ -43,7 +42,7 @@ Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, cons
 {
   std::vector<int> ids;
   const Seeds<D> seeds = seedsOf(state, findBody(state, list.get<std::string>("Body")), ids);
-  const PlacedLoad<D> placed = place(list, seeds, state.method.thickness, "Boundaries > " + name);
+  const PlacedLoad<D> placed = place(list, seeds, "Boundaries > " + name);
   std::vector<int> carriers;
   std::vector<Vector<D>> starts;
   for (const LoadPoint<D>& point : placed.points)
@@ -51,46 +50,59 @@ Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, cons
     carriers.push_back(ids[point.particle]);
     starts.push_back(seeds.position[point.particle]);
   }
-  return {name, placed.points, carriers, starts, placed.force, TimeFunction::parse(history)};
+  return {name,
+          placed.points,
+          carriers,
+          starts,
+          {placed.force, placed.alongNormals},
+          TimeFunction::parse(history)};
 }
 
 template <int D>
-PlacedSurface<D> placeSurface(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double thickness,
-                              const std::string& where)
+PlacedSurface<D> placeSurface(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+                              const Seeds<D>& seeds, const std::string& where)
 {
+  const double thickness = D == 2 ? scene.sublist("Domain").get<double>("Thickness") : 1.0;
+  if (choosesSurface(list))
+  {
+    const std::vector<Geometry::SurfacePoint<D>> surface = chosenSurface<D>(scene, list, where);
+    return {surfaceLoad<D>(seeds, surface, where), measureSurface(surface, thickness), false};
+  }
+  const SurfaceMeasure<D> measure = measureSurface<D>(scene, list, where);
   if constexpr (D == 2)
-  {
-    const Vector<2> from = readVector<2>(list, "From"), to = readVector<2>(list, "To"), along = to - from;
-    return {lineLoad<2>(seeds, from, to, Profile::Uniform, where),
-            thickness * Vector<2>{along[1], -along[0]}};
-  }
+    return {
+        lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), Profile::Uniform, where),
+        measure, true};
   else
-  {
-    const Vector<3> a = readVector<3>(list, "Edge 1"), b = readVector<3>(list, "Edge 2");
-    return {faceLoad(seeds, readVector<3>(list, "Corner"), a, b, where), cross(a, b)};
-  }
+    return {faceLoad(seeds, readVector<D>(list, "Corner"), readVector<D>(list, "Edge 1"),
+                     readVector<D>(list, "Edge 2"), where),
+            measure, true};
 }
 
 template <int D>
-Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name)
+Surface<D> readSurface(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+                       const State<D>& state, const std::string& name)
 {
   double area = 0.0;
-  const auto place = [&](const auto&... of)
+  const auto place = [&](const Teuchos::ParameterList& of, const Seeds<D>& seeds, const std::string& where)
   {
-    const PlacedSurface<D> placed = placeSurface<D>(of...);
-    area = norm(placed.area);
+    const PlacedSurface<D> placed = placeSurface<D>(scene, of, seeds, where);
+    area = placed.measure.area;
     return PlacedLoad<D>{placed.points, {}};
   };
   Load<D> points = readLoad<D>(list, state, name, "1", place);
   return {std::move(points), area};
 }
 
-template PlacedSurface<2> placeSurface(const Teuchos::ParameterList&, const Seeds<2>&, double,
-                                       const std::string&);
-template PlacedSurface<3> placeSurface(const Teuchos::ParameterList&, const Seeds<3>&, double,
-                                       const std::string&);
-template Surface<2> readSurface(const Teuchos::ParameterList&, const State<2>&, const std::string&);
-template Surface<3> readSurface(const Teuchos::ParameterList&, const State<3>&, const std::string&);
+#define RHEGMA_INSTANTIATE(D)                                                                                \
+  template PlacedSurface<D> placeSurface(const Teuchos::ParameterList&, const Teuchos::ParameterList&,       \
+                                         const Seeds<D>&, const std::string&);                               \
+  template Surface<D> readSurface(const Teuchos::ParameterList&, const Teuchos::ParameterList&,              \
+                                  const State<D>&, const std::string&);
+RHEGMA_INSTANTIATE(2)
+RHEGMA_INSTANTIATE(3)
+#undef RHEGMA_INSTANTIATE
+
 template Load<2> readLoad(const Teuchos::ParameterList&, const State<2>&, const std::string&,
                           const std::string&, const PlaceLoad<2>&);
 template Load<3> readLoad(const Teuchos::ParameterList&, const State<3>&, const std::string&,

@@ -1,6 +1,7 @@
 #pragma once
 /// Loads from the scene.
 
+#include "boundary/BodySurface.hpp"
 #include "boundary/Loads.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -18,12 +19,13 @@ struct PlacedLoad
 {
   std::vector<LoadPoint<D>> points;
   Vector<D> force;
+  double alongNormals = 0.0; ///< and a force along each point's normal; the sum of their sizes [N]
 };
 
-/// Places a load on a body. \param thickness of 2D [m] \param where path of the list, for messages
+/// Places a load on a body. \param where path of the list, for messages
 template <int D>
 using PlaceLoad = std::function<PlacedLoad<D>(const Teuchos::ParameterList& list, const Seeds<D>& seeds,
-                                              double thickness, const std::string& where)>;
+                                              const std::string& where)>;
 
 /// Places the load of a boundary with the parameter `Body`. Throws std::invalid_argument, with the section's
 /// path, for a load that reaches no particle. \param history factor over time
@@ -31,19 +33,22 @@ template <int D>
 Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name,
                  const std::string& history, const PlaceLoad<D>& place);
 
-/// A part of a body's surface: a line (2D) or a parallelogram (3D).
+/// A part of a body's surface.
 template <int D>
 struct PlacedSurface
 {
-  std::vector<LoadPoint<D>> points; ///< with equal fractions
-  Vector<D> area;                   ///< along the outward normal: right of From -> To, Edge 1 x Edge 2 [m2]
+  std::vector<LoadPoint<D>> points; ///< with the fractions of the area that their pieces are
+  SurfaceMeasure<D> measure;
+  /// Whether it is a line (2D) or a parallelogram (3D), whose points have one normal, that of the measure:
+  /// right of From -> To, along Edge 1 x Edge 2.
+  bool flat;
 };
 
-/// Places the part of a surface that the parameters of describeSurface give (BoundaryParts.hpp). Throws
-/// std::invalid_argument where it is not on the body. \param seeds and the others as for PlaceLoad
+/// Places the part of a surface that the parameters of describeSurface give. Throws std::invalid_argument
+/// where it is not on the body. \param scene validated \param seeds and the others as for PlaceLoad
 template <int D>
-PlacedSurface<D> placeSurface(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double thickness,
-                              const std::string& where);
+PlacedSurface<D> placeSurface(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+                              const Seeds<D>& seeds, const std::string& where);
 
 /// A part of a surface as points without force.
 template <int D>
@@ -55,6 +60,7 @@ struct Surface
 
 /// The part of a surface of a boundary. Throws std::invalid_argument where it reaches no particle.
 template <int D>
-Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name);
+Surface<D> readSurface(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+                       const State<D>& state, const std::string& name);
 
 } // namespace Rhegma

@@ -26,23 +26,6 @@ Vector<3> readPoint(const Teuchos::ParameterList& list, const std::string& name)
   return point;
 }
 
-void describeSurface(Section& s)
-{
-  describeLoadedBody(s);
-  s.realArray("From").unit("m").onlyIn(2).length(2).meaning(
-      "One end of a line on the surface of the undeformed body.");
-  s.realArray("To").unit("m").onlyIn(2).length(2).meaning("Other end of the line.");
-  s.realArray("Corner").unit("m").onlyIn(3).length(3).meaning(
-      "One corner of a parallelogram on the surface of the undeformed body.");
-  s.realArray("Edge 1").unit("m").onlyIn(3).length(3).meaning("Vector of its first edge from Corner.");
-  s.realArray("Edge 2").unit("m").onlyIn(3).length(3).meaning("Vector of its second edge from Corner.");
-}
-
-void checkSurface(SectionChecks& checks, const Teuchos::ParameterList& list, const std::string& where)
-{
-  checks.surface(list, where);
-}
-
 void describeLoadedBody(Section& s) { s.text("Body").notEmpty().meaning("Name of the body."); }
 
 } // namespace Rhegma

@@ -4,6 +4,7 @@
 #include "geometry/NearestPoint.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -19,6 +20,7 @@ struct WeightedPoint
   Vector<D> x;   ///< [m]
   double weight; ///< in any unit
   Vector<D> side[D - 1] = {};
+  Vector<D> normal{};
 };
 
 template <int D>
@@ -79,6 +81,7 @@ std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<Weighte
     {
       points.push_back({particle, point.x - body.position[particle], point.weight});
       std::copy(std::begin(point.side), std::end(point.side), points.back().side);
+      points.back().normal = point.normal;
     }
     else if (!missing)
       missing = &point;
@@ -97,13 +100,12 @@ std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<Weighte
               << " points miss the body; the first of them, ";
     for (int d = 0; d < D; ++d)
       message << (d == 0 ? "(" : ", ") << missing->x[d];
-    message
-        << ") m, is farther than a particle's diagonal (" << reach
-        << " m) from every particle; move the load onto the body's surface"
-        << (D == 3 && load.size() > 1 && !points.empty()
-                ? ": a whole parallelogram must lie on it, so on a round face give a smaller one with the "
-                  "same force."
-                : ".");
+    message << ") m, is farther than a particle's diagonal (" << reach
+            << " m) from every particle; move the load onto the body's surface"
+            << (D == 3 && load.size() > 1 && !points.empty()
+                    ? ": a whole parallelogram must lie on it; on a round face write Surface = Body and what "
+                      "chooses the face, such as Facing."
+                    : ".");
     throw std::invalid_argument(message.str());
   }
   normalise(points);
@@ -115,7 +117,7 @@ std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<Weighte
 template <int D>
 std::vector<LoadPoint<D>> pointLoad(const Seeds<D>& body, const Vector<D>& at, const std::string& section)
 {
-  return attach<D>(body, {{at, 1.0, {}}}, section);
+  return attach<D>(body, {{at, 1.0, {}, {}}}, section);
 }
 
 template <int D>
@@ -133,7 +135,7 @@ std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, 
   {
     const double s = (i + 0.5) / n;
     const double weight = profile == Profile::Parabolic ? 6.0 * s * (1.0 - s) : 1.0;
-    load.push_back({from + s * (to - from), weight, {}});
+    load.push_back({from + s * (to - from), weight, {}, {}});
     load.back().side[0] = (1.0 / n) * (to - from); // of 2D; in 3D the line has no second
   }
   return attach(body, load, section);
@@ -156,10 +158,41 @@ std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner
     for (int i = 0; i < along; ++i)
       load.push_back({corner + ((i + 0.5) / along) * sideA + ((j + 0.5) / across) * sideB,
                       1.0,
-                      {(1.0 / along) * sideA, (1.0 / across) * sideB}});
+                      {(1.0 / along) * sideA, (1.0 / across) * sideB},
+                      {}});
   return attach(body, load, section);
 }
 
+template <int D>
+std::vector<LoadPoint<D>> surfaceLoad(const Seeds<D>& body,
+                                      const std::vector<Geometry::SurfacePoint<D>>& surface,
+                                      const std::string& section)
+{
+  refuseMany(static_cast<double>(surface.size()), section);
+  std::vector<WeightedPoint<D>> load;
+  for (const Geometry::SurfacePoint<D>& point : surface)
+  {
+    load.push_back({point.x, point.size, {}, point.normal});
+    if constexpr (D == 2)
+      load.back().side[0] = point.size * Vector<2>{-point.normal[1], point.normal[0]};
+    else
+    {
+      // A square of the piece's area.
+      Vector<3> aside{};
+      aside[std::abs(point.normal[0]) < 0.6 ? 0 : 1] = 1.0;
+      const Vector<3> along = cross(point.normal, aside);
+      const Vector<3> edge = (std::sqrt(point.size) / norm(along)) * along;
+      load.back().side[0] = edge;
+      load.back().side[1] = cross(point.normal, edge);
+    }
+  }
+  return attach(body, load, section);
+}
+
+template std::vector<LoadPoint<2>> surfaceLoad(const Seeds<2>&, const std::vector<Geometry::SurfacePoint<2>>&,
+                                               const std::string&);
+template std::vector<LoadPoint<3>> surfaceLoad(const Seeds<3>&, const std::vector<Geometry::SurfacePoint<3>>&,
+                                               const std::string&);
 template std::vector<LoadPoint<2>> pointLoad(const Seeds<2>&, const Vector<2>&, const std::string&);
 template std::vector<LoadPoint<3>> pointLoad(const Seeds<3>&, const Vector<3>&, const std::string&);
 template std::vector<LoadPoint<2>> lineLoad(const Seeds<2>&, const Vector<2>&, const Vector<2>&, Profile,

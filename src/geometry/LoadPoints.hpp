@@ -2,6 +2,7 @@
 /// Points of loads, which move with particles.
 
 #include "geometry/Seeds.hpp"
+#include "geometry/SurfacePoints.hpp"
 
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct LoadPoint
   /// Sides of the piece of line (2D) or parallelogram (3D) in whose middle the point is, undeformed; zero for
   /// a load at one point [m].
   Vector<D> side[D - 1] = {};
+  Vector<D> normal{}; ///< outward, of length 1, where its force may follow it; else zero
 };
 
 /// How a line load varies along its line.
@@ -45,5 +47,11 @@ std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, 
 /// Points spread evenly over the parallelogram with a corner and the two sides that start there (3D).
 std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner, const Vector<3>& sideA,
                                    const Vector<3>& sideB, const std::string& section);
+
+/// Points of a body's surface, each with the fraction that its piece is of all, and with its normal.
+template <int D>
+std::vector<LoadPoint<D>> surfaceLoad(const Seeds<D>& body,
+                                      const std::vector<Geometry::SurfacePoint<D>>& surface,
+                                      const std::string& section);
 
 } // namespace Rhegma

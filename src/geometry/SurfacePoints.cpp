@@ -36,15 +36,19 @@ struct Sampler
   double spacing;
   Points<D> points{};
 
+  /// Length of the pieces of a length [m].
+  double pieceOf(double length) const { return length / countOf(length, spacing, 2); }
+
   void operator()(const Box<D>& box)
   {
     const Vector<D> extent = box.corners.upper - box.corners.lower;
     for (int axis = 0; axis < D; ++axis)
       for (const double side : {-1.0, 1.0})
       {
-        SurfacePoint<D> point{side < 0.0 ? box.corners.lower : box.corners.upper, Vector<D>{}};
-        point.normal[axis] = side;
         const int a = (axis + 1) % D, b = (axis + D - 1) % D;
+        const double size = D == 2 ? pieceOf(extent[a]) : pieceOf(extent[a]) * pieceOf(extent[b]);
+        SurfacePoint<D> point{side < 0.0 ? box.corners.lower : box.corners.upper, Vector<D>{}, size};
+        point.normal[axis] = side;
         along(extent[a], spacing,
               [&](double s)
               {
@@ -67,6 +71,7 @@ struct Sampler
   {
     const int count = D == 2 ? countOf(2.0 * pi * ball.radius, spacing, 8)
                              : countOf(4.0 * pi * ball.radius * ball.radius, spacing * spacing, 24);
+    const double size = (D == 2 ? 2.0 * pi * ball.radius : 4.0 * pi * ball.radius * ball.radius) / count;
     for (int k = 0; k < count; ++k)
     {
       const double turn = D == 2 ? 2.0 * pi * (k + 0.5) / count : pi * (3.0 - std::sqrt(5.0)) * k;
@@ -76,7 +81,7 @@ struct Sampler
       normal[D - 1] = height;
       normal[0] = across * std::cos(turn);
       normal[1] = across * std::sin(turn);
-      points.push_back({ball.centre + ball.radius * normal, normal});
+      points.push_back({ball.centre + ball.radius * normal, normal, size});
     }
   }
 
@@ -92,32 +97,33 @@ struct Sampler
       a = cross(axis, a);
       a = (1.0 / norm(a)) * a;
       const Vector<3> b = cross(axis, a);
-      const auto ring = [&](double radius, const auto& add)
+      // Pieces of a ring of the given area, in 3D.
+      const auto ring = [&](double radius, double area, const auto& add)
       {
         const int count = countOf(2.0 * pi * radius, spacing, 8);
         for (int k = 0; k < count; ++k)
         {
           const double turn = 2.0 * pi * (k + 0.5) / count;
-          add(std::cos(turn) * a + std::sin(turn) * b);
+          add(std::cos(turn) * a + std::sin(turn) * b, area / count);
         }
       };
       along(length, spacing,
             [&](double s)
             {
-              ring(cylinder.radius,
-                   [&](const Vector<3>& out) {
-                     points.push_back({cylinder.from + s * length * axis + cylinder.radius * out, out});
+              ring(cylinder.radius, 2.0 * pi * cylinder.radius * pieceOf(length),
+                   [&](const Vector<3>& out, double size) {
+                     points.push_back({cylinder.from + s * length * axis + cylinder.radius * out, out, size});
                    });
             });
       along(cylinder.radius, spacing,
             [&](double s)
             {
               const double radius = s * cylinder.radius;
-              ring(radius,
-                   [&](const Vector<3>& out)
+              ring(radius, 2.0 * pi * radius * pieceOf(cylinder.radius),
+                   [&](const Vector<3>& out, double size)
                    {
-                     points.push_back({cylinder.from + radius * out, -1.0 * axis});
-                     points.push_back({cylinder.to + radius * out, axis});
+                     points.push_back({cylinder.from + radius * out, -1.0 * axis, size});
+                     points.push_back({cylinder.to + radius * out, axis, size});
                    });
             });
     }
@@ -133,6 +139,7 @@ struct Sampler
       if (length == 0.0)
         continue;
       SurfacePoint<D> point{};
+      point.size = pieceOf(length) * (D == 2 ? 1.0 : pieceOf(polygon.top - polygon.bottom));
       point.normal[0] = turn * edge[1] / length;
       point.normal[1] = -turn * edge[0] / length;
       along(length, spacing,
@@ -162,11 +169,12 @@ struct Sampler
     const Simplices<D>& surface = shape.solid->surface();
     const double piece = D == 2 ? spacing : spacing * spacing;
     double left = 0.5 * piece; // up to the next point
+    double whole = 0.0;
     int count = 0;
     for (int k = 0; k < static_cast<int>(surface.items.size()); ++k)
     {
       const Vector<D> normal = surface.normalOf(k);
-      const double whole = norm(normal), size = (D == 2 ? 1.0 : 0.5) * whole * std::pow(shape.scale, D - 1);
+      const double length = norm(normal), size = (D == 2 ? 1.0 : 0.5) * length * std::pow(shape.scale, D - 1);
       Vector<D> corner[D];
       surface.corners(k, corner);
       double at = left;
@@ -178,10 +186,13 @@ struct Sampler
         const bool over = a + b > 1.0; // the other half of the parallelogram
         Vector<D> x = corner[0] + (over ? 1.0 - a : a) * (corner[1] - corner[0]);
         x = x + (over ? 1.0 - b : b) * (corner[D - 1] - corner[0]);
-        points.push_back({shape.origin + shape.scale * x, (1.0 / whole) * normal});
+        points.push_back({shape.origin + shape.scale * x, (1.0 / length) * normal, 0.0});
       }
       left = at - size;
+      whole += size;
     }
+    for (SurfacePoint<D>& point : points)
+      point.size = whole / count;
   }
 
   /// Points of faces between voxels of the value and others: all, or every so many of small ones.
@@ -211,14 +222,15 @@ struct Sampler
               auto next = voxel;
               next[axis] += side;
               if (!shape.phase->has(next) && seen++ % every == 0)
-                addFace(shape, voxel, axis, side, across);
+                addFace(shape, voxel, axis, side, across, every);
             }
         }
   }
 
   void addFace(const VoxelShape<D>& shape, const typename VoxelPhase<D>::Index& voxel, int axis, int side,
-               int across)
+               int across, double faces)
   {
+    const double size = faces * std::pow(shape.size / across, D - 1);
     for (int k = 0; k < (D == 2 ? across : across * across); ++k)
     {
       Vector<D> x{}, normal{};
@@ -229,7 +241,7 @@ struct Sampler
         rest = d == axis ? rest : rest / across;
       }
       normal[axis] = side;
-      points.push_back({shape.corner + shape.size * x, normal});
+      points.push_back({shape.corner + shape.size * x, normal, size});
     }
   }
 
@@ -239,6 +251,7 @@ struct Sampler
     for (const Vector<2>& x : polygon.points)
       bounds.include(x);
     const Vector<2> extent = bounds.upper - bounds.lower;
+    const std::size_t first = points.size();
     along(extent[0], spacing,
           [&](double s)
           {
@@ -254,10 +267,13 @@ struct Sampler
                       Vector<D> normal{};
                       normal[D - 1] = side;
                       if (polygon.contains(x))
-                        points.push_back({x, normal});
+                        points.push_back({x, normal, 0.0});
                     }
                   });
           });
+    const double both = 2.0 * std::abs(signedArea(polygon.points));
+    for (std::size_t k = first; k < points.size(); ++k)
+      points[k].size = both / (points.size() - first);
   }
 };
 
@@ -273,7 +289,7 @@ std::vector<SurfacePoint<D>> surfacePoints(const Shape<D>& shape, std::size_t pa
   Points<D> found;
   for (const SurfacePoint<D>& own : sampler.points)
   {
-    SurfacePoint<D> point{one.frame.toSpace(own.x), Vector<D>{}};
+    SurfacePoint<D> point{one.frame.toSpace(own.x), Vector<D>{}, own.size};
     for (int e = 0; e < D; ++e)
       point.normal = point.normal + own.normal[e] * one.frame.axes[e];
     const bool behind = shape.contains(point.x - aside * point.normal);

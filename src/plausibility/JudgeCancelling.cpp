@@ -1,4 +1,5 @@
 #include "base/ReadList.hpp"
+#include "boundary/BodySurface.hpp"
 #include "plausibility/Judges.hpp"
 #include "scene/TimeFunction.hpp"
 
@@ -89,14 +90,13 @@ Messages judgeCancelling(const JudgedScene<D>& judged)
   {
     const Teuchos::ParameterList& list = section.sublist(name);
     const std::string type = list.get<std::string>("Type");
-    if (type != "Traction" && type != "Point Load" && type != "Line Load")
-      continue;
+    if ((type != "Traction" && type != "Point Load" && type != "Line Load") || choosesSurface(list))
+      continue; // of a pressure on a closed surface the resultant says nothing
     const std::string points = pointsOf(list);
     std::vector<Acting<D>>& group = groups[points];
     if (group.empty())
       order.push_back(points);
-    group.push_back(
-        {name, forceOf<D>(list, judged.state.method.thickness), list.get<std::string>("History")});
+    group.push_back({name, forceOf<D>(judged.scene, list), list.get<std::string>("History")});
   }
   const double end = judged.scene.sublist("Time").template get<double>("Final Time");
   for (const std::string& points : order)

@@ -55,8 +55,7 @@ bool readPushes(const JudgedScene<D>& judged, double end, std::vector<Push<D>>& 
     {
       const double twice = rangeOf(list.get<std::string>("History"), end).twice;
       if (const auto body = numbers.find(list.get<std::string>("Body")); body != numbers.end())
-        pushes.push_back(
-            {"Boundaries > " + name, body->second, twice * forceOf<D>(list, judged.state.method.thickness)});
+        pushes.push_back({"Boundaries > " + name, body->second, twice * forceOf<D>(judged.scene, list)});
     }
     else if (type != "Gravity" && type != "Velocity" && type != "Symmetry")
       return false;

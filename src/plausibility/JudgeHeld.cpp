@@ -1,4 +1,5 @@
 #include "base/ReadList.hpp"
+#include "boundary/BodySurface.hpp"
 #include "boundary/TouchedNodes.hpp"
 #include "geometry/NearBoxes.hpp"
 #include "plan/BoundaryType.hpp"
@@ -60,10 +61,17 @@ bool holdsAll(const BoundaryRegion& support, const BodyMeasure<D>& body, double 
   return holdsBox<D>(support, {body.lower, body.upper}, slack);
 }
 
-/// Corners of the line or surface on which a load acts.
+/// Corners of the line or surface on which a load acts, or points all over it.
 template <int D>
-std::vector<Vector<D>> endsOf(const ParameterList& list)
+std::vector<Vector<D>> endsOf(const ParameterList& scene, const ParameterList& list)
 {
+  if (choosesSurface(list))
+  {
+    std::vector<Vector<D>> ends;
+    for (const auto& point : chosenSurface<D>(scene, list, "Boundaries"))
+      ends.push_back(point.x);
+    return ends;
+  }
   if (list.isParameter("Point"))
     return {readVector<D>(list, "Point")};
   if (list.isParameter("From"))
@@ -88,8 +96,7 @@ std::vector<Loaded<D>> readLoaded(const JudgedScene<D>& judged)
   {
     const ParameterList& list = section.sublist(name);
     const bool gravity = list.get<std::string>("Type") == "Gravity";
-    const Vector<D> force =
-        gravity ? readVector<D>(list, "Acceleration") : forceOf<D>(list, judged.state.method.thickness);
+    const Vector<D> force = gravity ? readVector<D>(list, "Acceleration") : forceOf<D>(judged.scene, list);
     if (!(norm(force) > 0.0) || (gravity && judged.bodies.size() != 1))
       continue;
     const auto body = gravity ? numbers.begin() : numbers.find(list.get<std::string>("Body"));
@@ -97,7 +104,7 @@ std::vector<Loaded<D>> readLoaded(const JudgedScene<D>& judged)
       continue;
     Loaded<D> load{"Boundaries > " + name, body->second, {}, {}};
     if (!gravity)
-      load.ends = endsOf<D>(list);
+      load.ends = endsOf<D>(judged.scene, list);
     for (int d = 0; d < D; ++d)
       load.along[d] = std::fabs(force[d]) > 1e-6 * norm(force);
     loads.push_back(load);

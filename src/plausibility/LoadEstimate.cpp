@@ -1,9 +1,9 @@
 #include "plausibility/LoadEstimate.hpp"
 
 #include "base/ReadList.hpp"
+#include "boundary/BodySurface.hpp"
 #include "boundary/NodesInBoxes.hpp"
 #include "boundary/TouchedNodes.hpp"
-#include "geometry/Cross.hpp"
 #include "scene/PositionFunction.hpp"
 #include "scene/TimeFunction.hpp"
 
@@ -44,19 +44,6 @@ LoadEstimate even(const std::string& where, double stress, const BodyMeasure<D>&
   return {where, stress / body.moduli.young, stress, stress, body.linear};
 }
 
-/// Outward normal of the loaded surface, as long as its area [m2] (boundary/Traction.cpp).
-template <int D>
-Vector<D> surfaceOf(const ParameterList& list, double thickness)
-{
-  if constexpr (D == 2)
-  {
-    const Vector<2> along = readVector<2>(list, "To") - readVector<2>(list, "From");
-    return thickness * Vector<2>{along[1], -along[0]};
-  }
-  else
-    return cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2"));
-}
-
 /// Across the longest axis a force bends, along it, it pulls at one side of the section at most. A hook or a
 /// ring is thinner than its box by the part that it fills, and bends also along the longest axis.
 template <int D>
@@ -90,7 +77,8 @@ class OfBoundaries
 {
 public:
   OfBoundaries(const ParameterList& scene, const State<D>& state, const std::vector<BodyMeasure<D>>& bodies)
-      : state_(state),
+      : scene_(scene),
+        state_(state),
         bodies_(bodies),
         end_(scene.isSublist("Time") ? scene.sublist("Time").get<double>("Final Time") : 0.0),
         boundaries_(scene.isSublist("Boundaries") ? scene.sublist("Boundaries") : ParameterList())
@@ -147,11 +135,13 @@ private:
     if (at == byName_.end())
       return;
     const BodyMeasure<D>& body = *at->second;
-    const Vector<D> force = factor(list).largest * forceOf<D>(list, state_.method.thickness);
+    const double factor = this->factor(list).largest;
+    const Vector<D> force = factor * forceOf<D>(scene_, list);
     const LoadEstimate estimate = ofForce<D>(where, force, body);
     if (type != "Traction")
       return add(estimate);
-    const double stress = norm(force) / norm(surfaceOf<D>(list, state_.method.thickness));
+    const double stress = factor * (list.isParameter("Pressure") ? std::fabs(list.get<double>("Pressure"))
+                                                                 : norm(readVector<D>(list, "Stress")));
     LoadEstimate spread = even(where, stress, body);
     spread.highest = std::max(stress, estimate.highest);
     add(spread);
@@ -255,6 +245,7 @@ private:
     }
   }
 
+  const ParameterList& scene_;
   const State<D>& state_;
   const std::vector<BodyMeasure<D>>& bodies_;
   double end_;
@@ -299,15 +290,21 @@ void addVelocities(const ParameterList& scene, const std::vector<BodyMeasure<D>>
 } // namespace
 
 template <int D>
-Vector<D> forceOf(const ParameterList& list, double thickness)
+Vector<D> forceOf(const ParameterList& scene, const ParameterList& list)
 {
   if (list.isParameter("Force"))
     return readVector<D>(list, "Force");
   if (list.get<std::string>("Type") != "Traction")
     return {};
-  const Vector<D> surface = surfaceOf<D>(list, thickness);
-  return list.isParameter("Pressure") ? -list.get<double>("Pressure") * surface
-                                      : norm(surface) * readVector<D>(list, "Stress");
+  const SurfaceMeasure<D> surface = measureSurface<D>(scene, list, "Boundaries");
+  return list.isParameter("Pressure") ? -list.get<double>("Pressure") * surface.outward
+                                      : surface.area * readVector<D>(list, "Stress");
+}
+
+template <int D>
+double chosenArea(const ParameterList& scene, const ParameterList& list)
+{
+  return choosesSurface(list) ? measureSurface<D>(scene, list, "Boundaries").area : 0.0;
 }
 
 template <int D>
@@ -345,7 +342,9 @@ template std::vector<LoadEstimate> estimateLoads(const ParameterList&, const Sta
 template std::vector<LoadEstimate> estimateLoads(const ParameterList&, const State<3>&,
                                                  const std::vector<BodyMeasure<3>>&);
 
-template Vector<2> forceOf(const ParameterList&, double);
-template Vector<3> forceOf(const ParameterList&, double);
+template Vector<2> forceOf(const ParameterList&, const ParameterList&);
+template Vector<3> forceOf(const ParameterList&, const ParameterList&);
+template double chosenArea<2>(const ParameterList&, const ParameterList&);
+template double chosenArea<3>(const ParameterList&, const ParameterList&);
 
 } // namespace Rhegma

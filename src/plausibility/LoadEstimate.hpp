@@ -44,8 +44,13 @@ std::vector<LoadEstimate> estimatePressures(const std::map<std::string, std::str
 const LoadEstimate* largestStrain(const std::vector<LoadEstimate>& loads);
 
 /// Force of a Traction, Point Load or Line Load at a history of 1 [N]; zero for another type.
-/// \param list of the boundary \param thickness of a 2D scene [m]
+/// \param scene validated \param list of the boundary
 template <int D>
-Vector<D> forceOf(const Teuchos::ParameterList& list, double thickness);
+Vector<D> forceOf(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list);
+
+/// Area of the surface that a boundary chooses (Surface = Body) [m2]; zero for others.
+/// \param scene, list as for forceOf
+template <int D>
+double chosenArea(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list);
 
 } // namespace Rhegma

@@ -43,6 +43,11 @@ std::string forceText(double force)
   return inUnits(force, {{1e9, "GN"}, {1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {1e-3, "mN"}, {1e-6, "uN"}});
 }
 
+std::string areaText(double area)
+{
+  return inUnits(area, {{1.0, "m2"}, {1e-4, "cm2"}, {1e-6, "mm2"}, {1e-12, "um2"}});
+}
+
 /// "4 kN along (0, -1)".
 template <int D>
 std::string resultantText(const Vector<D>& force)
@@ -76,13 +81,15 @@ std::string loadsOf(const Teuchos::ParameterList& scene)
   if (!scene.isSublist("Boundaries"))
     return {};
   const Teuchos::ParameterList& section = scene.sublist("Boundaries");
-  const double thickness = D == 2 ? scene.sublist("Domain").get<double>("Thickness") : 1.0;
   std::string text;
-  std::size_t count = 0;
+  std::size_t count = 0, surfaces = 0;
   for (const std::string& name : sublistNames(section))
   {
     const Teuchos::ParameterList& list = section.sublist(name);
-    const Vector<D> force = forceOf<D>(list, thickness);
+    const Vector<D> force = forceOf<D>(scene, list);
+    if (const double area = chosenArea<D>(scene, list); area > 0.0 && surfaces++ < bodiesInText)
+      text += "  Boundaries > " + name + ": on " + areaText(area) + " of the surface of Bodies > " +
+              list.get<std::string>("Body") + "\n";
     const double factor =
         norm(force) > 0.0 ? factorOf(list.get<std::string>("History"), scene.sublist("Time")) : 0.0;
     if (std::isfinite(factor * norm(force)) && std::fabs(factor) * norm(force) > 0.0 &&

@@ -131,6 +131,8 @@ def draw_arrows(panel, symbol):
     step = direction * ARROW * panel.extent * panel.length
     panel.axes.quiver(*points.T, *np.broadcast_to(step, points.shape).T, angles="xy", scale_units="xy", scale=1.0, units="inches", width=0.018,
                       headwidth=5, headlength=6, headaxislength=5.2, pivot="tip" if symbol.into else "tail", color=colour, zorder=7)
+    if not symbol.label:
+        return
     middle = symbol.points.mean(axis=0)
     spread = np.linalg.norm(symbol.points - middle)
     if np.linalg.norm((symbol.points - middle) @ symbol.direction) > 0.5 * spread > 0.0:  # in a row, one behind the other

@@ -27,7 +27,7 @@ class Drawing:
 
     def __init__(self, scene, state):
         self.scene, self.state, self.fields = scene, state, state.fields
-        self.symbols = symbols_of(scene.values, state.fields)
+        self.symbols = symbols_of(scene.values, state.fields, state.summary.get("surfaces") or ())
         self.outlines = outlines_of(scene.values, state.fields.dimension)
         self.fronts = front_positions(state.summary, state.fields.dimension)
         half = 0.5 * self.fields.size
@@ -89,7 +89,7 @@ def frame(panel, drawing):
         if isinstance(symbol, Arrows):
             reach = symbol.direction * ARROW * drawing.extent * (-1.0 if symbol.into else 1.0)
             across, up = panel.view.flat(symbol.direction)
-            if abs(across) > abs(up):
+            if symbol.label and abs(across) > abs(up):
                 reach = reach + LABEL * drawing.extent * np.sign(reach) * (np.arange(3) == panel.view.axes[0])
             low = np.minimum(low, np.min(symbol.points + np.minimum(reach, 0.0), axis=0))
             high = np.maximum(high, np.max(symbol.points + np.maximum(reach, 0.0), axis=0))

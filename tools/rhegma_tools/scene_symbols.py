@@ -9,6 +9,7 @@ from .scene_values import array, lists, number
 
 LOAD, SUPPORT, HEAT, MOTION = "load", "support", "heat", "motion"
 ALONG_LINE, ALONG_EDGE = 7, 3  # arrows of a traction: on a line, and along each edge of a parallelogram
+ON_SURFACE = 16  # at most, on a choice of a body's surface
 
 
 class Arrows:
@@ -83,16 +84,23 @@ def has_material(fields, point):
 
 
 def arrows(kind, name, label, points, direction, fields):
-    """Arrows at a surface: with their heads on it where they point into the body, else with their tails."""
-    if not np.any(direction):
-        return Mark(kind, name, label, np.mean(np.atleast_2d(points), axis=0))
+    """Arrows at a surface: with their heads on it where they point into the body, else with their tails. direction: (3), or (k, 3) one for each
+    point, along the normals; then a list, of which the first has the label"""
     points = np.atleast_2d(points)
+    if not np.any(direction):
+        return Mark(kind, name, label, np.mean(points, axis=0))
+    if np.ndim(direction) == 2:
+        return [Arrows(kind, name, "" if k else label, point, one, has_material(fields, point + 0.6 * fields.size * one / np.linalg.norm(one)))
+                for k, (point, one) in enumerate(zip(points, direction))]
     unit = direction / np.linalg.norm(direction)
     return Arrows(kind, name, label, points, direction, has_material(fields, points[len(points) // 2] + 0.6 * fields.size * unit))
 
 
-def surface_points(values, count_line=ALONG_LINE):
-    """(points (k, 3), normal into the body (3)) of a part of a surface: a line in 2D, a parallelogram in 3D."""
+def surface_points(values, chosen=None, count_line=ALONG_LINE):
+    """(points (k, 3), normal into the body (3)) of a part of a surface: a line in 2D, a parallelogram in 3D; of a choice of the body's whole
+    surface, whose entry of the summary is chosen, the normals (k, 3)."""
+    if chosen:
+        return tuple(sign * np.array([spatial(point) for point in chosen[name][:ON_SURFACE]]) for name, sign in (("points", 1.0), ("normals", -1.0)))
     if "From" in values:
         start, end = spatial(array(values, "From")), spatial(array(values, "To"))
         fraction = (np.arange(count_line) + 0.5)[:, None] / count_line
@@ -104,8 +112,8 @@ def surface_points(values, count_line=ALONG_LINE):
     return np.array(points), -np.cross(one, two)
 
 
-def traction(name, values, fields):
-    points, inward = surface_points(values)
+def traction(name, values, fields, chosen=None):
+    points, inward = surface_points(values, chosen)
     if "Pressure" in values:
         factor, words = peak(values)
         pressure = factor * number(values, "Pressure", 0.0)
@@ -126,15 +134,15 @@ def point_load(name, values, fields):
     return arrows(LOAD, name, label, spatial(array(values, "Point")), direction, fields)
 
 
-def heat_flux(name, values, fields):
-    points, inward = surface_points(values)
+def heat_flux(name, values, fields, chosen=None):
+    points, inward = surface_points(values, chosen)
     factor, words = peak(values)
     flux = factor * number(values, "Flux", 0.0)
     return arrows(HEAT, name, readable(abs(flux), "W/m²") + words, points, np.sign(flux) * inward, fields)
 
 
-def convection(name, values, fields):
-    points, inward = surface_points(values)
+def convection(name, values, fields, chosen=None):
+    points, inward = surface_points(values, chosen)
     factor, words = peak(values)
     label = f"{readable(number(values, 'Coefficient'), 'W/(m² K)')}, {factor * number(values, 'Ambient Temperature', 0.0):.4g} K around{words}"
     return arrows(HEAT, name, label, points, inward, fields)
@@ -145,7 +153,8 @@ def gravity(name, values, fields):
     return arrows(LOAD, name, label, fields.position.mean(axis=0), direction, fields)
 
 
-SURFACE = {"Traction": traction, "Line Load": line_load, "Point Load": point_load, "Heat Flux": heat_flux, "Convection": convection, "Gravity": gravity}
+LOADS = {"Line Load": line_load, "Point Load": point_load, "Gravity": gravity}
+SURFACE = {"Traction": traction, "Heat Flux": heat_flux, "Convection": convection}
 
 
 def grid_nodes(fields):
@@ -191,13 +200,17 @@ def prescribed_temperature(name, values, fields):
     return Nodes(HEAT, name, f"{factor * number(values, 'Temperature', 0.0):.4g} K{words}", nodes_in(fields, values), "")
 
 
-def boundary_symbols(values, fields):
-    """Symbols of the section Boundaries, in its order."""
+def boundary_symbols(values, fields, surfaces):
+    """Symbols of the section Boundaries, in its order. surfaces: as for symbols_of"""
     found = []
+    chosen = {entry["name"]: entry for entry in surfaces}
     for name, one in lists(values, "Boundaries"):
         kind = one.get("Type")
         if kind in SURFACE:
-            found.append(SURFACE[kind](name, one, fields))
+            symbols = SURFACE[kind](name, one, fields, chosen.get(name))
+            found += symbols if isinstance(symbols, list) else [symbols]
+        elif kind in LOADS:
+            found.append(LOADS[kind](name, one, fields))
         elif kind == "Velocity":
             found += velocity(name, one, fields)
         elif kind == "Symmetry":
@@ -253,6 +266,6 @@ def crack_loads(values):
     return found
 
 
-def symbols_of(values, fields):
-    """All symbols of a scene. values: as scene_values.as_values gives them"""
-    return boundary_symbols(values, fields) + source_symbols(values, fields) + motion_symbols(values, fields)
+def symbols_of(values, fields, surfaces=()):
+    """All symbols of a scene. values: as scene_values.as_values gives them; surfaces: those of the summary, which boundaries choose"""
+    return boundary_symbols(values, fields, surfaces) + source_symbols(values, fields) + motion_symbols(values, fields)

@@ -154,6 +154,28 @@ class SceneDrawn(ToolTest):
         self.assertAlmostEqual(np.ptp(finest[0][:, 0]), 0.5 * cell, places=12)
         style.plt.close(figure)
 
+    def test_a_pressure_on_the_wall_of_a_hole_pushes_from_inside(self):
+        values, *_ = self.random_plate(random.Random(SEED + 2))
+        x, y = values["Bodies"]["Plate"]["Operations"]["Hole"]["Centre"]
+        radius = values["Bodies"]["Plate"]["Operations"]["Hole"]["Radius"]
+        values["Boundaries"]["Gas"] = {"Type": "Traction", "Body": "Plate", "Surface": "Body", "Part": "Hole", "Pressure": 3e6}
+        drawing = self.drawing(values)
+        gas = [symbol for symbol in drawing.symbols if symbol.name == "Gas"]
+        self.assertGreater(len(gas), 11)
+        self.assertEqual([symbol.label for symbol in gas], ["3 MPa"] + [""] * (len(gas) - 1))
+        turns = []
+        for symbol in gas:
+            outward = symbol.points[0, :2] - [x, y]
+            self.assertAlmostEqual(np.linalg.norm(outward), radius, places=9)
+            np.testing.assert_allclose(symbol.direction[:2], outward / radius, atol=1e-9)
+            self.assertTrue(symbol.into)
+            turns.append(np.arctan2(outward[1], outward[0]))
+        gaps = np.diff(np.sort(turns + [min(turns) + 2.0 * np.pi]))
+        self.assertLess(max(gaps), 4.0 * np.pi / len(gas) + 0.3)  # all around
+        figure, (panel,) = flat_figure(drawing)
+        self.assertEqual(sum(text.get_text() == "Gas: 3 MPa" for text in panel.labels), 1)
+        style.plt.close(figure)
+
     def test_views_in_3d(self):
         self.assertEqual(len(self.drawing(block()).fronts), 0)
         drawing = self.drawing(block(**{"Energy Release": {}}))

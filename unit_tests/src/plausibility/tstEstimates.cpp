@@ -79,25 +79,26 @@ TEST(RangeOf, KnowsTheTimesThatCount)
 
 TEST(ForceOf, IsThatOfTheLoads)
 {
-  Teuchos::ParameterList stress = traction2(), pressure = traction2(), point;
+  Teuchos::ParameterList stress = traction2(), pressure = traction2(), point, scene;
+  scene.sublist("Domain").set("Thickness", 0.5);
   stress.set("Stress", Reals(Teuchos::tuple(3.0, -4.0)));
-  EXPECT_DOUBLE_EQ(forceOf<2>(stress, 0.5)[0], 3.0);
-  EXPECT_DOUBLE_EQ(forceOf<2>(stress, 0.5)[1], -4.0);
+  EXPECT_DOUBLE_EQ(forceOf<2>(scene, stress)[0], 3.0);
+  EXPECT_DOUBLE_EQ(forceOf<2>(scene, stress)[1], -4.0);
   pressure.set("Pressure", 5.0); // on a surface whose outward normal is x
-  EXPECT_DOUBLE_EQ(forceOf<2>(pressure, 0.5)[0], -5.0);
-  EXPECT_DOUBLE_EQ(forceOf<2>(pressure, 0.5)[1], 0.0);
+  EXPECT_DOUBLE_EQ(forceOf<2>(scene, pressure)[0], -5.0);
+  EXPECT_DOUBLE_EQ(forceOf<2>(scene, pressure)[1], 0.0);
   point.set<std::string>("Type", "Point Load");
   point.set("Force", Reals(Teuchos::tuple(1.0, 2.0, 3.0)));
-  EXPECT_DOUBLE_EQ(forceOf<3>(point, 1.0)[2], 3.0);
+  EXPECT_DOUBLE_EQ(forceOf<3>(scene, point)[2], 3.0);
   Teuchos::ParameterList face;
   face.set<std::string>("Type", "Traction");
   face.set("Edge 1", Reals(Teuchos::tuple(2.0, 0.0, 0.0)));
   face.set("Edge 2", Reals(Teuchos::tuple(0.0, 3.0, 0.0)));
   face.set("Pressure", 7.0);
-  EXPECT_DOUBLE_EQ(forceOf<3>(face, 1.0)[2], -42.0);
+  EXPECT_DOUBLE_EQ(forceOf<3>(scene, face)[2], -42.0);
   Teuchos::ParameterList gravity;
   gravity.set<std::string>("Type", "Gravity");
-  EXPECT_DOUBLE_EQ(norm(forceOf<2>(gravity, 1.0)), 0.0);
+  EXPECT_DOUBLE_EQ(norm(forceOf<2>(scene, gravity)), 0.0);
 }
 
 TEST(LargestStrain, IsAFiniteNumber)

@@ -1,0 +1,235 @@
+#include "boundary/BodySurface.hpp"
+
+#include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
+#include "boundary/BoundaryParts.hpp"
+#include "geometry/Cross.hpp"
+#include "geometry/SurfaceChoice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+using Teuchos::ParameterList;
+
+constexpr const char* base = "Base";
+
+/// Names of a body's parts: the first shape, and the operations.
+std::vector<std::string> partsOf(const ParameterList& body)
+{
+  std::vector<std::string> names{base};
+  if (body.isSublist("Operations"))
+    for (const std::string& name : SceneValues::sublists(body.sublist("Operations")))
+      names.push_back(name);
+  return names;
+}
+
+/// Parameters of a choice that a boundary has, without Largest Angle, which has a default.
+std::vector<std::string> choicesOf(const ParameterList& list)
+{
+  std::vector<std::string> given;
+  for (const char* name : {"Part", "Lower Corner", "Upper Corner", "Facing", "Around"})
+    if (list.isParameter(name))
+      given.emplace_back(name);
+  return given;
+}
+
+void checkFlat(SectionChecks& checks, const ParameterList& list, const std::string& where)
+{
+  const auto needed = checks.dimension() == 2 ? std::vector<std::string>{"From", "To"}
+                                              : std::vector<std::string>{"Corner", "Edge 1", "Edge 2"};
+  for (const std::string& name : needed)
+    if (!list.isParameter(name))
+      checks.report(scenePath(where, name),
+                    "is missing; write " + std::to_string(checks.dimension()) +
+                        " numbers (type=\"Array(double)\") [m], or Surface = Body for "
+                        "all of the body's surface or a choice of it.");
+  for (const std::string& name : choicesOf(list))
+    checks.report(scenePath(where, name),
+                  "chooses from the body's whole surface; write Surface = Body with it.");
+  checks.surface(list, where);
+}
+
+void checkChoice(SectionChecks& checks, const ParameterList& list, const std::string& where)
+{
+  for (const char* name : {"From", "To", "Corner", "Edge 1", "Edge 2"})
+    if (list.isParameter(name))
+      checks.report(scenePath(where, name),
+                    "is of a flat piece of the surface, and Surface = Body takes all of it; "
+                    "leave one of the two out.");
+  for (const char* name : {"Facing", "Around"})
+    if (const auto direction = SceneValues::reals(list, name);
+        direction && std::all_of(direction->begin(), direction->end(), [](double x) { return x == 0.0; }))
+      checks.report(scenePath(where, name), "is zero; write the vector of a direction, of any length.");
+  checks.corners(list, where, true);
+  const ParameterList& scene = checks.scene();
+  const std::string part = SceneValues::text(list, "Part"), body = SceneValues::text(list, "Body");
+  if (part.empty() || !scene.isSublist("Bodies") || !scene.sublist("Bodies").isSublist(body))
+    return;
+  const std::vector<std::string> names = partsOf(scene.sublist("Bodies").sublist(body));
+  if (std::find(names.begin(), names.end(), part) == names.end())
+  {
+    std::string all;
+    for (const std::string& name : names)
+      all += (all.empty() ? "" : ", ") + name;
+    checks.report(scenePath(where, "Part"),
+                  "\"" + part + "\" is no part of Bodies > " + body + "; its parts are: " + all + ".");
+  }
+}
+
+template <int D>
+Geometry::SurfaceChoice<D> readChoice(const ParameterList& list, const ParameterList& body)
+{
+  Geometry::SurfaceChoice<D> choice;
+  if (list.isParameter("Part"))
+  {
+    const std::vector<std::string> names = partsOf(body);
+    choice.part = std::find(names.begin(), names.end(), list.get<std::string>("Part")) - names.begin();
+  }
+  if (list.isParameter("Lower Corner"))
+    choice.box = {readVector<D>(list, "Lower Corner"), readVector<D>(list, "Upper Corner")};
+  for (const char* name : {"Facing", "Around"})
+    if (list.isParameter(name))
+      choice.facing = {readVector<D>(list, name), std::string(name) == "Around",
+                       list.get<double>("Largest Angle")};
+  return choice;
+}
+
+/// Outward normal of a flat piece, as long as its area [m2].
+template <int D>
+Vector<D> flatSurface(const ParameterList& list, double thickness)
+{
+  if constexpr (D == 2)
+  {
+    const Vector<2> along = readVector<2>(list, "To") - readVector<2>(list, "From");
+    return thickness * Vector<2>{along[1], -along[0]};
+  }
+  else
+    return cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2"));
+}
+
+} // namespace
+
+void describeSurface(Section& s)
+{
+  describeLoadedBody(s);
+  s.choice("Surface", {"Flat", "Body"})
+      .byDefault("Flat")
+      .meaning(
+          "Flat: a line (2D: From, To) or a parallelogram (3D: Corner, Edge 1, Edge 2) of the undeformed "
+          "body. Body: all of the body's surface, less what Part, Lower Corner with Upper Corner, Facing "
+          "and Around leave out; for round faces and walls of holes.");
+  s.realArray("From").unit("m").onlyIn(2).length(2).optional().meaning(
+      "One end of a line on the surface of the undeformed body.");
+  s.realArray("To").unit("m").onlyIn(2).length(2).optional().meaning("Other end of the line.");
+  s.realArray("Corner").unit("m").onlyIn(3).length(3).optional().meaning(
+      "One corner of a parallelogram on the surface of the undeformed body.");
+  s.realArray("Edge 1").unit("m").onlyIn(3).length(3).optional().meaning(
+      "Vector of its first edge from Corner.");
+  s.realArray("Edge 2").unit("m").onlyIn(3).length(3).optional().meaning(
+      "Vector of its second edge from Corner.");
+  s.text("Part").notEmpty().optional().meaning("With Surface = Body: name of one of the body's Operations, "
+                                               "such as a hole, or Base for its first shape; "
+                                               "only the surface that comes from it.");
+  s.realArray("Lower Corner")
+      .unit("m")
+      .perAxis()
+      .optional()
+      .meaning("With Surface = Body: corner of a box, and only the surface in it; the corner with the "
+               "smallest coordinates.");
+  s.realArray("Upper Corner")
+      .unit("m")
+      .perAxis()
+      .optional()
+      .meaning("Corner of the box with the largest coordinates.");
+  s.realArray("Facing").perAxis().optional().meaning("With Surface = Body: a direction, of any length; only "
+                                                     "the surface whose outward normal deviates from it by "
+                                                     "Largest Angle at most.");
+  s.realArray("Around").onlyIn(3).length(3).optional().meaning(
+      "With Surface = Body: direction of an axis; only the surface whose normal is perpendicular to it, to "
+      "within "
+      "Largest Angle: the wall of a shaft or a hole.");
+  s.real("Largest Angle")
+      .unit("degrees")
+      .range(0.0, 180.0)
+      .byDefault(45.0)
+      .meaning("Largest deviation of the normal from Facing, or from the plane perpendicular to Around.");
+  s.allOrNoneOf({"Lower Corner", "Upper Corner"});
+  s.atMostOneOf({"Facing", "Around"});
+}
+
+void checkSurface(SectionChecks& checks, const ParameterList& list, const std::string& where)
+{
+  if (choosesSurface(list))
+    checkChoice(checks, list, where);
+  else if (checks.dimension() != 0 && list.isParameter("Surface")) // absent: it was wrong
+    checkFlat(checks, list, where);
+}
+
+bool choosesSurface(const ParameterList& list) { return SceneValues::text(list, "Surface") == "Body"; }
+
+template <int D>
+std::vector<Geometry::SurfacePoint<D>> chosenSurface(const ParameterList& scene, const ParameterList& list,
+                                                     const std::string& where)
+{
+  const std::string name = list.get<std::string>("Body");
+  const ParameterList& body = scene.sublist("Bodies").sublist(name);
+  const double spacing = 0.25 * scene.sublist("Domain").get<double>("Cell Size");
+  const auto points = Geometry::chosenPoints<D>(makeShape<D>(body), readChoice<D>(list, body), spacing);
+  if (points.empty())
+  {
+    std::string left;
+    for (const std::string& choice : choicesOf(list))
+      left += (left.empty() ? "" : ", ") + choice;
+    throw std::invalid_argument(where + ": nothing of the surface of Bodies > " + name +
+                                (left.empty() ? " is larger than a quarter of a cell; use smaller cells"
+                                              : " is left by " + left +
+                                                    "; leave one of them out, or look at the "
+                                                    "body with rhegma-plot --scene"));
+  }
+  return points;
+}
+
+template <int D>
+SurfaceMeasure<D> measureSurface(const std::vector<Geometry::SurfacePoint<D>>& points, double thickness)
+{
+  SurfaceMeasure<D> surface;
+  for (const Geometry::SurfacePoint<D>& point : points)
+  {
+    surface.area += thickness * point.size;
+    surface.outward = surface.outward + thickness * point.size * point.normal;
+  }
+  // A closed surface has none; what is left is round-off, or small where its pieces are not mirror images.
+  constexpr double closed = 1e-9;
+  if (norm(surface.outward) < closed * surface.area)
+    surface.outward = {};
+  return surface;
+}
+
+template <int D>
+SurfaceMeasure<D> measureSurface(const ParameterList& scene, const ParameterList& list,
+                                 const std::string& where)
+{
+  const double thickness = D == 2 ? scene.sublist("Domain").get<double>("Thickness") : 1.0;
+  if (choosesSurface(list))
+    return measureSurface(chosenSurface<D>(scene, list, where), thickness);
+  const Vector<D> outward = flatSurface<D>(list, thickness);
+  return {norm(outward), outward};
+}
+
+template std::vector<Geometry::SurfacePoint<2>> chosenSurface(const ParameterList&, const ParameterList&,
+                                                              const std::string&);
+template std::vector<Geometry::SurfacePoint<3>> chosenSurface(const ParameterList&, const ParameterList&,
+                                                              const std::string&);
+template SurfaceMeasure<2> measureSurface(const std::vector<Geometry::SurfacePoint<2>>&, double);
+template SurfaceMeasure<3> measureSurface(const std::vector<Geometry::SurfacePoint<3>>&, double);
+template SurfaceMeasure<2> measureSurface(const ParameterList&, const ParameterList&, const std::string&);
+template SurfaceMeasure<3> measureSurface(const ParameterList&, const ParameterList&, const std::string&);
+
+} // namespace Rhegma
