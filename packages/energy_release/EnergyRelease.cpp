@@ -362,8 +362,10 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
     addAnswersOfHeldFronts(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);
-    for (const auto find : {warningsOfNegativeRelease<D>, warningsOfDisagreement<D>})
-      for (const std::string& warning : find(state, samples->last, samples->time))
+    for (const auto& warnings :
+         {warningsOfNegativeRelease(state, samples->last, samples->time, samples->largest.ever()),
+          warningsOfDisagreement(state, samples->last, samples->time)})
+      for (const std::string& warning : warnings)
         summary["warnings"].push_back(warning);
   };
   return effect;

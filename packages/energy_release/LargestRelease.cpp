@@ -2,6 +2,7 @@
 
 #include "archive/Archive.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Rhegma::energy_release
@@ -26,6 +27,14 @@ LargestRelease::Peak LargestRelease::of(int crack, int number) const
 {
   const auto peak = peaks_.find({crack, number});
   return peak == peaks_.end() ? Peak{FrontSample<2>::notYet, FrontSample<2>::notYet} : peak->second;
+}
+
+double LargestRelease::ever() const
+{
+  double largest = 0.0;
+  for (const auto& [front, peak] : peaks_)
+    largest = std::max(largest, peak.release);
+  return largest;
 }
 
 void LargestRelease::serialize(Archive& archive)

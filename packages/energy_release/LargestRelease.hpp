@@ -28,6 +28,9 @@ public:
   /// Of a front; a release that is not a number where it has had none. \param crack, number of the front
   Peak of(int crack, int number) const;
 
+  /// Of all fronts [J/m2]; zero where there is none.
+  double ever() const;
+
   /// Saves or loads it.
   void serialize(Archive& archive);
 

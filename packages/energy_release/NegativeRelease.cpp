@@ -41,11 +41,12 @@ double usualRelease(const State<D>& state, int crack)
 
 template <int D>
 std::vector<std::string> warningsOfNegativeRelease(const State<D>& state,
-                                                   const std::vector<FrontSample<D>>& samples, double time)
+                                                   const std::vector<FrontSample<D>>& samples, double time,
+                                                   double largestEver)
 {
   constexpr double noise = 0.05;
   std::vector<std::string> warnings;
-  double largest = 0.0, least = 0.0;
+  double largest = largestEver, least = 0.0;
   for (const FrontSample<D>& sample : samples)
   {
     const double release = meanAlong(sample.front, sample.J);
@@ -71,9 +72,9 @@ std::vector<std::string> warningsOfNegativeRelease(const State<D>& state,
 
 template double usualRelease(const State<2>&, int);
 template double usualRelease(const State<3>&, int);
-template std::vector<std::string> warningsOfNegativeRelease(const State<2>&,
-                                                            const std::vector<FrontSample<2>>&, double);
-template std::vector<std::string> warningsOfNegativeRelease(const State<3>&,
-                                                            const std::vector<FrontSample<3>>&, double);
+template std::vector<std::string>
+warningsOfNegativeRelease(const State<2>&, const std::vector<FrontSample<2>>&, double, double);
+template std::vector<std::string>
+warningsOfNegativeRelease(const State<3>&, const std::vector<FrontSample<3>>&, double, double);
 
 } // namespace Rhegma::energy_release

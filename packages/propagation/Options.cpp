@@ -55,9 +55,12 @@ void addRulesOfEquilibrium(Section& s)
       "leave it out");
   s.refuse({factor, when::present("Thermal"), when::equilibrium()},
            "temperatures do not scale with the load factor; write Functions of Time");
-  s.refuse({factor, when::is("Materials > *", "Model", {"J2 Plastic"}), when::equilibrium()},
-           "the load factor is found by trial, and a trial that is too large would leave plastic strain; "
-           "write Functions of Time");
+  const char* const byTrial =
+      "the load factor is found by trials, each of which would leave plastic or relaxed "
+      "strain; write Functions of Time";
+  s.refuse({factor, when::is("Materials > *", "Model", {"J2 Plastic", "Viscoelastic"}), when::equilibrium()},
+           byTrial);
+  s.refuse({factor, when::given("Materials > *", "Johnson-Cook A"), when::equilibrium()}, byTrial);
   s.refuse({self, when::above("Adaptivity", "Front Cells", 0.0), when::equilibrium()},
            "in equilibrium cells are refined at the start only, and a front would leave the fine cells; "
            "refine its path with a box, and write Adaptivity > Front Cells = 0");

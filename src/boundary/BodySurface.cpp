@@ -166,9 +166,13 @@ void describeSurface(Section& s)
 
 void checkSurface(SectionChecks& checks, const ParameterList& list, const std::string& where)
 {
+  const auto& errors = checks.errors();
+  const bool isWrong =
+      std::any_of(errors.begin(), errors.end(),
+                  [&](const SceneError& error) { return error.where == scenePath(where, "Surface"); });
   if (choosesSurface(list))
     checkChoice(checks, list, where);
-  else if (checks.dimension() != 0 && list.isParameter("Surface")) // absent: it was wrong
+  else if (checks.dimension() != 0 && !isWrong)
     checkFlat(checks, list, where);
 }
 

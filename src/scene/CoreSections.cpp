@@ -245,6 +245,18 @@ void addRulesOfTime(Section& s)
       "= Unloaded");
 }
 
+/// A static analysis has no time: what relaxes or flows would depend on the length of the run.
+void addRulesOfStatic(Section& s)
+{
+  const Condition isStatic = when::is("Time", "Analysis", {"Static"});
+  s.refuse(
+      {when::is("Materials > *", "Model", {"Viscoelastic"}), isStatic},
+      "a static analysis has no time in which it could relax; write Time > Analysis = Quasi-Static, with "
+      "loads as functions of time");
+  s.refuse({when::above("Materials > *", "Johnson-Cook C", 0.0), isStatic},
+           "a static analysis has no rate of flow; write Time > Analysis = Quasi-Static, or leave it out");
+}
+
 Section materials()
 {
   Section material("material", "A material.");
@@ -262,6 +274,7 @@ Section materials()
   s.require();
   s.namedByUser(material);
   addRulesOfTime(s);
+  addRulesOfStatic(s);
   return s;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
 #include "base/StopRequest.hpp"
 #include "plan/LoadOverStep.hpp"
 #include "state/EnergySums.hpp"
@@ -9,6 +10,7 @@
 #include "step/RunStage.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <sstream>
@@ -35,6 +37,28 @@ constexpr int mostRounds = 12;
 /// that in equilibrium (test_steps_within_a_run.py). They are no larger than the displacement of the step in
 /// cells, by which the functions of the nodes change at the particles: 0.4 of it in an edge crack.
 constexpr double enoughForG = 1e-3;
+
+/// Energy of the ghost penalty, as a fraction of the work of the loads and the strain energy, that is no
+/// longer a small correction.
+constexpr double noticeablePenalty = 0.02;
+
+/// Warns where nodes are held by the ghost penalty rather than by material. Collective.
+template <int D>
+void warnOfPenalty(State<D>& state)
+{
+  measureEnergy(state);
+  const EnergyBalance energy = energyOfAllRanks(state);
+  const double all = std::fabs(energy.externalWork) + energy.strain;
+  if (!(energy.stabilised > noticeablePenalty * all))
+    return;
+  state.warnings.push_back(
+      "Time > Analysis: the ghost penalty, which holds nodes with hardly any material to their neighbours, "
+      "took " +
+      formatShort(energy.stabilised) + " J, " + formatShort(100.0 * energy.stabilised / all) +
+      " % of the work of the loads and the strain energy: supports or loads act on such nodes, and "
+      "displacements "
+      "and energies are wrong; let their boxes reach half a cell into the bodies, or use smaller cells");
+}
 
 template <int D>
 void runStages(Plan<D>& plan, State<D>& state, std::initializer_list<Stage> stages)
@@ -151,7 +175,7 @@ void EquilibriumSteps<D>::trySolve(Plan<D>& plan, State<D>& state, bool onlyLoad
 }
 
 template <int D>
-EquilibriumCalls EquilibriumSteps<D>::calls(Plan<D>& plan, State<D>& state) const
+EquilibriumCalls EquilibriumSteps<D>::calls(Plan<D>& plan, State<D>& state)
 {
   return {[&] { runBetweenSteps(plan, state); },
           [&] {
@@ -179,7 +203,7 @@ void EquilibriumSteps<D>::withoutNewLoads(State<D>& state, const std::function<v
 }
 
 template <int D>
-bool EquilibriumSteps<D>::settleWhereNeeded(Plan<D>& plan, State<D>& state) const
+bool EquilibriumSteps<D>::settleWhereNeeded(Plan<D>& plan, State<D>& state)
 {
   if (last_->motion <= enoughForG)
     return false;
@@ -192,6 +216,16 @@ bool EquilibriumSteps<D>::settleWhereNeeded(Plan<D>& plan, State<D>& state) cons
   const bool moves = last_->converged && last_->iterations > 0;
   if (moves)
     stages.accept();
+  else if (!last_->converged && !warnedOfSettling_)
+  {
+    warnedOfSettling_ = true;
+    state.warnings.push_back(
+        "Time > Analysis: at t = " + readableTime(state.clock.time) +
+        " equilibrium could not be restored after a load step moved the particles, and " +
+        formatShort(100.0 * (last_->residuals.empty() ? 1.0 : last_->residuals.front())) +
+        " % of the forces do not balance; G and growth are those of this state: use more Time "
+        "> Load Steps, or smaller cells");
+  }
   last_->inPlace = wasInPlace;
   last_->enough = 0.0;
   return moves;
@@ -279,7 +313,10 @@ void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until
   ++state.clock.step;
   state.particles.particleSteps += allParticles(state);
   if (ends)
+  {
     settleInPlace(stages, state);
+    warnOfPenalty(state);
+  }
   // Nodes are those of the particles as they lie now, at rest.
   runBetweenSteps(plan, state);
   runStages(plan, state, {Stage::Scatter});

@@ -59,13 +59,13 @@ public:
 
 private:
   /// The stages of a step, for those that solve several times.
-  EquilibriumCalls calls(Plan<D>& plan, State<D>& state) const;
+  EquilibriumCalls calls(Plan<D>& plan, State<D>& state);
   /// Takes a step to its end.
   void takeWhole(Plan<D>& plan, State<D>& state, double until);
   /// Solves for an increment of at most the remaining time, a shorter one where that fails.
   void solve(Plan<D>& plan, State<D>& state, double left);
   /// EquilibriumCalls::settle.
-  bool settleWhereNeeded(Plan<D>& plan, State<D>& state) const;
+  bool settleWhereNeeded(Plan<D>& plan, State<D>& state);
   /// Solves once more without a new load, from the configuration that the last step has led to, so that the
   /// end does not depend on the cells that the particles were in before. Where that fails nothing changes.
   void settleInPlace(const EquilibriumCalls& calls, State<D>& state);
@@ -73,6 +73,7 @@ private:
   void withoutNewLoads(State<D>& state, const std::function<void()>& solve);
 
   LoadSteps<D> steps_;
+  bool warnedOfSettling_ = false; ///< not stored: a run that continues says it again
   std::shared_ptr<equilibrium::LastStep> last_ = std::make_shared<equilibrium::LastStep>();
 };
 

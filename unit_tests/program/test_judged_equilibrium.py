@@ -132,6 +132,28 @@ class Judged(ProgramTest):
                 unstable = [line for line in summary["warnings"] if "is unstable: the stiffness has 1 negative eigenvalue;" in line]
                 self.assertEqual(len(unstable), modes, summary["warnings"])
 
+    def test_supports_that_reach_hardly_any_material(self):
+        """A column whose foot lies a 250th or a 20th of a cell below the row of nodes that the support holds: it hangs on the ghost penalty,
+        sinks, and its work is far from P u / 2 = P^2 L / (2 E A). Where the support reaches the row next to it nothing is said."""
+        width, cell, stress, young = 0.01, 2.5e-3, 15e6, STEEL["Young Modulus"]
+        for below, wrong in ((cell / 250.0, True), (cell / 20.0, True), (cell, False)):
+            with self.subTest(below=below):
+                load = {"Type": "Traction", "Body": "Plate", "From": [width, HEIGHT], "To": [0.0, HEIGHT], "Stress": [0.0, -stress]}
+                foot = {**FOOT, "Upper Corner": [1.0, -0.5 * below]}
+                scene = plate({"Foot": foot, "Load": load}).set("Domain > Cell Size", cell).set("Time > Load Steps", 2)
+                scene.set("Bodies > Plate", {"Material": "Steel", "Shape": "Polygon",
+                                             "Points": [0.0, -below, width, -below, width, HEIGHT, 0.0, HEIGHT]})
+                summary = self.summary(scene)
+                exact = stress**2 / (2.0 * young) * width * HEIGHT * THICKNESS
+                said = [line for line in summary["warnings"] if "hardly any material" in line]
+                work = summary["energy"]["external_work"]
+                print(f"{below:.3g} m below: work {work / exact:.3f} of P^2 L / (2 E A), {len(said)} warnings")
+                if wrong:
+                    self.assertGreater(work, 1.1 * exact)
+                else:
+                    self.assertAlmostEqual(work / exact, 1.0, delta=0.05)
+                self.assertEqual(bool(said), wrong, summary["warnings"])
+
     def test_check_says_that_loads_do_not_balance(self):
         """A traction of 1 MPa on 0.04 m x 3 mm against one of 0.9 MPa: 12 N of 228 N do not balance, in each of several checks, of which
         the later ones measure nothing, and whatever the number of load steps."""

@@ -5,6 +5,14 @@ from wrong_rows import DENSITY, HISTORY, INF, MODULUS, NAN, RATIO, box, one
 
 MATERIALS = [
     ("negative_modulus", plate().set(MODULUS, -3e9), one(MODULUS, "-3000000000", "above 0")),
+    ("static_analysis_of_a_body_that_relaxes",
+     plate().set("Time > Analysis", "Static").set("Materials > Polymer > Model", "Viscoelastic")
+     .set("Materials > Polymer > Shear Fractions", [0.5]).set("Materials > Polymer > Relaxation Times", [1.0]),
+     one("Materials > Polymer > Model", "no time", "Quasi-Static")),
+    ("static_analysis_of_a_rate_of_flow",
+     plate().set("Time > Analysis", "Static").set("Materials > Polymer > Model", "High-Rate Solid")
+     .set("Materials > Polymer > Johnson-Cook A", 1e8).set("Materials > Polymer > Johnson-Cook C", 0.01),
+     one("Materials > Polymer > Johnson-Cook C", "no rate", "Quasi-Static")),
     ("zero_modulus", plate().set(MODULUS, 0.0), one(MODULUS, "above 0", "Pa")),
     ("modulus_that_is_no_number", plate().set(MODULUS, NAN), one(MODULUS, "not finite")),
     ("infinite_modulus", plate().set(MODULUS, INF), one(MODULUS, "not finite")),
