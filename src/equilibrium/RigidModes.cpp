@@ -109,6 +109,37 @@ UnknownAt<D> largestOfRanks(const Ranks& ranks, double value, const UnknownAt<D>
   return all;
 }
 
+/// The rows of each piece, in their order, so that a look at all pieces is a look at all rows once.
+class RowsOfPieces
+{
+public:
+  explicit RowsOfPieces(const std::vector<int>& pieceOf)
+  {
+    for (const int piece : pieceOf)
+      first_.resize(std::max(first_.size(), static_cast<std::size_t>(piece) + 2), 0);
+    for (const int piece : pieceOf)
+      ++first_[piece + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    row_.resize(pieceOf.size());
+    std::vector<std::size_t> next = first_;
+    for (std::size_t r = 0; r < pieceOf.size(); ++r)
+      row_[next[pieceOf[r]]++] = static_cast<int>(r);
+  }
+
+  /// Calls visit(row) for those of a piece, of which a rank may have none.
+  template <class Visit>
+  void forEach(int piece, const Visit& visit) const
+  {
+    if (static_cast<std::size_t>(piece) + 1 < first_.size())
+      std::for_each(row_.begin() + static_cast<std::ptrdiff_t>(first_[piece]),
+                    row_.begin() + static_cast<std::ptrdiff_t>(first_[piece + 1]), visit);
+  }
+
+private:
+  std::vector<std::size_t> first_;
+  std::vector<int> row_;
+};
+
 /// The free motions of one piece, what forces do on them, and the accelerations that follow.
 template <int D>
 struct ModesOfPiece
@@ -119,7 +150,7 @@ struct ModesOfPiece
   double resultant[most] = {}, acceleration[most] = {};
 
   /// Collective. \param from index of the first mode of the piece
-  ModesOfPiece(const std::vector<RigidMode<D>>& all, std::size_t from, const std::vector<int>& pieceOf,
+  ModesOfPiece(const std::vector<RigidMode<D>>& all, std::size_t from, const RowsOfPieces& rows,
                const std::vector<Vector<D>>& position, const std::vector<double>& mass,
                const RowOwners& owners, const View<double*>& force)
       : modes(all), first(from), last(from)
@@ -128,15 +159,18 @@ struct ModesOfPiece
       ++last;
     const int n = static_cast<int>(last - first);
     double sums[most * most + most] = {}; // inertia, resultant
-    for (std::size_t r = 0; r < pieceOf.size(); ++r)
-      for (int a = 0; a < n && pieceOf[r] == modes[first].piece && owners.owns(static_cast<int>(r)); ++a)
-      {
-        const Vector<D> u = modes[first + a].at(position[r]);
-        for (int b = 0; b < n; ++b)
-          sums[most * a + b] += mass[r] * dot(u, modes[first + b].at(position[r]));
-        for (int d = 0; d < D; ++d)
-          sums[most * most + a] += u[d] * force(D * r + d);
-      }
+    rows.forEach(modes[first].piece,
+                 [&](int r)
+                 {
+                   for (int a = 0; a < n && owners.owns(r); ++a)
+                   {
+                     const Vector<D> u = modes[first + a].at(position[r]);
+                     for (int b = 0; b < n; ++b)
+                       sums[most * a + b] += mass[r] * dot(u, modes[first + b].at(position[r]));
+                     for (int d = 0; d < D; ++d)
+                       sums[most * most + a] += u[d] * force(D * r + d);
+                   }
+                 });
     owners.ranks().sum(sums, most * most + most);
     Teuchos::SerialDenseMatrix<int, double> inertia(n, n), right(n, 1), left(n, 1);
     for (int k = 0; k < n * n; ++k)
@@ -246,16 +280,17 @@ void removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<
                       const std::vector<Vector<D>>& position, const std::vector<double>& mass,
                       const RowOwners& owners, const View<double*>& force)
 {
+  const RowsOfPieces rows(pieceOf);
   for (std::size_t first = 0; first < modes.size();)
   {
-    const ModesOfPiece<D> of(modes, first, pieceOf, position, mass, owners, force);
-    for (std::size_t r = 0; r < pieceOf.size(); ++r)
-      if (pieceOf[r] == modes[first].piece)
-      {
-        const Vector<D> taken = of.inertia(position[r], mass[r]);
-        for (int d = 0; d < D; ++d)
-          force(D * r + d) -= taken[d];
-      }
+    const ModesOfPiece<D> of(modes, first, rows, position, mass, owners, force);
+    rows.forEach(modes[first].piece,
+                 [&](int r)
+                 {
+                   const Vector<D> taken = of.inertia(position[r], mass[r]);
+                   for (int d = 0; d < D; ++d)
+                     force(D * r + d) -= taken[d];
+                 });
     first = of.last;
   }
 }
@@ -266,19 +301,20 @@ std::vector<Imbalance> findImbalances(const std::vector<RigidMode<D>>& modes, co
                                       const RowOwners& owners, const View<double*>& force)
 {
   std::vector<Imbalance> all;
+  const RowsOfPieces rows(pieceOf);
   for (std::size_t first = 0; first < modes.size();)
   {
-    const ModesOfPiece<D> of(modes, first, pieceOf, position, mass, owners, force);
+    const ModesOfPiece<D> of(modes, first, rows, position, mass, owners, force);
     double most[ModesOfPiece<D>::most] = {};
-    for (std::size_t r = 0; r < pieceOf.size(); ++r)
-      if (pieceOf[r] == modes[first].piece && owners.owns(static_cast<int>(r)))
-        for (std::size_t a = first; a < of.last; ++a)
-        {
-          double square = 0.0;
-          for (int d = 0; d < D; ++d)
-            square += force(D * r + d) * force(D * r + d);
-          most[a - first] += std::sqrt(square) * (norm(modes[a].at(position[r])) + roundingOfArm);
-        }
+    rows.forEach(modes[first].piece,
+                 [&](int r)
+                 {
+                   double square = 0.0;
+                   for (int d = 0; d < D; ++d)
+                     square += force(D * r + d) * force(D * r + d);
+                   for (std::size_t a = first; a < of.last && owners.owns(r); ++a)
+                     most[a - first] += std::sqrt(square) * (norm(modes[a].at(position[r])) + roundingOfArm);
+                 });
     owners.ranks().sum(most, ModesOfPiece<D>::most);
     Imbalance one;
     one.piece = modes[first].piece;
@@ -319,6 +355,7 @@ std::vector<int> unknownsOfMotions(const std::vector<RigidMode<D>>& modes, const
                                    const RowOwners& owners)
 {
   std::vector<int> chosen;
+  const RowsOfPieces rows(pieceOf);
   std::vector<std::pair<RigidMode<D>, UnknownAt<D>>> taken; // modes and the unknowns that hold them
   for (RigidMode<D> mode : modes)
   {
@@ -332,17 +369,19 @@ std::vector<int> unknownsOfMotions(const std::vector<RigidMode<D>>& modes, const
       }
     UnknownAt<D> best;
     double largest = 0.0, heaviest = 0.0;
-    for (std::size_t r = 0; r < position.size(); ++r)
-      heaviest = std::max(heaviest, pieceOf[r] == mode.piece ? mass[r] : 0.0);
+    rows.forEach(mode.piece, [&](int r) { heaviest = std::max(heaviest, mass[r]); });
     heaviest = owners.ranks().max(heaviest);
-    for (std::size_t r = 0; r < position.size(); ++r)
-      for (int d = 0; d < D && pieceOf[r] == mode.piece && mass[r] >= leastHeldMass * heaviest; ++d)
-        if (const double moved = std::fabs(mode.at(position[r])[d]);
-            moved > largest && owners.owns(static_cast<int>(r)))
-        {
-          largest = moved;
-          best = {owners.numberOf(static_cast<int>(r)), d, position[r]};
-        }
+    rows.forEach(mode.piece,
+                 [&](int r)
+                 {
+                   for (int d = 0; d < D && mass[r] >= leastHeldMass * heaviest; ++d)
+                     if (const double moved = std::fabs(mode.at(position[r])[d]);
+                         moved > largest && owners.owns(r))
+                     {
+                       largest = moved;
+                       best = {owners.numberOf(r), d, position[r]};
+                     }
+                 });
     best = largestOfRanks(owners.ranks(), largest, best);
     if (best.number < 0)
       continue;
