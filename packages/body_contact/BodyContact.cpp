@@ -113,7 +113,6 @@ void start(const std::shared_ptr<Parts<D>>& parts, State<D>& state)
   parts->record = std::make_unique<ContactRecord<D>>(named, groups);
   setBodyGroups(groups, state);
   StencilEditor<D> editor;
-  editor.keepsBodiesApart = true;
   editor.edit = [parts](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
   { useFieldsOfGroups(s, parts->shared, points, table); };
   parts->editor = state.stored.editors.size();

@@ -3,9 +3,9 @@
 
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
+#include "state/BodyGroup.hpp"
 #include "state/State.hpp"
 
-#include <algorithm>
 #include <set>
 #include <sstream>
 #include <string>
@@ -18,9 +18,7 @@ namespace Rhegma
 template <int D>
 bool areKeptApart(const State<D>& state)
 {
-  const auto& editors = state.stored.editors;
-  return std::any_of(editors.begin(), editors.end(),
-                     [](const StencilEditor<D>& editor) { return editor.keepsBodiesApart; });
+  return state.particles.has(fields::bodyGroup);
 }
 
 /// Each pair in both orders. \param scene validated; its section Bodies is read

@@ -43,8 +43,6 @@ struct StencilEditor
   std::function<void(State<D>&)> keep;
   /// Edits unbroken stencils of points in rows 0 .. points.count - 1.
   std::function<void(const State<D>&, const ObservedPoints<D>& points, const StencilTable<D>& table)> edit;
-  /// Whether bodies that are not bonded have a motion of their own at common nodes.
-  bool keepsBodiesApart = false;
 };
 
 /// What stored stencils were made of.
