@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <iostream>
 #include <random>
 
@@ -80,12 +81,19 @@ void testPatchAt(const Vector<D>& offset, const std::string& shape, double degre
   run.initialize();
   run.step(0.5, false);
   const HostParticles<D> particles(run.state());
+  double squares = 0.0;
   for (int p = 0; p < particles.size; ++p)
   {
-    ASSERT_NEAR(particles.deformation(p, 0), 1.02, tolerance) << "offset " << offset[0] << ", " << degrees;
-    ASSERT_NEAR(particles.deformation(p, 1), 0.05, tolerance);
-    ASSERT_NEAR(particles.deformation(p, D + 1), 0.97, tolerance);
+    const double error[] = {particles.deformation(p, 0) - 1.02, particles.deformation(p, 1) - 0.05,
+                            particles.deformation(p, D + 1) - 0.97};
+    for (const double of : error)
+    {
+      ASSERT_NEAR(of, 0.0, tolerance) << "offset " << offset[0] << ", " << degrees;
+      squares += of * of;
+    }
   }
+  // Particles at the surface have the largest error: of all, the root mean square is a part of it.
+  EXPECT_LE(std::sqrt(squares / (3.0 * particles.size)), 0.2 * tolerance) << degrees;
 }
 
 template <int D>
