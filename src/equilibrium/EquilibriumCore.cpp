@@ -99,9 +99,9 @@ StepReport solveOnce(State<D>& state, Account<D>& account, const LastStep& last,
                      std::unique_ptr<NewtonStep<D>>& step)
 {
   step.reset(); // large: not two of them
-  step = std::make_unique<NewtonStep<D>>(state, last.inPlace ? account.system : nullptr, boxes);
+  step = std::make_unique<NewtonStep<D>>(state, last.inPlace ? account.system : nullptr, boxes,
+                                         last.solverChoice);
   account.system = step->system();
-  account.system->choose(last.solverChoice);
   step->onIteration(last.onIteration);
   const int most = last.onlyLoads ? 0 : last.trial ? 1 : mostIterations;
   return step->solve(state, account.largestForces, most, last.enough);
@@ -332,7 +332,7 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
 template <int D>
 void inspect(const Teuchos::ParameterList& scene, const State<D>& state, LastStep& last)
 {
-  const NewtonStep<D> step(state);
+  const NewtonStep<D> step(state, nullptr, Boxes::MayBeClipped, last.solverChoice);
   last.unknowns = step.unknowns();
   last.matrixBytes = bytesPerEntry * step.matrixEntries(); // before the particles are divided: of all ranks
   last.freePiecesAreNew = scene.sublist("Time").get<std::string>("Rigid Modes") == "Refuse";

@@ -124,6 +124,13 @@ bool LinearSystem<D>::isLarge(int rows)
 }
 
 template <int D>
+void LinearSystem<D>::makeKrylov()
+{
+  krylov_ = std::make_unique<KrylovSolver>(linearTolerance, mostLinearIterations, OnStopRequest::Throw);
+  krylov_->resize(matrix_.rows(), owners_.ranks());
+}
+
+template <int D>
 typename LinearSystem<D>::Method LinearSystem<D>::chooseMethod()
 {
   const bool iterates = choice_ == SolverChoice::Iterative, factorises = choice_ == SolverChoice::Direct;
@@ -135,8 +142,7 @@ typename LinearSystem<D>::Method LinearSystem<D>::chooseMethod()
   const bool considered = factorises || (!iterates && unknowns_ <= mostDirectUnknowns<D>);
   if (DirectSolver::available() && considered && direct_.analyse(matrix_.sparse()) <= most)
     return Method::Direct;
-  krylov_ = std::make_unique<KrylovSolver>(linearTolerance, mostLinearIterations, OnStopRequest::Throw);
-  krylov_->resize(matrix_.rows(), owners_.ranks());
+  makeKrylov();
   return multigrid ? Method::Multigrid : Method::Diagonal;
 }
 
@@ -198,6 +204,12 @@ void LinearSystem<D>::makeMultigrid()
     return;
   double failed = 0.0;
   const std::vector<std::vector<double>> motions = nearNullSpace();
+  if (approximate_ != nullptr)
+  {
+    if (!matrix_.isBuilt())
+      matrix_.build();
+    matrix_.fill((*approximate_)(), held_);
+  }
   try
   {
     multigrid_ = std::make_unique<Multigrid>(matrix_.sparse(), D, motions);
@@ -213,14 +225,14 @@ void LinearSystem<D>::makeMultigrid()
 }
 
 template <int D>
-SolveResult LinearSystem<D>::runKrylov(const View<double*>& diagonal, int most)
+SolveResult LinearSystem<D>::runKrylov(const Values& diagonal, int most)
 {
-  const auto multiply = [this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
-  { matrix_.multiply(x, y); };
+  const auto product = [this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
+  { multiply(x, y); };
   const auto preconditioned = [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
   { precondition(diagonal, x, y); };
-  return symmetric_ ? krylov_->solve(multiply, preconditioned, most)
-                    : krylov_->solveUnsymmetric(multiply, preconditioned, most);
+  return symmetric_ ? krylov_->solve(product, preconditioned, most)
+                    : krylov_->solveUnsymmetric(product, preconditioned, most);
 }
 
 template <int D>
@@ -239,27 +251,21 @@ LinearAnswer LinearSystem<D>::iterate(const LinearGoal& goal)
   const double wanted = std::min(std::max({goal.force / size, goal.fraction, leastLinearResidual}), 0.1);
   const double scale = size * std::max(1.0, wanted / linearTolerance);
   const auto right = krylov_->right();
-  View<double*> diagonal("rhegma::equilibrium::diagonal", matrix_.rows());
-  const SparseMatrix& matrix = matrix_.sparse();
-  for (int r = 0; r < matrix.rows(); ++r)
-  {
+  const Values ofMatrix = diagonal();
+  for (int r = 0; r < matrix_.rows(); ++r)
     right(r) = b_(r) / scale;
-    for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
-      if (matrix.column(k) == r)
-        diagonal(r) = matrix.value(k);
-  }
   const bool old = multigrid_ != nullptr && method_ == Method::Multigrid;
   if (!old)
     makeMultigrid();
   const double decades = -std::log10(wanted);
   const auto beyond = [&](double times)
   { return std::max(fewIterations, static_cast<int>(times * perDecade_ * decades)); };
-  SolveResult result = runKrylov(diagonal, old ? beyond(mostTooOld) : 0);
+  SolveResult result = runKrylov(ofMatrix, old ? beyond(mostTooOld) : 0);
   int iterations = result.iterations;
   if (old && !result.converged)
   {
     makeMultigrid();
-    result = runKrylov(diagonal);
+    result = runKrylov(ofMatrix);
     iterations += result.iterations;
     perDecade_ = result.iterations / decades;
   }
@@ -271,7 +277,7 @@ LinearAnswer LinearSystem<D>::iterate(const LinearGoal& goal)
   {
     multigrid_.reset();
     method_ = Method::Diagonal;
-    result = runKrylov(diagonal);
+    result = runKrylov(ofMatrix);
     iterations += result.iterations;
   }
   const auto x = krylov_->solution();
@@ -347,6 +353,12 @@ LinearAnswer LinearSystem<D>::finish(LinearAnswer answer, bool symmetric, const 
     method_ = Method::Direct;
     answer = solveDirectly(symmetric);
   }
+  return take(answer, change);
+}
+
+template <int D>
+LinearAnswer LinearSystem<D>::take(const LinearAnswer& answer, const Values& change) const
+{
   for (int k = 0; k < matrix_.rows(); ++k)
     if (const int of = matrix_.unknownOf(k); held_(of) == 0)
       change(of) = x_(k);

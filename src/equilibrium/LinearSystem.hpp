@@ -4,10 +4,12 @@
 #include "equilibrium/EarlierRows.hpp"
 #include "equilibrium/SolverChoice.hpp"
 #include "equilibrium/SystemMatrix.hpp"
+#include "equilibrium/TangentProduct.hpp"
 #include "solver/DirectSolver.hpp"
 #include "solver/KrylovSolver.hpp"
 #include "solver/Multigrid.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace Rhegma::equilibrium
@@ -27,6 +29,9 @@ struct LinearGoal
   double force;          ///< [N]
   double fraction = 0.0; ///< of the right side
 };
+
+/// Makes blocks of a stiffness. Collective.
+using MakeBlocks = std::function<StiffnessBlocks()>;
 
 /// The matrix of all unknowns, of one graph. Rows of unknowns that supports hold are those of the diagonal
 /// alone, so that each node keeps its D rows. On several ranks each has the rows that it owns, and all calls
@@ -73,6 +78,12 @@ public:
   /// The same with the stiffness of the last call, where no held unknown changes.
   LinearAnswer solveAgain(const Values& right, const LinearGoal& goal, const Values& change);
 
+  /// The same without a matrix, by conjugate gradients or GMRES. \param product with the stiffness
+  /// \param approximate makes one of the graph that resembles it, for the multigrid: called where that is not
+  /// of an earlier system
+  LinearAnswer solve(const TangentProduct<D>& product, const MakeBlocks& approximate, const Values& right,
+                     const LinearGoal& goal, const Values& change);
+
   /// Whether a system of so many rows is too large for direct solutions.
   static bool isLarge(int rows);
 
@@ -89,6 +100,7 @@ private:
   };
 
   void prepare();
+  void makeKrylov();
   Method chooseMethod();
   std::vector<std::vector<double>> nearNullSpace() const;
   void makeMultigrid();
@@ -96,8 +108,11 @@ private:
                     const BorrowedView<double*>& y) const;
   LinearAnswer solveDirectly(bool symmetric);
   LinearAnswer finish(LinearAnswer answer, bool symmetric, const Values& change);
+  LinearAnswer take(const LinearAnswer& answer, const Values& change) const;
   LinearAnswer iterate(const LinearGoal& goal);
-  SolveResult runKrylov(const View<double*>& diagonal, int most = 0);
+  void multiply(const BorrowedView<const double*>& x, const BorrowedView<double*>& y) const;
+  Values diagonal() const;
+  SolveResult runKrylov(const Values& diagonal, int most = 0);
 
   RowOwners owners_;
   std::vector<Vector<D>> position_;
@@ -111,8 +126,12 @@ private:
   Method method_ = Method::Unknown;
   DirectSolver direct_, unsymmetric_{false};
   bool unsymmetricAnalysed_ = false;
-  bool isTooLarge_ = false; ///< for any factorisation
-  bool symmetric_ = true;   ///< the last matrix
+  bool isTooLarge_ = false;                    ///< for any factorisation
+  bool symmetric_ = true;                      ///< the last matrix
+  const TangentProduct<D>* product_ = nullptr; ///< while a system is solved without a matrix
+  const MakeBlocks* approximate_ = nullptr;    ///< with it
+  Values diagonal_;                            ///< with it, of this rank's rows
+  Values all_, force_;                         ///< with it: of all unknowns that this rank knows
   std::unique_ptr<KrylovSolver> krylov_;
   std::unique_ptr<Multigrid> multigrid_;
   EarlierRows earlier_;    ///< where the multigrid is of an earlier system

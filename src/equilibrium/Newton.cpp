@@ -22,11 +22,6 @@ constexpr double roundingOfSums = 16.0 * std::numeric_limits<double>::epsilon();
 
 constexpr int mostHalvings = 6;
 
-/// Slope, times the edge of the cells, from which on a particle holds a node: its square is the part of a
-/// cell's stiffness. Of a box that reaches over a row of nodes by a few percent of its width, slopes are
-/// less.
-constexpr double leastSlopeOfMaterial = 0.1;
-
 /// The first iteration of a body on its yield surface takes it as elastic, and may increase the residual. So
 /// may those of a free body under compression, until secants are known.
 constexpr double mostRiseAtFirst = 4.0;
@@ -58,38 +53,36 @@ constexpr double linearFractionOfStiffness = 0.1, mostLinearFraction = 1e-3;
 } // namespace
 
 template <int D>
-NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier, Boxes boxes)
-    : graph_(numberRows(state)), owners_(findOwners(state, graph_))
+NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier, Boxes boxes,
+                          SolverChoice choice)
+    : graph_(numberRows(state)), owners_(findOwners(state, graph_)), resistances_(state, graph_)
 {
   const double rows = owners_.sum(graph_.rows, [](int) { return 1.0; });
   if (boxes == Boxes::MayBeClipped && LinearSystem<D>::isLarge(static_cast<int>(rows)))
-    boxes_ = clipBoxes(state);
-  jumps_ = findSlopeJumps(state, graph_);
-  std::vector<Groups> groups;
-  bool joins = false;
-  for (const std::shared_ptr<StepForce<D>>& force : state.motion.stepForces)
   {
-    forces_.push_back(force);
-    groups.push_back(force->begin(state, graph_.rowOf));
-    joins = joins || force->joinsPieces();
+    byProducts_ = choice != SolverChoice::Direct && Multigrid::available() && !resistances_.haveBranches() &&
+                  spanSeveralCells(state);
+    boxes_ = clipBoxes(state, byProducts_ ? Clipping::ToOneCell : Clipping::LittleBeyondCells);
   }
-  connect(state, groups, Couplings::All, graph_);
+  connect(state, resistances_, Couplings::All, boxes_, owners_, graph_);
+  const bool joins = std::any_of(resistances_.forces.begin(), resistances_.forces.end(),
+                                 [](const auto& force) { return force->joinsPieces(); });
   if (joins)
   {
     RowGraph apart = graph_;
-    connect(state, groups, Couplings::WithoutJoins, apart);
+    connect(state, resistances_, Couplings::WithoutJoins, boxes_, owners_, apart);
     std::tie(apart_, piecesApart_) = findPieces(apart, owners_);
   }
   if (state.cracks.growth.area > 0.0)
   {
     RowGraph solid = graph_;
-    connect(state, groups, Couplings::OfMaterial, solid);
+    connect(state, resistances_, Couplings::OfMaterial, boxes_, owners_, solid);
     std::tie(solid_, solidPieces_) = findPieces(solid, owners_);
   }
   position_ = rowPositions(state, graph_);
   mass_ = rowMasses(state, graph_);
   held_ = findHeld(state, graph_);
-  findFreeMotions();
+  findFreeMotions(state);
   // Free pieces are held at as few unknowns as their motions take: what they exert there is rounding, for the
   // loads on a free piece balance.
   Held solved = held_;
@@ -103,23 +96,10 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
     if (earlier)
       system_->adopt(*earlier);
   }
+  system_->choose(choice);
   const int n = D * graph_.rows;
   for (Values* values : {&load_, &displacement_, &residual_, &reaction_, &diagonal_})
     *values = Values("rhegma::equilibrium::values", n);
-}
-
-template <int D>
-void NewtonStep<D>::connect(const State<D>& state, const std::vector<Groups>& groups, Couplings couplings,
-                            RowGraph& graph) const
-{
-  Groups all;
-  for (std::size_t k = 0; k < jumps_.size() && couplings != Couplings::OfMaterial; ++k)
-    all.push_back(jumps_[k].row);
-  for (std::size_t k = 0; k < forces_.size(); ++k)
-    if (couplings != Couplings::WithoutJoins || !forces_[k]->joinsPieces())
-      all.insert(all.end(), groups[k].begin(), groups[k].end());
-  connectRows(state, all, boxes_, owners_, graph,
-              couplings == Couplings::OfMaterial ? leastSlopeOfMaterial : 0.0);
 }
 
 template <int D>
@@ -135,14 +115,14 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
   }
   for (int k = 0; k < D * graph_.rows; ++k) // loads count once
     r(k) = owners_.owns(k / D) ? r(k) : 0.0;
-  for (const SlopeJump& jump : jumps_)
+  for (const SlopeJump& jump : resistances_.jumps)
     for (int d = 0; d < D; ++d)
     {
       const double force = jump.weight * jumpOf<D>(jump, u, d);
       for (std::size_t a = 0; a < jump.row.size(); ++a)
         r(D * jump.row[a] + d) -= force * jump.coefficient[a];
     }
-  for (const auto& force : forces_)
+  for (const auto& force : resistances_.forces)
     force->add(u, r);
   const bool inverted = !subtractInternalForce(state, graph_, u, r);
   const bool good = owners_.ranks().max(inverted ? 1.0 : 0.0) == 0.0;
@@ -160,35 +140,39 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
 template <int D>
 bool NewtonStep<D>::assemble(const State<D>& state)
 {
-  stiffness_ = StiffnessBlocks("rhegma::equilibrium::stiffness", D * D * graph_.column.extent(0));
-  const auto blockOf = [&](int row, int other) { return &stiffness_(D * D * graph_.find(row, other)); };
-  const auto add = [&](int row, int other, double value)
+  product_.reset();
+  if (byProducts_)
   {
-    double* const block = blockOf(row, other);
-    for (int d = 0; d < D; ++d)
-      block[d * D + d] += value;
+    product_ = std::make_unique<TangentProduct<D>>(state, owners_, graph_, resistances_, displacement_);
+    diagonal_ = product_->diagonal();
+  }
+  else
+  {
+    const bool symmetricOnly = resistances_.haveBranches() && !system_->takesUnsymmetric();
+    stiffness_ =
+        equilibrium::assemble(state, resistances_, displacement_, boxes_, owners_, graph_, symmetricOnly);
+    for (int row = 0; row < graph_.rows; ++row)
+      for (int d = 0; d < D; ++d)
+        diagonal_(D * row + d) =
+            stiffness_.blocks(D * D * static_cast<std::size_t>(graph_.find(row, row)) + (D + 1) * d);
+  }
+  for (int k = 0; k < D * graph_.rows; ++k)
+    diagonal_(k) = owners_.owns(k / D) ? std::fabs(diagonal_(k)) : 0.0;
+  return byProducts_ ? product_->exists() : stiffness_.exists;
+}
+
+template <int D>
+LinearAnswer NewtonStep<D>::solveWithLast(const State<D>& state, const Values& right, const LinearGoal& goal,
+                                          bool again, const Values& change)
+{
+  if (again && !byProducts_)
+    return system_->solveAgain(right, goal, change);
+  if (!byProducts_)
+    return system_->solve(std::exchange(stiffness_.blocks, {}), stiffness_.symmetric, right, goal, change);
+  const MakeBlocks approximate = [&] {
+    return equilibrium::assemble(state, resistances_, displacement_, boxes_, owners_, graph_, false).blocks;
   };
-  for (const SlopeJump& jump : jumps_)
-    for (std::size_t a = 0; a < jump.row.size(); ++a)
-      for (std::size_t b = 0; b < jump.row.size(); ++b)
-        add(jump.row[a], jump.row[b], jump.weight * jump.coefficient[a] * jump.coefficient[b]);
-  symmetric_ = true;
-  const bool symmetricOnly = hasBranches() && !system_->takesUnsymmetric();
-  for (const auto& force : forces_)
-    symmetric_ = force->addStiffness(symmetricOnly,
-                                     [&](int row, int other, const double(&values)[D * D])
-                                     {
-                                       double* const block = blockOf(row, other);
-                                       for (int k = 0; k < D * D; ++k)
-                                         block[k] += values[k];
-                                     }) &&
-                 symmetric_;
-  const bool inverted = !addStiffness(state, graph_, displacement_, boxes_, stiffness_);
-  owners_.sendEntries(graph_, stiffness_, D * D);
-  for (int row = 0; row < graph_.rows; ++row)
-    for (int d = 0; d < D; ++d)
-      diagonal_(D * row + d) = owners_.owns(row) ? std::fabs(blockOf(row, row)[d * D + d]) : 0.0;
-  return owners_.ranks().max(inverted ? 1.0 : 0.0) == 0.0;
+  return system_->solve(*product_, approximate, right, goal, change);
 }
 
 template <int D>
@@ -211,7 +195,7 @@ template <int D>
 void NewtonStep<D>::updateForces(const State<D>& state)
 {
   bool changed = false;
-  for (const auto& force : forces_)
+  for (const auto& force : resistances_.forces)
     changed = force->update() || changed;
   if (owners_.ranks().max(changed ? 1.0 : 0.0) > 0.0)
     residual(state, displacement_, residual_);
@@ -294,15 +278,9 @@ bool NewtonStep<D>::searchWith(SecantMixing* mixing, const State<D>& state, cons
 }
 
 template <int D>
-bool NewtonStep<D>::hasBranches() const
-{
-  return std::any_of(forces_.begin(), forces_.end(), [](const auto& force) { return force->hasBranches(); });
-}
-
-template <int D>
 int NewtonStep<D>::iterationsFor(int most) const
 {
-  return most > 1 && hasBranches() ? std::max(most, mostIterationsWithBranches) : most;
+  return most > 1 && resistances_.haveBranches() ? std::max(most, mostIterationsWithBranches) : most;
 }
 
 template <int D>
@@ -319,7 +297,7 @@ bool NewtonStep<D>::supportsAreInPlace() const
 template <int D>
 bool NewtonStep<D>::keepsStiffness(double before, double now, double forces) const
 {
-  if (hasBranches())
+  if (resistances_.haveBranches())
     return false;
   const double fraction = now / before;
   return fraction * now <= forceTolerance * forces || (boxes_.any() && fraction <= usefulFraction);
@@ -329,7 +307,7 @@ template <int D>
 void NewtonStep<D>::explain(const State<D>& state, StepReport& report) const
 {
   report.freeMotion = report.reason = motionsBetweenPieces(state);
-  for (const auto& force : forces_)
+  for (const auto& force : resistances_.forces)
     if (const std::string one = force->reason(); !one.empty())
       report.reason += (report.reason.empty() ? "" : "; ") + one;
 }
@@ -356,9 +334,7 @@ LinearAnswer NewtonStep<D>::solveLinear(const State<D>& state, const LinearGoal&
 {
   for (int i = 0; i < D * graph_.rows; ++i)
     change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
-  const LinearAnswer answer =
-      keeps ? system_->solveAgain(residual_, goal, change)
-            : system_->solve(std::exchange(stiffness_, {}), symmetric_, residual_, goal, change);
+  const LinearAnswer answer = solveWithLast(state, residual_, goal, keeps, change);
   copyFromOwners(state, graph_, owners_, change);
   removeRigidMotion(change);
   return answer;

@@ -2,8 +2,8 @@
 /// Newton's method for the displacement of a step of equilibrium.
 
 #include "equilibrium/FreePieces.hpp"
-#include "equilibrium/GhostPenalty.hpp"
 #include "equilibrium/LinearSystem.hpp"
+#include "equilibrium/Resistances.hpp"
 #include "equilibrium/RigidModes.hpp"
 #include "equilibrium/SecantMixing.hpp"
 
@@ -42,14 +42,6 @@ struct StepReport
   std::string reason;           ///< what keeps it from equilibrium, where that is known; else empty
 };
 
-/// What couples rows.
-enum class Couplings
-{
-  All,
-  WithoutJoins, ///< of forces of the step that join pieces
-  OfMaterial    ///< that bears loads: neither by the ghost penalty nor by particles that hardly reach a node
-};
-
 /// Whose stiffness is assembled.
 enum class Boxes
 {
@@ -66,11 +58,12 @@ class NewtonStep
 public:
   /// Numbers the unknowns. \param state with stencils, masses and prescribed motion of the step
   /// \param earlier system of an earlier step, which is used where it fits; may be null
-  /// \param boxes whether the stiffness of a large system may be that of clipped boxes
+  /// \param boxes whether the stiffness of a large system may be that of clipped boxes \param choice of the
+  /// scene
   explicit NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier = nullptr,
-                      Boxes boxes = Boxes::MayBeClipped);
+                      Boxes boxes = Boxes::MayBeClipped, SolverChoice choice = SolverChoice::Automatic);
 
-  /// Whether the stiffness is that of clipped boxes.
+  /// Whether clipped boxes are used: for the stiffness, or for the multigrid alone.
   bool hasClippedBoxes() const { return boxes_.any(); }
 
   int unknowns() const { return system_ ? system_->unknowns() : 0; }
@@ -112,19 +105,19 @@ public:
   const RowGraph& graph() const { return graph_; }
 
 private:
-  /// Couples the rows of ghost penalty and forces.
-  void connect(const State<D>& state, const std::vector<Groups>& groups, Couplings couplings,
-               RowGraph& graph) const;
   /// The pieces that can move freely, once cracks have grown also those that no material holds.
   /// \param converged whether the displacement is an equilibrium
   std::vector<FreePiece> freePieces(const State<D>& state, bool converged) const;
-  void findFreeMotions();
+  void findFreeMotions(const State<D>& state);
   std::vector<char> piecesThatResistRotation(const std::vector<int>& pieceOf, int pieces) const;
   /// Forces minus resistance at a trial displacement. \return false, on all ranks, where a particle is
   /// inverted
   bool residual(const State<D>& state, const Values& u, const Values& r) const;
   /// \return whether the stiffness is that of a trial displacement that exists, on all ranks
   bool assemble(const State<D>& state);
+  /// Solves for a change with the last stiffness. \param again where that has been used before
+  LinearAnswer solveWithLast(const State<D>& state, const Values& right, const LinearGoal& goal, bool again,
+                             const Values& change);
   /// Forces of the stress at the start of the step; zero without heat. \param atStart residual there, which
   /// becomes that with this stress: the temperatures of a step change during the step, not before it
   Values forcesOfStart(const State<D>& state, const Values& atStart) const;
@@ -148,8 +141,6 @@ private:
   /// Free motions of pieces that forces of the step join, as they are now, as a message; empty if none. Free
   /// motions of all that is joined are those of Time > Rigid Modes.
   std::string motionsBetweenPieces(const State<D>& state) const;
-  /// Whether a force of the step chooses between branches.
-  bool hasBranches() const;
   int iterationsFor(int most) const;
   /// Whether held unknowns have the displacement of their supports.
   bool supportsAreInPlace() const;
@@ -181,7 +172,8 @@ private:
   RowGraph graph_;
   RowOwners owners_;
   ClippedBoxes<D> boxes_;
-  std::vector<SlopeJump> jumps_;
+  bool byProducts_ = false; ///< whether only the multigrid has a matrix: that of boxes in one cell
+  Resistances<D> resistances_;
   std::vector<Vector<D>> position_;
   std::vector<double> mass_;
   std::vector<int> pieceOf_;
@@ -190,16 +182,15 @@ private:
   Held held_;
   std::vector<int> unsupported_; ///< rows
   int unsupportedFields_ = 0;
-  std::vector<std::shared_ptr<StepForce<D>>> forces_;
   std::vector<int>
       apart_; ///< piece of each row, without the forces that join pieces; empty if there are none
   int piecesApart_ = 0;
   std::vector<int> solid_; ///< piece of each row by Couplings::OfMaterial, once cracks have grown; else empty
   int solidPieces_ = 0;
-  bool symmetric_ = true; ///< the stiffness
   std::function<void(int, double)> onIteration_;
   std::shared_ptr<LinearSystem<D>> system_;
-  StiffnessBlocks stiffness_;
+  Stiffness stiffness_;                        ///< the last; without blocks once the system has them
+  std::unique_ptr<TangentProduct<D>> product_; ///< in its place, where no matrix is made
   Values load_, displacement_, residual_, reaction_;
   Values diagonal_; ///< of the last stiffness, of the rows that this rank owns [N/m]
   double workOfSupports_ = 0.0, workOfStart_ = 0.0, workOfLoadsOnStart_ = 0.0;

@@ -78,8 +78,7 @@ void NewtonStep<D>::splitWork(const State<D>& state, const Values& ofStress)
   // Of loads and not of the stress, which may release a hundred times as much: an error of the linear
   // solution is a part of what is divided.
   const LinearGoal goal{forceTolerance * norm(right, false)};
-  if (!assemble(state) ||
-      !system_->solve(std::exchange(stiffness_, {}), symmetric_, right, goal, ofLoads).solved)
+  if (!assemble(state) || !solveWithLast(state, right, goal, false, ofLoads).solved)
     return;
   copyFromOwners(state, graph_, owners_, ofLoads);
   removeRigidMotion(ofLoads);
@@ -114,7 +113,7 @@ template <int D>
 double NewtonStep<D>::ghostEnergy() const
 {
   double energy = 0.0;
-  for (const SlopeJump& jump : jumps_)
+  for (const SlopeJump& jump : resistances_.jumps)
     for (int d = 0; d < D; ++d)
     {
       const double difference = jumpOf<D>(jump, displacement_, d);
@@ -127,7 +126,7 @@ template <int D>
 std::vector<char> NewtonStep<D>::piecesThatResistRotation(const std::vector<int>& pieceOf, int pieces) const
 {
   std::vector<double> resists(pieces, 0.0);
-  for (const auto& force : forces_)
+  for (const auto& force : resistances_.forces)
     for (const int row : force->rowsThatResistRotation())
       resists[pieceOf[row]] = 1.0;
   owners_.ranks().max(resists.data(), pieces);
@@ -135,9 +134,11 @@ std::vector<char> NewtonStep<D>::piecesThatResistRotation(const std::vector<int>
 }
 
 template <int D>
-void NewtonStep<D>::findFreeMotions()
+void NewtonStep<D>::findFreeMotions(const State<D>& state)
 {
-  std::tie(pieceOf_, pieces_) = findPieces(graph_, owners_);
+  std::tie(pieceOf_, pieces_) = byProducts_
+                                    ? findPieces(state, resistances_.coupled(Couplings::All), owners_, graph_)
+                                    : findPieces(graph_, owners_);
   const std::vector<int> size = sizesOf(pieceOf_, pieces_);
   std::vector<char> unsupported(pieces_, 0);
   const std::vector<char> resists = piecesThatResistRotation(pieceOf_, pieces_);
@@ -192,7 +193,7 @@ std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
   if (piecesApart_ == 0)
     return {};
   std::vector<HeldDirection<D>> resisted;
-  for (const auto& force : forces_)
+  for (const auto& force : resistances_.forces)
   {
     const std::vector<HeldDirection<D>> its = force->heldDirections();
     resisted.insert(resisted.end(), its.begin(), its.end());
@@ -248,14 +249,14 @@ template void NewtonStep<3>::splitWork(const State<3>&, const Values&);
 template double NewtonStep<3>::workOfBentPath(const State<3>&) const;
 template double NewtonStep<3>::ghostEnergy() const;
 template std::vector<char> NewtonStep<2>::piecesThatResistRotation(const std::vector<int>&, int) const;
-template void NewtonStep<2>::findFreeMotions();
+template void NewtonStep<2>::findFreeMotions(const State<2>&);
 template std::vector<int> NewtonStep<2>::sizesOf(const std::vector<int>&, int) const;
 template FreePiece NewtonStep<2>::pieceOfMotion(const State<2>&, const RigidMode<2>&) const;
 template std::vector<int> NewtonStep<2>::piecesThatStayWhole() const;
 template std::string NewtonStep<2>::motionsBetweenPieces(const State<2>&) const;
 template std::vector<FreePiece> NewtonStep<2>::freePieces(const State<2>&, bool) const;
 template std::vector<char> NewtonStep<3>::piecesThatResistRotation(const std::vector<int>&, int) const;
-template void NewtonStep<3>::findFreeMotions();
+template void NewtonStep<3>::findFreeMotions(const State<3>&);
 template std::vector<int> NewtonStep<3>::sizesOf(const std::vector<int>&, int) const;
 template FreePiece NewtonStep<3>::pieceOfMotion(const State<3>&, const RigidMode<3>&) const;
 template std::vector<int> NewtonStep<3>::piecesThatStayWhole() const;

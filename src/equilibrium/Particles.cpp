@@ -1,7 +1,6 @@
 #include "equilibrium/Particles.hpp"
 
-#include "equilibrium/TrialStress.hpp"
-#include "state/CellFrame.hpp"
+#include "equilibrium/ParticleRows.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::equilibrium
@@ -9,98 +8,6 @@ namespace Rhegma::equilibrium
 
 namespace
 {
-
-/// Largest number of nodes that a particle sees.
-template <int D>
-constexpr int mostNodes = stencilCapacity<D> < 27 ? 27 : stencilCapacity<D>;
-
-/// The rows of a particle's nodes, and the slopes of their functions [1/m].
-template <int D, class Slopes>
-struct RowsOfParticle
-{
-  int count = 0;
-  int row[mostNodes<D>];
-  double slope[mostNodes<D>][Slopes::size];
-
-  /// Of node a.
-  KOKKOS_FORCEINLINE_FUNCTION Slopes slopes(int a) const { return {slope[a]}; }
-};
-
-template <int D>
-struct ParticleData
-{
-  View<int*> rowOf;
-  Values displacement;
-  View<Properties*> materials;
-  BorrowedView<int*> material;
-  BorrowedView<double*> volume;
-  BorrowedView<double * [gradientSize<D>]> deformation;
-  CellFrame<D> frame;
-  BorrowedView<double**> history; ///< empty where no law has one
-  ThermoTables heat;
-  BorrowedView<double*> temperature; ///< empty without heat
-  View<int> bad;                     ///< not 0 where a particle is inverted
-  double dt;
-  double spacing; ///< of the cells [m]
-
-  ParticleData(const State<D>& state, const RowGraph& graph, const Values& u)
-      : rowOf(graph.rowOf),
-        displacement(u),
-        materials(state.materials.device),
-        material(state.particles.integer(fields::material)),
-        volume(state.particles.scalar(fields::volume)),
-        deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
-        frame(state),
-        heat(state.materials.thermo),
-        bad("rhegma::invertedParticles"),
-        dt(state.clock.dt),
-        spacing(state.mesh.grid.spacing)
-  {
-    if (state.particles.has(fields::history))
-      history = state.particles.table(fields::history);
-    if (!heat.empty())
-      temperature = state.particles.scalar(fields::temperature);
-  }
-
-  KOKKOS_INLINE_FUNCTION ParticleBefore<D> before(int p) const
-  {
-    const int width = static_cast<int>(history.extent(1));
-    return {materials(material(p)),
-            &deformation(p, 0),
-            width > 0 ? &history(p, 0) : nullptr,
-            width,
-            dt,
-            heat,
-            material(p),
-            heat.empty() ? 0.0 : temperature(p)};
-  }
-
-  /// \param G becomes the gradient of the displacement with respect to the positions before the step
-  template <class Connect>
-  KOKKOS_INLINE_FUNCTION void see(const Connect& connect, int p,
-                                  RowsOfParticle<D, typename Connect::Slopes>& rows, double (&G)[D * D]) const
-  {
-    for (double& g : G)
-      g = 0.0;
-    rows.count = 0;
-    connect.visitStraining(p,
-                           [&](int node, double weight, const typename Connect::Slopes& slopes)
-                           {
-                             const int row = rowOf(node);
-                             if (row < 0 || !counts(weight, slopes.of, slopes.size, spacing))
-                               return;
-                             rows.row[rows.count] = row;
-                             for (int k = 0; k < slopes.size; ++k)
-                               rows.slope[rows.count][k] = slopes.of[k];
-                             for (int i = 0; i < D; ++i)
-                               for (int j = 0; j < D; ++j)
-                                 G[i * D + j] += displacement(D * row + i) * slopes(i, j);
-                             ++rows.count;
-                           });
-    if (frame.undeformed)
-      frame.pushForward(p, G);
-  }
-};
 
 template <int D, class Connect>
 struct ForceBlock
@@ -183,26 +90,9 @@ struct StiffnessBlock
         Kokkos::atomic_exchange(&data.bad(), 1);
         continue;
       }
-      if (data.frame.undeformed)
-        pullBack(p, A);
+      data.pullBackBoth(p, A);
       for (int b = 0; b < rows.count; ++b)
         addColumn(rows, b, data.volume(p), A);
-    }
-  }
-
-  /// Both slopes of the tangent from those at the start of the step to those of the cells.
-  KOKKOS_INLINE_FUNCTION void pullBack(int p, double (&A)[D * D][D * D]) const
-  {
-    for (int r = 0; r < D * D; ++r)
-      data.frame.pullBack(p, A[r]);
-    for (int c = 0; c < D * D; ++c)
-    {
-      double column[D * D];
-      for (int r = 0; r < D * D; ++r)
-        column[r] = A[r][c];
-      data.frame.pullBack(p, column);
-      for (int r = 0; r < D * D; ++r)
-        A[r][c] = column[r];
     }
   }
 

@@ -189,6 +189,40 @@ std::pair<std::vector<int>, int> findPieces(const RowGraph& graph, const RowOwne
 }
 
 template <int D>
+std::pair<std::vector<int>, int> findPieces(const State<D>& state, const Groups& groups,
+                                            const RowOwners& owners, const RowGraph& graph)
+{
+  std::vector<int> parent(graph.rows);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto first = [&](int row)
+  {
+    while (parent[row] != row)
+      row = parent[row] = parent[parent[row]];
+    return row;
+  };
+  const auto join = [&](int a, int b)
+  {
+    a = first(a);
+    b = first(b);
+    parent[std::max(a, b)] = std::min(a, b);
+  };
+  forEachStencil(state, ClippedBoxes<D>(), 0.0,
+                 [&](const std::vector<int>& nodes)
+                 {
+                   for (const int node : nodes)
+                     join(graph.rowOf(nodes.front()), graph.rowOf(node));
+                 });
+  for (const std::vector<int>& group : groups)
+    for (const int row : group)
+      join(group.front(), row);
+  std::vector<int> piece(graph.rows);
+  int count = 0;
+  for (int r = 0; r < graph.rows; ++r)
+    piece[r] = first(r) == r ? count++ : piece[first(r)];
+  return owners.joinPieces(piece, count);
+}
+
+template <int D>
 std::vector<Vector<D>> rowPositions(const State<D>& state, const RowGraph& graph)
 {
   const NodePositions<D> positions = nodePositions(state);
@@ -234,6 +268,10 @@ template void connectRows(const State<2>&, const Groups&, const ClippedBoxes<2>&
                           double);
 template void connectRows(const State<3>&, const Groups&, const ClippedBoxes<3>&, const RowOwners&, RowGraph&,
                           double);
+template std::pair<std::vector<int>, int> findPieces(const State<2>&, const Groups&, const RowOwners&,
+                                                     const RowGraph&);
+template std::pair<std::vector<int>, int> findPieces(const State<3>&, const Groups&, const RowOwners&,
+                                                     const RowGraph&);
 template std::vector<Vector<2>> rowPositions(const State<2>&, const RowGraph&);
 template std::vector<Vector<3>> rowPositions(const State<3>&, const RowGraph&);
 template std::vector<double> rowMasses(const State<2>&, const RowGraph&);

@@ -80,6 +80,11 @@ void connectRows(const State<D>& state, const Groups& groups, const ClippedBoxes
 /// each row, and their number
 std::pair<std::vector<int>, int> findPieces(const RowGraph& graph, const RowOwners& owners);
 
+/// The same for a graph with its rows alone: those that a particle sees or a group has. Collective.
+template <int D>
+std::pair<std::vector<int>, int> findPieces(const State<D>& state, const Groups& groups,
+                                            const RowOwners& owners, const RowGraph& graph);
+
 /// Positions of the nodes of rows [m].
 template <int D>
 std::vector<Vector<D>> rowPositions(const State<D>& state, const RowGraph& graph);

@@ -6,6 +6,8 @@
 #include "src/step/Bodies.hpp"
 #include "transfer/ParticleViews.hpp"
 
+#include <algorithm>
+
 namespace Rhegma
 {
 namespace Test
@@ -71,7 +73,8 @@ TEST(ClippedBoxes, EndAtRowsOfNodes)
   Rhegma::Run<3> run(validated(movedCube(0.003)));
   run.initialize();
   const State<3>& state = run.state();
-  const equilibrium::ClippedBoxes<3> boxes = equilibrium::clipBoxes(state);
+  const equilibrium::ClippedBoxes<3> boxes =
+      equilibrium::clipBoxes(state, equilibrium::Clipping::LittleBeyondCells);
   ASSERT_TRUE(boxes.any());
   const auto position = state.particles.real<3>(fields::position);
   int wide = 0;
@@ -99,7 +102,8 @@ TEST(ClippedBoxes, KeepTheirRowsAndLongReaches)
   run.initialize();
   const State<3>& state = run.state();
   equilibrium::RowGraph clipped = equilibrium::numberRows(state), whole = equilibrium::numberRows(state);
-  equilibrium::connectRows(state, {}, equilibrium::clipBoxes(state), equilibrium::RowOwners(), clipped);
+  equilibrium::connectRows(state, {}, equilibrium::clipBoxes(state, equilibrium::Clipping::LittleBeyondCells),
+                           equilibrium::RowOwners(), clipped);
   equilibrium::connectRows(state, {}, equilibrium::ClippedBoxes<3>(), equilibrium::RowOwners(), whole);
   EXPECT_EQ(clipped.rows, 6 * 6 * 6);
   EXPECT_LT(2 * clipped.column.extent(0), whole.column.extent(0) * 3);
@@ -109,7 +113,44 @@ TEST(ClippedBoxes, KeepTheirRowsAndLongReaches)
   {
     Rhegma::Run<3> other(validated(movedCube(by)));
     other.initialize();
-    EXPECT_FALSE(equilibrium::clipBoxes(other.state()).any()) << by;
+    EXPECT_FALSE(equilibrium::clipBoxes(other.state(), equilibrium::Clipping::LittleBeyondCells).any()) << by;
+    EXPECT_EQ(equilibrium::spanSeveralCells(other.state()), by > 0.0);
+  }
+}
+
+/// Of a cube that is moved by a tenth of a cell every second box along an axis reaches over a row of nodes.
+/// Boxes in one cell couple a node with 27; nodes outside the cube, which no centre of a particle is next to,
+/// keep what holds them.
+TEST(ClippedBoxes, EndAtTheirCells)
+{
+  Rhegma::Run<3> run(validated(movedCube(0.1)));
+  run.initialize();
+  const State<3>& state = run.state();
+  const equilibrium::ClippedBoxes<3> boxes = equilibrium::clipBoxes(state, equilibrium::Clipping::ToOneCell);
+  ASSERT_TRUE(boxes.any());
+  withStraining(state,
+                [&](const auto& connect)
+                {
+                  for (int p = 0; p < state.particles.size(); ++p)
+                  {
+                    const Seen seen = see(state, boxes.in(connect), p);
+                    EXPECT_LT(seen.slopes, 1e-12);
+                    EXPECT_LT(seen.identity, 1e-12);
+                  }
+                });
+  equilibrium::RowGraph clipped = equilibrium::numberRows(state), whole = equilibrium::numberRows(state);
+  equilibrium::connectRows(state, {}, boxes, equilibrium::RowOwners(), clipped);
+  equilibrium::connectRows(state, {}, equilibrium::ClippedBoxes<3>(), equilibrium::RowOwners(), whole);
+  for (int r = 0; r < clipped.rows; ++r)
+  {
+    const Vector<3> x = nodePositions(state)(clipped.nodeOf(r));
+    const int count = clipped.first(r + 1) - clipped.first(r);
+    if (std::all_of(&x[0], &x[0] + 3, [](double at) { return at > 0.5 && at < 2.5; }))
+    {
+      EXPECT_EQ(count, 27) << r;
+    }
+    EXPECT_GT(count, 7) << r;
+    EXPECT_LE(count, whole.first(r + 1) - whole.first(r)) << r;
   }
 }
 
