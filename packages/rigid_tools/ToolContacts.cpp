@@ -19,6 +19,10 @@ constexpr double leastWeight = 1e-9;
 /// outside.
 constexpr double contactReach = 0.5;
 
+/// Overlap at which the distance is a whole cell [cells]: corners of bodies, in which little stress resists,
+/// would sink in between nodes.
+constexpr double deepOverlap = 0.1;
+
 /// Whether a node is close enough to the plane through the foot of a particle.
 template <int D>
 KOKKOS_INLINE_FUNCTION bool isInReach(const ParticleGaps<D>& gaps, int k, const Vector<D>& node)
@@ -26,7 +30,9 @@ KOKKOS_INLINE_FUNCTION bool isInReach(const ParticleGaps<D>& gaps, int k, const 
   double distance = 0.0;
   for (int d = 0; d < D; ++d)
     distance += (node[d] - gaps.foot(k, d)) * gaps.normal(k, d);
-  return distance <= contactReach * gaps.spacing(k);
+  const double deep = -gaps.gap(k) / (deepOverlap * gaps.spacing(k));
+  const double more = deep > 1.0 ? 1.0 : deep > 0.0 ? deep : 0.0;
+  return distance <= (contactReach + more * (1.0 - contactReach)) * gaps.spacing(k);
 }
 
 /// Whether a particle touches the tool at a node.

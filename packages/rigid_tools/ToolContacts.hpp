@@ -62,11 +62,12 @@ void measureGaps(const State<D>& state, const Tool<D>& tool, const std::vector<c
 
 /// Lists the fields of nodes next to the tool that have a particle which touches it.
 ///
-/// A node counts up to half a cell from the tool's surface. Its normal is the mean of those of its particles
-/// that touch the tool and are no further than half a cell from the line through the node along their normal,
-/// or as far as its nearest particle. At nodes that pressed on the tool in the last step, particles still
-/// touch it with a gap of up to a tenth of a cell: where the surface of a body is not on a node, strain moves
-/// the domains of its particles relative to the tool.
+/// A node counts up to half a cell from the tool's surface, and up to a whole cell where particles lie deeper
+/// in the tool. Its normal is the mean of those of its particles that touch the tool and are no further than
+/// half a cell from the line through the node along their normal, or as far as its nearest particle. At nodes
+/// that pressed on the tool in the last step, particles still touch it with a gap of up to a tenth of a cell:
+/// where the surface of a body is not on a node, strain moves the domains of its particles relative to the
+/// tool.
 template <int D>
 void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps<D>& gaps,
                   ToolContacts<D>& contacts);
