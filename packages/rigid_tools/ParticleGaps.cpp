@@ -63,27 +63,27 @@ void reserve(ParticleGaps<D>& gaps, int count)
   gaps.spacing = View<double*>("rhegma::spacingAtTool", rows);
 }
 
-} // namespace
+/// Separations of listed domains from a tool, on the host, because shapes are lists of parts and trees of
+/// triangles.
+template <int D>
+struct HostGaps
+{
+  std::vector<Separation<D>> of; ///< of each domain
+  std::vector<double> spacing;   ///< edge of the cells there [m]; below 0: too far from the tool
+};
 
 template <int D>
-void measureGaps(const State<D>& state, const Tool<D>& tool, const std::vector<char>& touches,
-                 const CellsNearTool<D>& near, ParticleGaps<D>& gaps)
+HostGaps<D> measureOnHost(const State<D>& state, const Tool<D>& tool, const std::vector<char>& touches,
+                          const CellsNearTool<D>& near)
 {
-  gaps.count = gaps.touching = 0;
-  if (near.count == 0)
-    return;
   const PackedDomains<D> packed = packDomains(state, near);
   const auto centre = onHost(packed.centre);
   const auto edge = onHost(packed.edge);
   const auto body = onHost(packed.body);
-  const auto particle = onHost(near.particle);
   const double coarse = state.mesh.grid.spacing;
   const bool refined = state.mesh.tree.refined();
   const ToolSurface<D> surface{tool.shape(), tool.placement(), normalStep * state.mesh.smallestSpacing()};
-
-  // On the host, because shapes are lists of parts and trees of triangles.
-  std::vector<Separation<D>> found(near.count);
-  std::vector<double> spacing(near.count, -1.0);
+  HostGaps<D> gaps{std::vector<Separation<D>>(near.count), std::vector<double>(near.count, -1.0)};
   const auto measure = [&](const int k)
   {
     if (touches[body(k)] == 0)
@@ -100,30 +100,44 @@ void measureGaps(const State<D>& state, const Tool<D>& tool, const std::vector<c
     if (surface.depth(x) < -(reach + 0.5 * coarse))
       return;
     const double cell = refined ? spacingAt(state, x) : coarse;
-    found[k] = separate(surface, x, edges);
-    if (found[k].gap < 0.5 * cell)
-      spacing[k] = cell;
+    gaps.of[k] = separate(surface, x, edges);
+    if (gaps.of[k].gap < 0.5 * cell)
+      gaps.spacing[k] = cell;
   };
   Kokkos::parallel_for("rhegma::measureGapsToTool",
                        Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>(0, near.count), measure);
+  return gaps;
+}
 
+} // namespace
+
+template <int D>
+void measureGaps(const State<D>& state, const Tool<D>& tool, const std::vector<char>& touches,
+                 const CellsNearTool<D>& near, ParticleGaps<D>& gaps)
+{
+  gaps.count = gaps.touching = 0;
+  if (near.count == 0)
+    return;
+  const HostGaps<D> found = measureOnHost(state, tool, touches, near);
+  const auto particle = onHost(near.particle);
   reserve(gaps, near.count);
   const auto hostParticle = Kokkos::create_mirror_view(gaps.particle);
   const auto gap = Kokkos::create_mirror_view(gaps.gap), cell = Kokkos::create_mirror_view(gaps.spacing);
   const auto normal = Kokkos::create_mirror_view(gaps.normal), foot = Kokkos::create_mirror_view(gaps.foot);
   for (int k = 0; k < near.count; ++k)
   {
-    if (spacing[k] < 0.0)
+    if (found.spacing[k] < 0.0)
       continue;
+    const Separation<D>& one = found.of[k];
     const int at = gaps.count++;
-    gaps.touching += found[k].gap <= stillClosed * spacing[k] ? 1 : 0;
+    gaps.touching += one.gap <= stillClosed * found.spacing[k] ? 1 : 0;
     hostParticle(at) = particle(k);
-    gap(at) = found[k].gap;
-    cell(at) = spacing[k];
+    gap(at) = one.gap;
+    cell(at) = found.spacing[k];
     for (int d = 0; d < D; ++d)
     {
-      normal(at, d) = found[k].normal[d];
-      foot(at, d) = found[k].foot[d];
+      normal(at, d) = one.normal[d];
+      foot(at, d) = one.foot[d];
     }
   }
   Kokkos::deep_copy(gaps.particle, hostParticle);

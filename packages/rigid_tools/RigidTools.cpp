@@ -181,9 +181,10 @@ void move(Tools<D>& tools, State<D>& state)
 template <int D>
 void serialize(Tools<D>& tools, const State<D>& state, Archive& archive)
 {
-  for (ToolInRun<D>& one : tools.all)
+  for (std::size_t k = 0; k < tools.all.size(); ++k)
   {
-    const Archive::Group group(archive, one.tool.name());
+    ToolInRun<D>& one = tools.all[k];
+    const Archive::Group group(archive, std::to_string(k));
     one.tool.serialize(archive);
     one.record.serialize(archive);
     serializePressedNodes(state, one.contacts, archive);

@@ -72,6 +72,10 @@ template <int D>
 void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps<D>& gaps,
                   ToolContacts<D>& contacts);
 
+/// Makes room for the marks of nodes that pressed. They are lost where there are more nodes than before.
+template <int D>
+void reservePressed(const State<D>& state, ToolContacts<D>& contacts);
+
 /// Keeps the nodes that press on the tool in this step for the next one.
 template <int D>
 void keepPressedNodes(const State<D>& state, ToolContacts<D>& contacts);

@@ -45,7 +45,7 @@ void refuseCombinations(Section& s)
   s.refuse({self, when::isNot("Mass Matrix", "Velocity Update", {"FLIP"})},
            "the energy of contact needs Mass Matrix > Velocity Update = FLIP; write that");
   s.refuse({self, when::present("Sub-Cycling")},
-           "tools act once in a step, and nodes of small cells would take several; remove one of the two "
+           "tools act once in a step, and nodes of fine cells would take several; remove one of the two "
            "sections");
   s.refuse({self, when::isNot("Cracks", "Formulation", {"Dual Field"})},
            "tools press on cracked bodies at nodes with a field for each side of the crack; write Cracks > "
