@@ -109,6 +109,7 @@ template <int D>
 void start(Tools<D>& tools, State<D>& state)
 {
   Attempts attempts;
+  tools.all.clear();
   for (const std::string& name : sublistNames(tools.section))
   {
     tools.all.push_back({Tool<D>(tools.section.sublist(name), name), {}, {}, {}, {}, {}, {}});

@@ -280,7 +280,8 @@ Snapshot makeSnapshot(const State<D>& state, const RequestedFields& requested)
   snapshot.meshes.push_back(cellMesh(state));
   if (!state.cracks.empty())
     snapshot.meshes.push_back(crackMesh<D>(state.cracks));
-  if (!state.tools.empty())
+  if (std::any_of(state.tools.begin(), state.tools.end(),
+                  [](const ToolOutline<D>& tool) { return !tool.cells.empty(); }))
     snapshot.meshes.push_back(toolMesh<D>(state.tools));
   return snapshot;
 }

@@ -62,7 +62,7 @@ class Fields:
     `fields["velocity"]` reads any field of the particles, `names` lists them."""
 
     def __init__(self, time: float, particles: dict[str, np.ndarray], crack: Crack | None, leaves: Leaves | None = None,
-                 tools: Tools | None = None, written: Iterable[float] = (), source: tuple[str, str] | None = None):
+                 written: Iterable[float] = (), source: tuple[str, str] | None = None, tools: Tools | None = None):
         self.time = time
         self.written = sorted(written)
         self.source = source
@@ -202,7 +202,7 @@ def read_fields(folder: str, time: float | None = None, field: str | None = None
             if field is not None:
                 particles["chosen"] = read_chosen(group, field)
             fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
-                            read_leaves(chosen.get("leaves")), read_tools(chosen.get("tools")), written.values(), (path, name))
+                            read_leaves(chosen.get("leaves")), written.values(), (path, name), read_tools(chosen.get("tools")))
     except (OSError, KeyError, RuntimeError, ValueError, IndexError) as error:
         raise Problem(f"{path} can't be read; it is truncated, still being written or not a file of fields ({error}).")
     if fields.position.shape[0] == 0:
