@@ -57,6 +57,7 @@ rhegma_package(face_pressure "Face Pressure" NEEDS cracks)
 rhegma_package(load_balance "Load Balance")
 rhegma_package(mass_matrix "Mass Matrix")
 rhegma_package(propagation "Propagation" NEEDS cracks energy_release)
+rhegma_package(rigid_tools "Rigid Tools")
 rhegma_package(sub_cycling "Sub-Cycling" NEEDS adaptivity)
 rhegma_package(measure "Measure")
 

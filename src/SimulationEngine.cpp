@@ -368,7 +368,8 @@ private:
     State<D>& state = run.state();
     coreRow(state, balance_);
     // A preload may have caused plastic flow already.
-    state.energy.start = state.energy.kinetic + state.energy.strain + state.energy.plastic;
+    state.energy.start =
+        state.energy.kinetic + state.energy.strain + state.energy.tools + state.energy.plastic;
     state.energy.thermalStart = state.energy.thermal;
     state.energy.thermal = 0.0;
     state.sample.row.clear();

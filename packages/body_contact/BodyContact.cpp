@@ -2,6 +2,7 @@
 
 #include "archive/Archive.hpp"
 #include "body_contact/ContactRecord.hpp"
+#include "scene/FrictionSection.hpp"
 #include "state/BodyGroup.hpp"
 
 #include <algorithm>
@@ -58,12 +59,12 @@ Section section()
             "Contact of bodies: bodies that are not bonded (Bodies > Bonded To) move on their own, "
             "and press and slide on each other where they touch. Without this section, bodies less "
             "than one to two cells apart share one motion.");
-  addLawParameters(s);
+  addFrictionLaw(s);
   Section pair("pair of bodies",
                "A pair of bodies with a law of its own; its forces are columns of the history.");
   pair.text("Bodies").notEmpty().meaning(
       "Names of the two bodies, with a comma between them. The law also holds for bodies bonded to them.");
-  addLawParametersOfPair(pair);
+  addFrictionLawOfList(pair);
   s.namedByUser(pair);
   refuseCombinations(s);
   return s;

@@ -4,6 +4,7 @@
 #include "body_contact/LogisticNormal.hpp"
 #include "body_contact/NearestHulls.hpp"
 #include "body_contact/NodalContact.hpp"
+#include "transfer/ParticleDomains.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -17,10 +18,8 @@ struct ParticlesOfPair
 {
   Grid<D> grid;
   SharedNodes<D> shared;
-  View<double* [D][D]> axes;
-  BorrowedView<int*> body;
-  BorrowedView<double*[D]> position, edge;
-  BorrowedView<double * [gradientSize<D>]> deformation;
+  ParticleDomains<D> domains;
+  BorrowedView<double* [D]> position;
 
   /// Calls visit(p, label) for the particles of both fields, label -1 for the first and 1 for the second.
   template <class Visit>
@@ -33,19 +32,6 @@ struct ParticlesOfPair
       if (field == one || field == other)
         visit(shared.particle(k), field == one ? -1.0 : 1.0);
     }
-  }
-
-  /// The edge vectors of a particle's domain [m]: the parallelogram (2D) or parallelepiped (3D) into which
-  /// its undeformed box is deformed.
-  KOKKOS_INLINE_FUNCTION void edgesOf(int p, Vector<D> (&edges)[D]) const
-  {
-    for (int e = 0; e < D; ++e)
-      for (int i = 0; i < D; ++i)
-      {
-        edges[e][i] = 0.0;
-        for (int j = 0; j < D; ++j)
-          edges[e][i] += edge(p, e) * deformation(p, i * D + j) * axes(body(p), e, j);
-      }
   }
 };
 
@@ -176,7 +162,7 @@ struct FindGap
                                       double size) const
   {
     Vector<D> edges[D];
-    particles.edgesOf(p, edges);
+    particles.domains.edgesOf(p, edges);
     double reach = 0.0;
     for (int e = 0; e < D; ++e)
       reach += 0.5 * size * std::fabs(dot(edges[e], direction));
@@ -236,7 +222,7 @@ struct FindGap
                                           double size) const
   {
     Vector<D> edges[D], x = offset(p, node);
-    particles.edgesOf(p, edges);
+    particles.domains.edgesOf(p, edges);
     for (int e = 0; e < D; ++e)
       x = x - (label * 0.5 * size * (dot(edges[e], v) > 0.0 ? 1.0 : -1.0)) * edges[e];
     return x;
@@ -251,11 +237,8 @@ void findGaps(const State<D>& state, const SharedNodes<D>& shared, const NodalPa
   ParticlesOfPair<D> particles;
   particles.grid = state.mesh.grid;
   particles.shared = shared;
-  particles.axes = state.bodies.axes;
-  particles.body = state.particles.integer(fields::body);
+  particles.domains = particleDomains(state);
   particles.position = state.particles.template real<D>(fields::position);
-  particles.edge = state.particles.template real<D>(fields::edge);
-  particles.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
   const FindGap<D> find{particles, pairs};
   Kokkos::parallel_for("rhegma::findGaps",
                        Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, shared.count),

@@ -2,6 +2,7 @@
 
 #include "base/SmallLoops.hpp"
 #include "body_contact/NodalContact.hpp"
+#include "boundary/HeldMarks.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -20,20 +21,6 @@ constexpr double settledChange = 1e-9;
 /// Most sweeps: a field of mass m between two of mass M settles by (M / (M + m))^2 a sweep, so that 2 % are
 /// left where m is a thousandth of M.
 constexpr int mostSweeps = 2000;
-
-/// Marks the axes along which supports hold the shared nodes, of all fields alike.
-template <int D>
-void markHeld(const State<D>& state, const SharedNodes<D>& shared, const View<char* [D]>& held)
-{
-  const Grid<D> grid = state.mesh.grid;
-  for (const NodeConstraint<D>& constraint : state.motion.constraints)
-    parallelForSmall(
-        "rhegma::markHeldSharedNodes", shared.count, KOKKOS_LAMBDA(const int s) {
-          if (constraint.appliesAt(grid.nodePosition(shared.node(s))))
-            for (int d = 0; d < D; ++d)
-              held(s, d) = constraint.holds[d] ? char(1) : held(s, d);
-        });
-}
 
 /// Exchanges the impulses of the pairs of a node, one pair after the other.
 template <int D>
@@ -85,17 +72,10 @@ struct ExchangeImpulses
     if (!(length > 1e-6))
       return 0.0;
     n = (1.0 / length) * n;
-    const double pressing = dot(n, sticking);
-    Vector<D> impulse{};
-    if (pressing > 0.0)
-    {
-      const PairLaw law = laws(pairs.group(q, 0), pairs.group(q, 1));
-      const Vector<D> along = sticking - pressing * n;
-      const double size = norm(along);
-      const double fraction = size <= law.atRest * pressing ? 1.0 : law.sliding * pressing / size;
-      impulse = pressing * n + fraction * along;
-      pairs.sticks(q) = fraction == 1.0 && law.atRest > 0.0 ? 1 : 0;
-    }
+    const ContactImpulse<D> contact = contactImpulse(laws(pairs.group(q, 0), pairs.group(q, 1)), n, sticking);
+    const Vector<D> impulse = contact.impulse;
+    if (contact.pressing > 0.0)
+      pairs.sticks(q) = contact.sticks ? 1 : 0;
     double changed = 0.0;
     for (int d = 0; d < D; ++d)
     {
@@ -220,7 +200,7 @@ void exchangeImpulses(const State<D>& state, const SharedNodes<D>& shared, const
   if (!(state.clock.dt > 0.0))
     return;
   const View<char* [D]> held("rhegma::heldSharedNodes", shared.count);
-  markHeld(state, shared, held);
+  markHeldAxes(state, shared.node, shared.count, held);
   const ExchangeImpulses<D> exchange{state.mesh.nodes, shared, pairs, laws, held, state.clock.dt};
   parallelForSmall("rhegma::exchangeImpulses", shared.count, exchange);
 }

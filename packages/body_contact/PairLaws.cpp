@@ -1,9 +1,9 @@
 #include "body_contact/PairLaws.hpp"
 
 #include "base/ReadList.hpp"
+#include "scene/FrictionSection.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace Rhegma::body_contact
@@ -11,86 +11,6 @@ namespace Rhegma::body_contact
 
 namespace
 {
-
-const std::vector<std::string> lawNames = {"Frictionless", "Coulomb", "Stick"};
-const char* const meaningOfLaw = "How bodies that press on each other move along each other: freely, with "
-                                 "Coulomb friction, or not at all. "
-                                 "In each case they can separate.";
-
-void addFriction(Section& s)
-{
-  s.real("Friction Coefficient").notNegative().optional().meaning("Friction coefficient of Law = Coulomb.");
-  s.real("Static Friction Coefficient")
-      .notNegative()
-      .optional("Friction Coefficient")
-      .meaning("Friction coefficient up to which bodies with Law = Coulomb do not start to slide.");
-}
-
-} // namespace
-
-void addLawParameters(Section& s)
-{
-  s.choice("Law", lawNames).byDefault("Frictionless").meaning(meaningOfLaw);
-  addFriction(s);
-}
-
-void addLawParametersOfPair(Section& s)
-{
-  s.choice("Law", lawNames).optional("that of the section").meaning(meaningOfLaw);
-  addFriction(s);
-}
-
-namespace
-{
-
-void checkLaw(const Teuchos::ParameterList& list, const std::string& path, std::vector<SceneError>& errors)
-{
-  const char* const name = "Friction Coefficient";
-  const char* const atRest = "Static Friction Coefficient";
-  if (!list.isType<std::string>("Law"))
-  {
-    for (const char* const given : {name, atRest})
-      if (list.isParameter(given) && !list.isParameter("Law"))
-        errors.push_back({path + " > " + given, "is given without Law; write Law = Coulomb too"});
-    return;
-  }
-  const auto law = list.get<std::string>("Law");
-  if (law != "Coulomb")
-  {
-    for (const char* const given : {name, atRest})
-      if (list.isParameter(given))
-        errors.push_back(
-            {path + " > " + given, "the law " + law +
-                                       " has no friction coefficient; leave it out or choose Law = "
-                                       "Coulomb"});
-    return;
-  }
-  const std::string coefficient = path + " > " + name;
-  const bool refused = std::any_of(errors.begin(), errors.end(),
-                                   [&](const SceneError& error) { return error.where == coefficient; });
-  if (!list.isParameter(name) && !refused)
-    errors.push_back({coefficient,
-                      "is missing; Law = Coulomb needs it: write, for example, 0.3, or choose Law = "
-                      "Frictionless"});
-  else if (list.isType<double>(atRest) && list.isType<double>(name) &&
-           list.get<double>(atRest) < list.get<double>(name))
-    errors.push_back(
-        {path + " > " + atRest,
-         "is smaller than Friction Coefficient; a body would slide as soon as it sticks: write a "
-         "larger one or leave it out"});
-}
-
-PairLaw readLaw(const Teuchos::ParameterList& list)
-{
-  const auto law = list.get<std::string>("Law");
-  if (law == "Frictionless")
-    return {};
-  if (law == "Stick")
-    return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  const auto sliding = list.get<double>("Friction Coefficient");
-  const char* const atRest = "Static Friction Coefficient";
-  return {list.isParameter(atRest) ? list.get<double>(atRest) : sliding, sliding};
-}
 
 /// The groups of a pair's bodies, in their order in the list; below 0 where a name is unknown.
 std::pair<int, int> groupsOf(const std::string& bodies, const BondedGroups& groups,
@@ -111,7 +31,7 @@ std::pair<int, int> groupsOf(const std::string& bodies, const BondedGroups& grou
 void checkLaws(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   const Teuchos::ParameterList& section = scene.sublist("Body Contact");
-  checkLaw(section, "Body Contact", errors);
+  checkFrictionLaw(section, "Body Contact", errors);
   if (!scene.isSublist("Bodies"))
     return;
   const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
@@ -131,7 +51,7 @@ void checkLaws(const Teuchos::ParameterList& scene, std::vector<SceneError>& err
   {
     const std::string path = "Body Contact > " + pair;
     const Teuchos::ParameterList& list = section.sublist(pair);
-    checkLaw(list, path, errors);
+    checkFrictionLaw(list, path, errors);
     const auto* const text = valueIf<std::string>(list, "Bodies");
     if (text == nullptr)
       continue;
@@ -175,17 +95,17 @@ std::vector<NamedPair> namedPairs(const Teuchos::ParameterList& section, const B
 
 PairLaws readLaws(const Teuchos::ParameterList& section, const std::vector<NamedPair>& pairs, int groups)
 {
-  PairLaws laws{readLaw(section), {}};
+  PairLaws laws{readFrictionLaw(section), {}};
   if (pairs.empty())
     return laws;
-  laws.ofGroups = View<PairLaw**>("rhegma::lawsOfPairs", groups, groups);
+  laws.ofGroups = View<FrictionLaw**>("rhegma::lawsOfPairs", groups, groups);
   const auto host = Kokkos::create_mirror_view(laws.ofGroups);
   for (int a = 0; a < groups; ++a)
     for (int b = 0; b < groups; ++b)
       host(a, b) = laws.others;
   for (const NamedPair& pair : pairs)
     if (section.sublist(pair.name).isParameter("Law"))
-      host(pair.one, pair.other) = host(pair.other, pair.one) = readLaw(section.sublist(pair.name));
+      host(pair.one, pair.other) = host(pair.other, pair.one) = readFrictionLaw(section.sublist(pair.name));
   Kokkos::deep_copy(laws.ofGroups, host);
   return laws;
 }

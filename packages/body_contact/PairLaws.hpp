@@ -1,7 +1,7 @@
 #pragma once
 /// How two groups of bodies act on each other where they touch.
 
-#include "base/Types.hpp"
+#include "material/FrictionLaw.hpp"
 #include "scene/BondedGroups.hpp"
 #include "scene/Schema.hpp"
 
@@ -14,31 +14,18 @@
 namespace Rhegma::body_contact
 {
 
-/// Coefficients of friction of a pair: infinite where it sticks, zero where it slides freely.
-struct PairLaw
-{
-  double atRest = 0.0;  ///< up to which it sticks [-]
-  double sliding = 0.0; ///< while it slides [-]
-};
-
 /// The laws of all pairs of groups, on the device.
 struct PairLaws
 {
-  PairLaw others;           ///< of pairs without one of their own
-  View<PairLaw**> ofGroups; ///< by both numbers; empty where all pairs have the same law
+  FrictionLaw others;           ///< of pairs without one of their own
+  View<FrictionLaw**> ofGroups; ///< by both numbers; empty where all pairs have the same law
 
   /// The law of a pair, by the numbers of its groups from 0 on.
-  KOKKOS_INLINE_FUNCTION PairLaw operator()(int one, int other) const
+  KOKKOS_INLINE_FUNCTION FrictionLaw operator()(int one, int other) const
   {
     return ofGroups.extent(0) > 0 ? ofGroups(one, other) : others;
   }
 };
-
-/// Adds the parameters Law, Friction Coefficient and Static Friction Coefficient.
-void addLawParameters(Section& section);
-
-/// The same for a pair, whose law is that of the section if it has none of its own.
-void addLawParametersOfPair(Section& pair);
 
 /// Checks the laws of a scene and the names of bodies in them.
 void checkLaws(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);

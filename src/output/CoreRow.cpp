@@ -31,6 +31,7 @@ std::vector<Entry> entries(const EnergyBalance& energy)
 {
   return {{"kinetic", energy.kinetic, false, true},
           {"strain", energy.strain, false, true},
+          {"tools", energy.tools},
           {"thermal", energy.thermal, true, true},
           {"heat", energy.heat},
           {"external_work", energy.externalWork, false},
@@ -43,7 +44,8 @@ std::vector<Entry> entries(const EnergyBalance& energy)
           {"residual", energy.residual(), false, true}};
 }
 
-/// kinetic + strain energy when the run began [J], which the residual counts; only in the summary
+/// kinetic + strain + tools + plastic energy when the run began [J], which the residual counts; only in the
+/// summary
 constexpr const char* atStart = "start";
 
 } // namespace

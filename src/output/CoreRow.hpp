@@ -13,7 +13,7 @@ namespace Rhegma
 /// Computes the energy balance and the momentum, and inserts their columns before those of the row.
 ///
 /// Always kinetic, strain, external_work, residual, momentum_x..; `plastic` where a material can flow;
-/// thermal, heat, damped, contact, fracture, merged and combustion only where an effect of the scene
+/// tools, thermal, heat, damped, contact, fracture, merged and combustion only where an effect of the scene
 /// contributes to them. \param given columns of the scene's effects (Effect::balance)
 template <int D>
 void coreRow(State<D>& state, const std::set<std::string>& given);

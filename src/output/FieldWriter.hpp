@@ -21,6 +21,8 @@ class Archive;
 ///                 int; the fields of effects under their names with _ for spaces; on request
 ///                 principal_stress (n) [Pa], energy_density (n) [J/m3]
 ///     leaves/     points (m,3), cells (k,4 or 8): the cells that hold particles
+///     tools/      points (t,3), cells (u,2 or 3) of the surfaces of rigid tools, tool (u) number of the tool
+///                 of each cell; only where there are tools
 ///     cracks/     points (v,3) midway between the faces, opening (v,3) from face -1 to face +1 [m],
 ///                 cells (s,2 or 3), crack (s) number of the crack of each cell; only where there are cracks
 ///

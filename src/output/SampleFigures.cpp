@@ -47,9 +47,9 @@ std::optional<double> residualFraction(const std::vector<std::pair<std::string, 
 
 const std::vector<std::string>& energyNames()
 {
-  static const std::vector<std::string> names = {"external_work", "strain",  "kinetic",    "fracture",
-                                                 "damped",        "contact", "plastic",    "heat",
-                                                 "thermal",       "merged",  "stabilised", "combustion"};
+  static const std::vector<std::string> names = {
+      "external_work", "strain",  "kinetic", "fracture",   "damped",     "contact", "plastic",
+      "heat",          "thermal", "merged",  "stabilised", "combustion", "tools"};
   return names;
 }
 

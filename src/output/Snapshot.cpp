@@ -242,6 +242,33 @@ OutputMesh crackMesh(const CrackSet<D>& set)
   return mesh;
 }
 
+template <int D>
+OutputMesh toolMesh(const std::vector<ToolOutline<D>>& tools)
+{
+  OutputMesh mesh{"tools", D == 2 ? "Polyline" : "Triangle", {}};
+  mesh.onAllRanks = true;
+  DataSet points{"points", Role::Points, 3, false, {}, {}};
+  DataSet cells{"cells", Role::Cells, D, true, {}, {}};
+  DataSet owner{"tool", Role::OnCells, 1, true, {}, {}};
+  for (std::size_t k = 0; k < tools.size(); ++k)
+  {
+    const int before = static_cast<int>(points.rows());
+    for (const Vector<D>& x : tools[k].points)
+      for (int d = 0; d < 3; ++d)
+        points.real.push_back(d < D ? x[d] : 0.0);
+    for (const std::array<int, D>& cell : tools[k].cells)
+    {
+      for (const int point : cell)
+        cells.whole.push_back(before + point);
+      owner.whole.push_back(static_cast<int>(k));
+    }
+  }
+  mesh.data.push_back(std::move(points));
+  mesh.data.push_back(std::move(cells));
+  mesh.data.push_back(std::move(owner));
+  return mesh;
+}
+
 } // namespace
 
 template <int D>
@@ -253,6 +280,9 @@ Snapshot makeSnapshot(const State<D>& state, const RequestedFields& requested)
   snapshot.meshes.push_back(cellMesh(state));
   if (!state.cracks.empty())
     snapshot.meshes.push_back(crackMesh<D>(state.cracks));
+  if (std::any_of(state.tools.begin(), state.tools.end(),
+                  [](const ToolOutline<D>& tool) { return !tool.cells.empty(); }))
+    snapshot.meshes.push_back(toolMesh<D>(state.tools));
   return snapshot;
 }
 

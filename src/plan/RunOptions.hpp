@@ -51,6 +51,7 @@ struct RunOptions
   bool openingKnown = true;     ///< stencils at cracks have linear completeness
   bool extrapolated = false;    ///< they extrapolate from nodes on one side
   bool bodiesKeptApart = false; ///< bodies that are not bonded have a motion of their own at common nodes
+  bool toolsPress = false;      ///< rigid tools press on bodies
   bool contact = false;         ///< faces that close press against each other
   std::set<std::string> pressedCracks; ///< with a given pressure
   /// These pressures as functions of time [Pa], by their paths in the scene.

@@ -117,6 +117,13 @@ Section operations()
 
 } // namespace
 
+void describeShape(Section& s)
+{
+  shapes(s);
+  rotation(s);
+  s.subsection(operations());
+}
+
 Section bodies()
 {
   Section body("body", "A body: its shape, its material and its initial state.");

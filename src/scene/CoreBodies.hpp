@@ -1,5 +1,5 @@
 #pragma once
-/// The section `Bodies`.
+/// The section `Bodies`, and the parameters of shapes.
 
 #include "scene/Schema.hpp"
 
@@ -7,5 +7,8 @@ namespace Rhegma
 {
 
 Section bodies();
+
+/// Adds the parameters of a shape, as makeShape reads them (geometry/Shape.hpp).
+void describeShape(Section& section);
 
 } // namespace Rhegma

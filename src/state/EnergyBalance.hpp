@@ -4,14 +4,15 @@
 namespace Rhegma
 {
 
-/// Energies of a run [J]. The residual is kinetic + strain - start + thermal - external work -
+/// Energies of a run [J]. The residual is kinetic + strain + tools - start + thermal - external work -
 /// heat + damped + filtered + plastic + contact + fracture + merged + stabilised - combustion.
 struct EnergyBalance
 {
   double kinetic = 0.0; ///< of the motion, now
   double strain = 0.0;  ///< stored elastically, now
-  double start = 0.0;   ///< kinetic + strain + plastic when the run began; in equilibrium less what stress
-                        ///< out of balance then releases in the first load step
+  double tools = 0.0;   ///< kinetic, of rigid tools that move by their mass, now
+  double start = 0.0;   ///< kinetic + strain + tools + plastic when the run began; in equilibrium less what
+                        ///< stress out of balance then releases in the first load step
   double thermal = 0.0; ///< heat in the bodies, less that at the start
   double thermalStart = 0.0; ///< heat in the bodies when the run began
   double heat = 0.0;         ///< supplied through the surface, by sources or by crack fronts
@@ -30,8 +31,8 @@ struct EnergyBalance
 
   double residual() const
   {
-    return kinetic + strain - start + thermal - externalWork - heat + damped + filtered + plastic + contact +
-           fracture + merged + stabilised - combustion;
+    return kinetic + strain + tools - start + thermal - externalWork - heat + damped + filtered + plastic +
+           contact + fracture + merged + stabilised - combustion;
   }
 };
 

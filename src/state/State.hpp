@@ -12,6 +12,7 @@
 #include "state/NodalMotion.hpp"
 #include "state/Particles.hpp"
 #include "state/StoredStencils.hpp"
+#include "state/ToolOutline.hpp"
 
 #include <string>
 #include <utility>
@@ -76,6 +77,8 @@ struct State
   CrackSet<D> cracks;       ///< empty unless an effect cuts the body
   StoredStencils<D> stored; ///< empty unless an effect cuts the body
   NodalMotion<D> motion;    ///< supports, displacement-dependent forces, coupled masses
+
+  std::vector<ToolOutline<D>> tools; ///< rigid tools, in the order of the scene; empty without them
 
   EnergyBalance energy; ///< of all ranks when a sample is taken; entries added later are this rank's
   Sample<D> sample;     ///< the last one

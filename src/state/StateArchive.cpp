@@ -19,6 +19,7 @@ void archiveEnergyBalance(EnergyBalance& energy, Archive& archive)
   const Archive::Group group(archive, "energy");
   archive("kinetic", energy.kinetic);
   archive("strain", energy.strain);
+  archive("tools", energy.tools);
   archive("start", energy.start);
   archive("thermal", energy.thermal);
   archive("thermal_start", energy.thermalStart);

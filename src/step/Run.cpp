@@ -80,7 +80,7 @@ bool isDrivenByEffects(const Teuchos::ParameterList& scene, const RunOptions& op
 {
   const std::vector<EffectEntry>& known = knownEffects();
   const auto added = known.begin() + static_cast<std::ptrdiff_t>(builtInEffects().size());
-  return own || options.heat() || options.burning || !options.pressedCracks.empty() ||
+  return own || options.heat() || options.toolsPress || options.burning || !options.pressedCracks.empty() ||
          std::any_of(added, known.end(),
                      [&](const EffectEntry& entry) { return scene.isSublist(entry.section.name); });
 }

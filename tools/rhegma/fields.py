@@ -30,6 +30,16 @@ class Crack:
         return self.cells.shape[1] == 3
 
 
+class Tools:
+    """The surfaces of rigid tools at one time. points (t, 3) [m] as they are now, cells (u, 2 or 3): numbers of the points of each segment
+    (2D) or triangle (3D); number (u): which tool of the scene a cell belongs to."""
+
+    def __init__(self, points: np.ndarray, cells: np.ndarray, number: np.ndarray):
+        self.points = points
+        self.cells = cells
+        self.number = number
+
+
 class Leaves:
     """The cells that hold particles. corners (k, 4 or 8, 3) [m], level (k): 0 for the scene's own Cell Size."""
 
@@ -47,12 +57,12 @@ class Fields:
     """Particles and cracks at one time; arrays as in the file. time [s]; position, displacement (n, 3) [m]; stress (n, 6) [Pa]: xx, yy, zz, xy,
     yz, xz; von_mises (n) [Pa]; temperature (n) [K]; deformation (n, 3, 3): F; edges (n, 3, 3): the undeformed edge vectors of a particle's
     box, one a row, in 2D two and a row of zeros [m]; body (n): number in the scene. What the run did not compute is None. crack: all
-    cracks, or None; leaves: cells, or None. written: times of all frames of the file [s]. source: (path of the file, name of the frame).
+    cracks, or None; leaves: cells, or None; tools: rigid tools, or None. written: times of all frames of the file [s]. source: (path of the file, name of the frame).
 
     `fields["velocity"]` reads any field of the particles, `names` lists them."""
 
     def __init__(self, time: float, particles: dict[str, np.ndarray], crack: Crack | None, leaves: Leaves | None = None,
-                 written: Iterable[float] = (), source: tuple[str, str] | None = None):
+                 written: Iterable[float] = (), source: tuple[str, str] | None = None, tools: Tools | None = None):
         self.time = time
         self.written = sorted(written)
         self.source = source
@@ -69,6 +79,7 @@ class Fields:
         self.chosen = particles.get("chosen")  # another field (n) or (n, components), if it was asked for
         self.crack = crack
         self.leaves = leaves
+        self.tools = tools
 
     @property
     def names(self) -> list[str]:
@@ -147,6 +158,13 @@ def read_crack(group: h5py.Group | None) -> Crack | None:
     return Crack(points, cells, opening, number) if cells.size else None
 
 
+def read_tools(group: h5py.Group | None) -> Tools | None:
+    """The rigid tools of a frame, or None."""
+    if group is None or "points" not in group or group["cells"].shape[0] == 0:
+        return None
+    return Tools(np.asarray(group["points"], dtype=float), np.asarray(group["cells"], dtype=int), np.asarray(group["tool"], dtype=int))
+
+
 def read_leaves(group: h5py.Group | None) -> Leaves | None:
     """The cells of a frame, or None."""
     if group is None or "level" not in group or group["level"].shape[0] == 0:
@@ -184,7 +202,7 @@ def read_fields(folder: str, time: float | None = None, field: str | None = None
             if field is not None:
                 particles["chosen"] = read_chosen(group, field)
             fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
-                            read_leaves(chosen.get("leaves")), written.values(), (path, name))
+                            read_leaves(chosen.get("leaves")), written.values(), (path, name), read_tools(chosen.get("tools")))
     except (OSError, KeyError, RuntimeError, ValueError, IndexError) as error:
         raise Problem(f"{path} can't be read; it is truncated, still being written or not a file of fields ({error}).")
     if fields.position.shape[0] == 0:

@@ -27,8 +27,8 @@ def read_xml(path: str, kind: str) -> ElementTree.Element:
 
 
 def move_files(root: ElementTree.Element, moved: Callable[[str], str]) -> None:
-    """Replaces the paths of files of bodies and cracks, which are relative to the scene, by moved(path)."""
-    for section, name in (("Bodies", "File"), ("Cracks", "Surface File")):
+    """Replaces the paths of files of bodies, tools and cracks, which are relative to the scene, by moved(path)."""
+    for section, name in (("Bodies", "File"), ("Rigid Tools", "File"), ("Cracks", "Surface File")):
         for entry in [entry for own in root if own.get("name") == section for entry in own.iter("Parameter")]:
             if entry.get("name") == name:
                 entry.set("value", moved((entry.get("value") or "").strip()))

@@ -7,7 +7,7 @@ import re
 # Columns of the whole run.
 _OF_RUN = {
     "time": "s",
-    **{name: "J" for name in ("kinetic", "strain", "thermal", "heat", "external_work", "damped", "contact", "fracture", "merged",
+    **{name: "J" for name in ("kinetic", "strain", "tools", "thermal", "heat", "external_work", "damped", "contact", "fracture", "merged",
                               "stabilised", "combustion", "plastic", "filtered", "residual")},
     "momentum_x": "kg m/s", "momentum_y": "kg m/s", "momentum_z": "kg m/s",
     "temperature_highest": "K", "temperature_lowest": "K", "load_factor": "",
@@ -16,7 +16,8 @@ _OF_RUN = {
 _OF_PARTS = {
     "G_J": "J/m2", "G_closure": "J/m2", "G_closure_lumped": "J/m2", "K_I": "Pa sqrt(m)", "K_II": "Pa sqrt(m)", "K_III": "Pa sqrt(m)",
     "length": "m", "speed": "m/s", "x": "m", "y": "m", "z": "m", "stopped": "", "temperature": "K",
-    "force_x": "N", "force_y": "N", "force_z": "N", "displacement": "m", "displacement_x": "m", "displacement_y": "m", "displacement_z": "m",
+    "force_x": "N", "force_y": "N", "force_z": "N", "velocity_x": "m/s", "velocity_y": "m/s", "velocity_z": "m/s", "work": "J",
+    "friction": "J", "displacement": "m", "displacement_x": "m", "displacement_y": "m", "displacement_z": "m",
     "opening": "m", "area": "m2", "pressure": "Pa", "pressure_lowest": "Pa", "pressure_highest": "Pa", "burnt_mass": "kg",
     "gas_temperature": "K", "face_temperature": "K",
     **{f"{which}_{axis}": "m" for which in ("largest", "smallest") for axis in "xyz"},

@@ -133,19 +133,35 @@ def crack_segments(fields, faces, view):
     crack = fields.crack
     if not crack.is_surface:
         return [view.flat(face) for face in curved_at_fronts(crack, faces, fields.position, fields.displacement)]
-    height = crack.points[:, view.normal] - view.where
+    cuts = triangle_cuts(crack.points[:, view.normal] - view.where, crack.cells)
+    return [np.array([[view.flat((1.0 - s) * face[i] + s * face[j]) for i, j, s in cut] for cut in cuts]).reshape(-1, 2, 2) for face in faces]
+
+
+def triangle_cuts(height, cells):
+    """Where triangles cross the height 0: of each that does two (point, other point, fraction of the way between them). height: of points"""
     height = np.where(height == 0.0, 1.0e-300, height)  # a vertex on the plane counts as above it
-    result = [[] for _ in faces]
-    for cell in crack.cells:
+    result = []
+    for cell in cells:
         cuts = []
         for a, b in ((0, 1), (1, 2), (2, 0)):
             i, j = cell[a], cell[b]
             if (height[i] > 0.0) != (height[j] > 0.0):
                 cuts.append((i, j, height[i] / (height[i] - height[j])))
         if len(cuts) == 2:
-            for face, segments in zip(faces, result):
-                segments.append([view.flat((1.0 - s) * face[i] + s * face[j]) for i, j, s in cuts])
-    return [np.array(segments).reshape(-1, 2, 2) for segments in result]
+            result.append(cuts)
+    return result
+
+
+def tool_segments(fields, view):
+    """Segments (s, 2, 2) to draw of the rigid tools: their own in 2D, their cuts with the plane in 3D."""
+    tools = fields.tools
+    if tools is None:
+        return np.zeros((0, 2, 2))
+    if view.normal is None:
+        return view.flat(tools.points[tools.cells])
+    cuts = triangle_cuts(tools.points[:, view.normal] - view.where, tools.cells)
+    ends = [[view.flat((1.0 - s) * tools.points[i] + s * tools.points[j]) for i, j, s in cut] for cut in cuts]
+    return np.array(ends).reshape(-1, 2, 2)
 
 
 class DrawnFront:
@@ -226,6 +242,10 @@ def draw_crack(axes, segments, positions, width, stopped=()):
         axes.plot(*np.array(positions).T, ls="none", marker="o", ms=3.2 * width, mfc="white", mec=style.INK, mew=0.9 * width)
 
 
+def draw_tools(axes, segments, width):
+    axes.add_collection(LineCollection(segments, colors=style.INK, linewidths=width, capstyle="round"))
+
+
 def limits(axes, low, high, margin):
     pad = margin * max(high - low)
     axes.set_xlim((low[0] - pad), (high[0] + pad))
@@ -255,7 +275,8 @@ def stop_after(fields, summary):
 def draw_fields(fields, summary, title, path, stress="principal", magnification=None, asked=None):
     """Writes the picture; returns the magnification it used and the unit of the colours. asked: a slice, as read_slice gives it."""
     if magnification is None:
-        magnification = automatic_magnification(fields.position, fields.displacement)
+        # Next to a tool, which does not deform, a magnified body would be drawn at a wrong position.
+        magnification = automatic_magnification(fields.position, fields.displacement) if fields.tools is None else 1.0
     view = choose_view(fields, asked)
     stress = quantity_shown(fields, stress)
     values = fields.values(stress)
@@ -298,7 +319,9 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     whole = axes.flat[0]
     particles = draw_particles(whole, outlines, values, colour_map, norm)
     draw_crack(whole, segments, positions, 0.9, stopped)
-    limits(whole, low, high, 0.03)
+    tools = tool_segments(fields, view) * length_factor
+    draw_tools(whole, tools, 1.6)
+    limits(whole, low, high, 0.03 if len(tools) == 0 else 0.12)
     # A tall body without a close-up has a narrow panel: a line for each part, or they would run into the colour bar.
     narrow = tall and not zoom
     lines = (heading if narrow else [",   ".join(heading)]) + parts[:2]
@@ -314,6 +337,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         half = max(0.06 * max(extent), 6.0 * fields.size * length_factor)
         draw_particles(close, outlines, values, colour_map, norm)
         draw_crack(close, segments, positions, 1.3, stopped)
+        draw_tools(close, tools, 2.0)
         wide = half if tall else 2.9 * half  # the shape of the panel
         front, caption = close_up(fronts)
         middle = front.position * length_factor

@@ -10,8 +10,8 @@ from rhegma.problem import Problem
 
 from . import style
 from .deformation import automatic_magnification, magnified_faces
-from .field_picture import choose_view, colour_scale, crack_segments, draw_crack, draw_particles, heat_scale, in_slice, limits
-from .field_picture import particle_outlines, picture_size
+from .field_picture import choose_view, colour_scale, crack_segments, draw_crack, draw_particles, draw_tools, heat_scale, in_slice, limits
+from .field_picture import particle_outlines, picture_size, tool_segments
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 
@@ -92,6 +92,8 @@ class Stage:
         if fields.crack is not None:
             faces = magnified_faces(fields.crack, fields.position, fields.displacement, self.magnification)
             draw_crack(self.axes, [face * self.length for face in crack_segments(fields, faces, self.view)], [], 0.9)
+        if fields.tools is not None:
+            draw_tools(self.axes, tool_segments(fields, self.view) * self.length, 1.6)
         added += [c for c in self.axes.collections if c not in before]
         self.axes.set_title(f"t = {fields.time * clock[0]:.4g} {clock[1]}{more}", fontsize=10, fontweight="normal")
         target = io.BytesIO()

@@ -16,6 +16,7 @@ ENERGIES = [
     ("external_work", "external work", "#000000"),
     ("strain", "strain", "#0072B2"),
     ("kinetic", "kinetic", "#D55E00"),
+    ("tools", "rigid tools", "#332288"),
     ("damped", "damped", "#009E73"),
     ("fracture", "fracture", "#CC79A7"),
     ("contact", "contact", "#E69F00"),

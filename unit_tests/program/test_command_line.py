@@ -18,7 +18,7 @@ from scenes import plate  # noqa: E402
 SECTIONS = ("Domain", "Time", "Materials", "Bodies", "Boundaries", "Output", "Reference")
 EFFECTS = ("Cracks", "Contact", "Energy Release", "Damping", "Face Pressure", "Mass Matrix",
            "Adaptivity", "Sub-Cycling", "Load Balance", "Propagation", "Combustion", "Thermal", "Measure",
-           "Body Contact")
+           "Body Contact", "Rigid Tools")
 
 
 class WrongArguments(ProgramTest):

@@ -417,7 +417,7 @@ TEST(NamesInCheckpoints, ChangeWithTheSchemaOnly)
   cases.push_back(joinedGases());
   for (const Case& one : sceneCases())
     if (one.name == "examples_penny_growth" || one.name == "verification_dcb_static" ||
-        one.name == "verification_burning_penny")
+        one.name == "verification_burning_penny" || one.name == "verification_tools_bar")
       cases.push_back(one);
   std::set<std::string> now = {"schema " + std::to_string(checkpointSchema)};
   for (const Case& one : cases)

@@ -104,6 +104,10 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Radius" type="double" value="0.3"/>
        <Parameter name="Power" type="double" value="1"/></ParameterList></ParameterList></ParameterList>)xml"},
     {"Body Contact", "<ParameterList name=\"Body Contact\"/>"},
+    {"Rigid Tools", R"xml(<ParameterList name="Rigid Tools"><ParameterList name="Wall">
+       <Parameter name="Shape" type="string" value="Box"/>
+       <Parameter name="Lower Corner" type="Array(double)" value="{-0.2, -0.2}"/>
+       <Parameter name="Upper Corner" type="Array(double)" value="{1.2, -0.05}"/></ParameterList></ParameterList>)xml"},
     {"Load Balance", "<ParameterList name=\"Load Balance\"/>"},
     {"Mass Matrix", R"xml(<ParameterList name="Mass Matrix">
        <Parameter name="Type" type="string" value="Full"/></ParameterList>)xml"},

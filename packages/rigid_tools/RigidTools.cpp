@@ -1,0 +1,250 @@
+#include "rigid_tools/RigidTools.hpp"
+
+#include "archive/Archive.hpp"
+#include "base/Attempts.hpp"
+#include "base/Numbers.hpp"
+#include "base/PointText.hpp"
+#include "base/ReadList.hpp"
+#include "rigid_tools/Outline.hpp"
+#include "rigid_tools/ToolRecord.hpp"
+#include "rigid_tools/ToolSection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace Rhegma::rigid_tools
+{
+
+namespace
+{
+
+/// A tool and what it touches.
+template <int D>
+struct ToolInRun
+{
+  Tool<D> tool;
+  std::vector<char> touches; ///< of each body: not 0 where the tool touches it
+  CellsNearTool<D> near;
+  ParticleGaps<D> gaps;
+  ToolContacts<D> contacts;
+  ToolRecord<D> record;
+  ToolOutline<D> outline; ///< where the scene has the tool
+};
+
+/// What the calls of the effect have in common.
+template <int D>
+struct Tools
+{
+  Teuchos::ParameterList section; ///< of the scene
+  std::vector<ToolInRun<D>> all;
+};
+
+/// Throws std::invalid_argument where particles lie in a tool.
+template <int D>
+void refuseOverlap(const State<D>& state, const ToolInRun<D>& one)
+{
+  const auto position = onHost(state.particles.template real<D>(fields::position));
+  const auto edge = onHost(state.particles.template real<D>(fields::edge));
+  const auto body = onHost(state.particles.integer(fields::body));
+  const auto bounds = one.tool.shape().bounds();
+  double deepest = 0.0;
+  int deepestAt = -1;
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    Vector<D> x;
+    bool inside = one.touches[body(p)] != 0;
+    double least = edge(p, 0);
+    for (int d = 0; d < D; ++d)
+    {
+      x[d] = position(p, d);
+      inside = inside && x[d] > bounds.lower[d] && x[d] < bounds.upper[d];
+      least = std::min(least, edge(p, d));
+    }
+    const double depth = inside ? one.tool.shape().depth(x) : 0.0;
+    if (depth > 1e-9 * state.mesh.grid.spacing && depth + 0.5 * least > deepest)
+    {
+      deepest = depth + 0.5 * least;
+      deepestAt = p;
+    }
+  }
+  if (deepestAt < 0)
+    return;
+  Vector<D> x;
+  for (int d = 0; d < D; ++d)
+    x[d] = position(deepestAt, d);
+  throw std::invalid_argument("Rigid Tools > " + one.tool.name() + ": overlaps Bodies > " +
+                              state.bodies.info[body(deepestAt)].name + " by up to " +
+                              readableLength(deepest) + " at the start, such as at " + formatPoint<D>(x) +
+                              "; move one of them, or name in Rigid Tools > " + one.tool.name() +
+                              " > Bodies the bodies that it touches");
+}
+
+template <int D>
+double kineticEnergyOf(const Tools<D>& tools)
+{
+  double sum = 0.0;
+  for (const ToolInRun<D>& one : tools.all)
+    sum += one.tool.kineticEnergy();
+  return sum;
+}
+
+/// Moves the outlines to where the tools are.
+template <int D>
+void placeOutlines(const Tools<D>& tools, State<D>& state)
+{
+  state.tools.resize(tools.all.size());
+  for (std::size_t k = 0; k < tools.all.size(); ++k)
+  {
+    ToolOutline<D>& outline = state.tools[k];
+    outline.cells = tools.all[k].outline.cells;
+    outline.points.clear();
+    for (const Vector<D>& point : tools.all[k].outline.points)
+      outline.points.push_back(tools.all[k].tool.placement().toSpace(point));
+  }
+}
+
+template <int D>
+void start(Tools<D>& tools, State<D>& state)
+{
+  Attempts attempts;
+  tools.all.clear();
+  for (const std::string& name : sublistNames(tools.section))
+  {
+    tools.all.push_back({Tool<D>(tools.section.sublist(name), name), {}, {}, {}, {}, {}, {}});
+    ToolInRun<D>& one = tools.all.back();
+    const std::vector<std::string>& named = one.tool.bodies();
+    for (const BodyInfo<D>& body : state.bodies.info)
+      one.touches.push_back(
+          named.empty() || std::find(named.begin(), named.end(), body.name) != named.end() ? 1 : 0);
+    one.outline = outlineOf(one.tool.shape());
+    attempts.attempt([&] { refuseOverlap(state, one); });
+  }
+  attempts.throwIfAny();
+  state.energy.tools = kineticEnergyOf(tools);
+  placeOutlines(tools, state);
+}
+
+/// A tool moves by a quarter of a cell in a step at most.
+template <int D>
+double stepLimit(const Tools<D>& tools, const State<D>& state)
+{
+  double fastest = 0.0;
+  for (const ToolInRun<D>& one : tools.all)
+    fastest = std::max(fastest, one.tool.speed());
+  return fastest > 0.0 ? 0.25 * state.mesh.smallestSpacing() / fastest
+                       : std::numeric_limits<double>::infinity();
+}
+
+template <int D>
+void press(Tools<D>& tools, State<D>& state)
+{
+  constexpr int mostSweeps = 100;        // over tools that touch the same fields
+  constexpr double settledChange = 1e-9; // of an impulse, as a fraction of the largest one
+  int touching = 0;
+  for (ToolInRun<D>& one : tools.all)
+  {
+    state.energy.externalWork += one.tool.beginStep(state.clock.time, state.clock.dt);
+    listParticlesNear(state, one.tool, one.near);
+    measureGaps(state, one.tool, one.touches, one.near, one.gaps);
+    listContacts(state, one.tool, one.gaps, one.contacts);
+    touching += one.contacts.count > 0 ? 1 : 0;
+  }
+  const int sweeps = touching > 1 ? mostSweeps : std::min(touching, 1);
+  for (int k = 0; k < sweeps; ++k)
+  {
+    double changed = 0.0;
+    for (ToolInRun<D>& one : tools.all)
+      changed = std::max(changed, exchangeImpulses(state, one.tool, one.contacts));
+    if (!(changed > settledChange))
+      return;
+  }
+}
+
+template <int D>
+void move(Tools<D>& tools, State<D>& state)
+{
+  for (ToolInRun<D>& one : tools.all)
+  {
+    joinProjection(state, one.tool, one.contacts);
+    const ToolSums<D> sums = sumContacts(one.contacts);
+    one.record.add(state, sums);
+    state.energy.contact += sums.dissipated;
+    if (!one.tool.hasMass())
+      state.energy.externalWork += sums.work;
+    state.energy.externalWork += one.tool.endStep(state.clock.dt);
+    keepPressedNodes(state, one.contacts);
+  }
+  state.energy.tools = kineticEnergyOf(tools);
+}
+
+template <int D>
+void serialize(Tools<D>& tools, const State<D>& state, Archive& archive)
+{
+  for (std::size_t k = 0; k < tools.all.size(); ++k)
+  {
+    ToolInRun<D>& one = tools.all[k];
+    const Archive::Group group(archive, std::to_string(k));
+    one.tool.serialize(archive);
+    one.record.serialize(archive);
+    serializePressedNodes(state, one.contacts, archive);
+    one.near = CellsNearTool<D>();
+  }
+}
+
+template <int D>
+void report(const Tools<D>& tools, nlohmann::json& summary)
+{
+  nlohmann::json& friction = summary["energy"]["friction"]; // of faces of cracks and of bodies, too
+  double all = friction.is_number() ? friction.get<double>() : 0.0;
+  summary["rigid_tools"] = nlohmann::json::array();
+  for (const ToolInRun<D>& one : tools.all)
+  {
+    all += one.record.friction();
+    summary["rigid_tools"].push_back(one.record.report(one.tool));
+  }
+  friction = all;
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
+{
+  const auto tools = std::make_shared<Tools<D>>();
+  tools->section = scene.sublist("Rigid Tools");
+  Effect<D> effect;
+  effect.name = "Rigid Tools";
+  effect.balance = {"contact", "tools"};
+  effect.atStart = [tools](State<D>& state) { start(*tools, state); };
+  effect.timeStepLimit = [tools](const State<D>& state) { return stepLimit(*tools, state); };
+  effect.call(Stage::Solve, "impulses of rigid tools",
+              {quantity::nodalMotion, quantity::stencils, ifWritten(quantity::prescribedMotion)}, {}, {},
+              [tools](State<D>& s) { press(*tools, s); });
+  effect.call(Stage::AfterProjection, "strain velocity at rigid tools", {quantity::nodalMotion}, {},
+              {quantity::projection}, [tools](State<D>& s) { move(*tools, s); });
+  effect.call(Stage::Observe, "forces of rigid tools", {quantity::energyBalance}, {}, {},
+              [tools](State<D>& s)
+              {
+                for (ToolInRun<D>& one : tools->all)
+                  one.record.sample(s, one.tool);
+                placeOutlines(*tools, s);
+              });
+  effect.memory = [tools](State<D>& s, Archive& archive)
+  {
+    serialize(*tools, s, archive);
+    placeOutlines(*tools, s);
+  };
+  effect.report = [tools](const State<D>&, nlohmann::json& summary) { report(*tools, summary); };
+  return effect;
+}
+
+} // namespace
+
+EffectEntry rigidToolsEntry()
+{
+  EffectEntry entry{toolSection(), checkTools, make<2>, make<3>, false};
+  entry.declare = [](const Teuchos::ParameterList&, RunOptions& options) { options.toolsPress = true; };
+  return entry;
+}
+
+} // namespace Rhegma::rigid_tools

@@ -1,0 +1,46 @@
+#pragma once
+/// What a tool has exchanged with bodies since the start, for the energy balance, the history and the
+/// summary.
+
+#include "rigid_tools/ToolImpulses.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace Rhegma
+{
+class Archive;
+}
+
+namespace Rhegma::rigid_tools
+{
+
+/// Record of a tool.
+template <int D>
+class ToolRecord
+{
+public:
+  /// Adds what the tool has exchanged in this step.
+  void add(const State<D>& state, const ToolSums<D>& sums);
+  /// Adds position, velocity, force since the last sample and work to the history.
+  void sample(State<D>& state, const Tool<D>& tool);
+  /// The entry of the summary.
+  nlohmann::json report(const Tool<D>& tool) const;
+  void serialize(Archive& archive); ///< saves or loads it
+
+  double friction() const { return friction_; } ///< energy lost along the faces [J]
+
+private:
+  double firstTouch_ = -1.0;  ///< when it first pressed on a body [s]; below 0: not yet
+  double dissipated_ = 0.0;   ///< kinetic energy that contact took [J]
+  double friction_ = 0.0;     ///< the part of it along the faces [J]
+  double work_ = 0.0;         ///< on bodies [J]
+  double overlap_ = 0.0;      ///< largest so far [m]
+  double largestForce_ = 0.0; ///< largest mean force of an interval of the history [N]
+  int closed_ = 0;            ///< fields of nodes that press on it now
+  Vector<D> impulse_{};       ///< on bodies so far [N s]
+  Vector<D> atSample_{};      ///< the same at the last sample [N s]
+  double sampled_ = 0.0;      ///< time of that sample [s]
+  Vector<D> force_{};         ///< on bodies, mean between the last two samples [N]
+};
+
+} // namespace Rhegma::rigid_tools

@@ -1,0 +1,273 @@
+#!/usr/bin/env python3
+"""Rigid tools that bodies slide, roll and press on, or that strike them, against closed forms and conservation laws.
+
+Positions relative to the cells, angles, masses and friction are drawn; RHEGMA_SEED in the environment chooses them, and is printed."""
+
+import math
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from drawn_scenes import DrawnScenes  # noqa: E402
+from program import rhegma  # noqa: E402
+from scenes import Scene  # noqa: E402
+
+ROUNDING = 1e-12  # sums over thousands of steps and particles
+DENSITY, GRAVITY = 1000.0, 10.0
+
+
+def solid(young, poisson=0.3):
+    return {"Model": "Linear Elastic", "Density": DENSITY, "Young Modulus": young, "Poisson Ratio": poisson}
+
+
+class Tools(DrawnScenes):
+    def struck_bar(self, cells, ratio, speed=1.0, dimension=2, time=1.5):
+        """A bar of 100 mm that a rigid mass of `ratio` bars strikes, for `time` travels of waves along it. Returns scene, mass of the tool, time of
+        contact, force F0 = rho c A v0 at first and rate rho c A / M at which it falls."""
+        length, young, more = 0.1, 1e9, dimension - 1
+        cell, speed_of_sound = length / cells, math.sqrt(young / DENSITY)
+        wide = 4.0 * cell
+        area = wide ** more
+        mass = ratio * DENSITY * area * length
+        gap = self.rng.uniform(0.01, 1.2) * cell
+        at = [self.rng.uniform(0.0, cell) for _ in range(dimension)]
+        low, high = at[1:], [x + wide for x in at[1:]]
+        rate = DENSITY * speed_of_sound * area / mass
+        end = gap / speed + time * length / speed_of_sound
+        scene = Scene(
+            {
+                "Domain": {"Dimension": dimension, "Cell Size": cell, "Lower Corner": [-8.0 * cell] * dimension,
+                           "Upper Corner": [length + 12.0 * cell] + [14.0 * cell] * more},
+                "Time": {"Final Time": end},
+                "Materials": {"Solid": solid(young, 0.0)},
+                "Bodies": {"Bar": {"Material": "Solid", "Shape": "Box", "Lower Corner": at, "Upper Corner": [at[0] + length, *high]}},
+                "Rigid Tools": {
+                    "Striker": {
+                        "Shape": "Box",
+                        "Lower Corner": [at[0] - gap - 3.0 * cell] + [x - cell for x in low],
+                        "Upper Corner": [at[0] - gap] + [x + cell for x in high],
+                        "Mass": mass,
+                        "Velocity": [speed] + [0.0] * more,
+                    }
+                },
+                "Output": {"Fields": False, "Checkpoints": False, "History Interval": end / 100.0},
+            }
+        )
+        return scene, mass, gap / speed, DENSITY * speed_of_sound * area * speed, rate
+
+    def test_a_mass_strikes_a_bar(self):
+        """Until waves are back the tool is slowed by the force rho c A v: v = v0 exp(-rho c A t / M). The first row of cells is stopped at once,
+        which takes its momentum from the tool: half a cell of the bar, as a fraction of M."""
+        for dimension, cells in ((2, 100), (3, 40)):
+            ratio = self.rng.uniform(0.3, 3.0)
+            scene, mass, touch, force, rate = self.struck_bar(cells, ratio, dimension=dimension)
+            summary, history = self.run_scene(scene)
+            with self.subTest(dimension=dimension, ratio=ratio):
+                tool, start = summary["rigid_tools"][0], 0.5 * mass
+                step = summary["time"] / summary["steps"]
+                self.assertLess(abs(tool["first_touch"] - touch), 1.01 * step)
+                for time, speed in zip(history["time"], history["Striker.velocity_x"]):
+                    exact = math.exp(-rate * max(time - touch, 0.0))
+                    self.assertLess(abs(speed - exact), 1.0 / (cells * ratio) + rate * step)
+                total = [a + mass * v for a, v in zip(history["momentum_x"], history["Striker.velocity_x"])]
+                self.assertLess(max(abs(p / mass - 1.0) for p in total), ROUNDING)
+                self.assertLess(max(abs(r) for r in history["residual"]), 0.02 * start)
+                self.assertGreater(history["contact"][-1], 0.0)
+                self.assertLess(history["contact"][-1], 1.0 / (cells * ratio) * start)
+                kinetic = [0.5 * mass * v**2 for v in history["Striker.velocity_x"]]
+                self.assertLess(max(abs(a - b) for a, b in zip(kinetic, history["tools"])), ROUNDING * start)
+
+    def incline(self, angle, turned, time, law, friction=0.0, cell=0.0125):
+        """A block of 8 cells on a plane that is turned through the cells; gravity makes `angle` with its normal."""
+        at = [self.rng.uniform(0.0, cell) for _ in range(2)]
+        c, s = math.cos(turned), math.sin(turned)
+
+        def out(x, y):
+            return [c * x - s * y, s * x + c * y]
+
+        corners = [out(x, y) for x in (-0.2, 0.5) for y in (-0.1, 0.1)]
+        around = {"Rotation": math.degrees(turned), "Rotation Centre": at}
+        return Scene(
+            {
+                "Domain": {"Dimension": 2, "Cell Size": cell, "Lower Corner": [min(x[d] for x in corners) - 4.0 * cell for d in range(2)],
+                           "Upper Corner": [max(x[d] for x in corners) + 6.0 * cell for d in range(2)]},
+                "Time": {"Final Time": time},
+                "Materials": {"Solid": solid(1e7)},
+                "Bodies": {"Block": {"Material": "Solid", "Shape": "Box", "Lower Corner": [at[0] - 0.05, at[1]],
+                                     "Upper Corner": [at[0] + 0.05, at[1] + 0.1], **around}},
+                "Rigid Tools": {"Plane": {"Shape": "Box", "Lower Corner": [at[0] - 0.2, at[1] - 0.1], "Upper Corner": [at[0] + 0.5, at[1]], **around,
+                                          "Law": law, **({"Friction Coefficient": friction} if law == "Coulomb" else {})}},
+                "Boundaries": {"Weight": {"Type": "Gravity", "Acceleration": out(GRAVITY * math.sin(angle), -GRAVITY * math.cos(angle))}},
+                "Output": {"Fields": False, "Checkpoints": False, "History Interval": time / 20.0},
+            }
+        )
+
+    def test_a_block_slides(self):
+        """The block shakes when its weight is applied at once, so that its speed is off by a few mm/s at any time."""
+        time = 0.1
+        for turned in (0.0, self.rng.uniform(0.05, 0.7), self.rng.uniform(-0.7, -0.05)):
+            angle, friction = self.rng.uniform(0.6, 0.9), self.rng.choice([0.0, 0.2, 0.5])
+            summary, _ = self.run_scene(self.incline(angle, turned, time, "Coulomb", friction))
+            with self.subTest(turned=turned, angle=angle, friction=friction):
+                block, tool, energy = summary["bodies"][0], summary["rigid_tools"][0], summary["energy"]
+                v = block["velocity"]
+                exact = GRAVITY * (math.sin(angle) - friction * math.cos(angle)) * time
+                self.assertLess(abs(math.cos(turned) * v[0] + math.sin(turned) * v[1] - exact), 0.01)
+                heat = friction * block["mass"] * GRAVITY * math.cos(angle) * 0.5 * exact * time
+                self.assertLess(abs(energy["friction"] - heat), 0.05 * (heat + energy["kinetic"]))
+                self.assertLess(abs(energy["residual"]), 0.01 * energy["kinetic"])
+                # The tool is at rest: it does no work, and its impulse and that of gravity are the momentum.
+                self.assertEqual(tool["work"], 0.0)
+                weight = [block["mass"] * g * time for g in
+                          (GRAVITY * math.sin(angle + turned), -GRAVITY * math.cos(angle + turned))]
+                weight = [block["mass"] * time * x for x in (
+                    GRAVITY * (math.cos(turned) * math.sin(angle) + math.sin(turned) * math.cos(angle)),
+                    GRAVITY * (math.sin(turned) * math.sin(angle) - math.cos(turned) * math.cos(angle)))]
+                for d in range(2):
+                    self.assertLess(abs(weight[d] + tool["impulse"][d] - summary["momentum"][d]), 1e-11 * block["mass"] * GRAVITY * time)
+
+    def test_a_block_sticks(self):
+        turned = self.rng.uniform(-0.5, 0.5)
+        for law in ("Coulomb", "Stick"):
+            scene = self.incline(0.3, turned, 0.6, law, 0.5)
+            scene.set("Boundaries > Weight > History", "t < 0.3 ? sin(pi*t/0.6)^2 : 1")
+            early, _ = self.run_scene(scene.set("Time > Final Time", 0.4))
+            late, _ = self.run_scene(scene.set("Time > Final Time", 0.6))
+            moved = max(abs(a - b) for a, b in zip(early["bodies"][0]["centre"], late["bodies"][0]["centre"]))
+            with self.subTest(law=law, turned=turned):
+                self.assertLess(moved, 1e-4 * 0.1)
+
+    def test_bodies_of_any_shape_among_tools_create_no_energy(self):
+        """Disks and boxes, some with a given motion, fly into tools at rest, tools that turn and tools with a mass."""
+        cell = 0.0125
+        bodies, tools = {}, {}
+        for k in range(6):
+            centre = [0.15 * (k % 3) + self.rng.uniform(0.0, 0.02), 0.15 * (k // 3) + self.rng.uniform(0.0, 0.02)]
+            motion = {"Velocity": [2.0 * (1 - k % 3) + self.rng.uniform(-0.5, 0.5), 1.0 - 2.0 * (k // 3)]}
+            if k % 2 == 0:
+                shape = {"Shape": "Ball", "Centre": centre, "Radius": 0.05}
+            else:
+                shape = {"Shape": "Box", "Lower Corner": [x - 0.04 for x in centre], "Upper Corner": [x + 0.04 for x in centre],
+                         "Rotation": self.rng.uniform(0.0, 90.0)}
+            kind = self.rng.choice(("at rest", "turns", "mass")) if k in (1, 4) else "body"
+            law = {"Law": "Coulomb", "Friction Coefficient": self.rng.uniform(0.0, 0.6)}
+            if kind == "body":
+                bodies[f"Body {k}"] = {"Material": "Solid", **shape, **motion, "Angular Velocity": [self.rng.uniform(-20.0, 20.0)]}
+            elif kind == "turns":
+                tools[f"Tool {k}"] = {**shape, **law, "Angular Velocity": [self.rng.uniform(-5.0, 5.0)]}
+            else:
+                tools[f"Tool {k}"] = {**shape, **law, **({"Mass": self.rng.uniform(0.5, 20.0), **motion} if kind == "mass" else {})}
+        scene = Scene(
+            {
+                "Domain": {"Dimension": 2, "Cell Size": cell, "Lower Corner": [-0.4, -0.4], "Upper Corner": [0.8, 0.7]},
+                "Time": {"Final Time": 0.06},
+                "Materials": {"Solid": solid(1e6)},
+                "Bodies": bodies,
+                "Body Contact": {"Law": "Coulomb", "Friction Coefficient": self.rng.uniform(0.0, 0.6)},
+                "Rigid Tools": tools,
+                "Output": {"Fields": False, "Checkpoints": False, "History Interval": 1e-3},
+            }
+        )
+        print(tools, flush=True)
+        summary, history = self.run_scene(scene)
+        start = history["kinetic"][0] + history["tools"][0]
+        momentum = sum(body["mass"] for body in summary["bodies"]) * 2.0
+        for d, axis in enumerate("xy"):
+            values = history["momentum_" + axis]
+            given = sum(tool["impulse"][d] for tool in summary["rigid_tools"])
+            self.assertLess(abs(values[-1] - values[0] - given), ROUNDING * momentum)
+        for k, s, t, w in zip(*(history[name] for name in ("kinetic", "strain", "tools", "external_work"))):
+            self.assertLess(k + s + t, 1.02 * start + w)
+        self.assertLess(max(abs(r) for r in history["residual"]), 0.02 * start)
+
+    def test_a_belt_drives_a_block(self):
+        """A tool that moves along its face drags a block at mu g until both move alike; its work is heat and motion."""
+        friction, speed = self.rng.uniform(0.1, 0.4), self.rng.uniform(0.05, 0.1)
+        time = 2.0 * speed / (friction * GRAVITY)
+        scene = self.incline(0.0, 0.0, time, "Coulomb", friction)
+        scene.set("Rigid Tools > Plane > Velocity", [speed, 0.0])
+        summary, history = self.run_scene(scene)
+        mass, tool = summary["bodies"][0]["mass"], summary["rigid_tools"][0]
+        self.assertLess(abs(summary["bodies"][0]["velocity"][0] / speed - 1.0), 0.02)
+        half = history["momentum_x"][len(history["time"]) // 4] / mass
+        self.assertLess(abs(half / (friction * GRAVITY * history["time"][len(history["time"]) // 4]) - 1.0), 0.05)
+        # Twice the kinetic energy of the block, of which half is friction.
+        self.assertLess(abs(tool["work"] / (mass * speed**2) - 1.0), 0.02)
+        self.assertLess(abs(tool["friction"] / (0.5 * mass * speed**2) - 1.0), 0.05)
+        self.assertLess(abs(tool["position"][0] - history["Plane.x"][0] - speed * summary["time"]), 1e-9)
+
+    def test_continues_from_a_checkpoint(self):
+        scene, *_ = self.struck_bar(20, 1.0)
+        scene.remove("Output > Checkpoints").set("Output > Checkpoint Interval", 1e-6)
+        scene.set("Rigid Tools > Wheel", {"Shape": "Ball", "Centre": [0.05, 0.05], "Radius": 0.02, "Angular Velocity": [30.0], "Pivot": [0.04, 0.05],
+                                          "Law": "Stick", "History": "1 + 1e3 * t"})
+        summary, whole = self.run_scene(scene, name="whole")
+        self.run_scene(scene, "--set", f"Time:Maximum Steps={summary['steps'] // 2}", name="part")
+        _, rest = self.run_scene(scene, "--restart", self.path("part", "checkpoint.h5"), name="part")
+        for column, values in whole.items():
+            self.assertEqual(values[-1], rest[column][-1], column)
+
+    def test_a_tool_is_held_until_its_release(self):
+        scene, mass, *_ = self.struck_bar(20, 1.0)
+        release = 1e-5
+        scene.set("Rigid Tools > Striker > Release Time", release).set("Rigid Tools > Striker > Velocity", [0.0, 0.0])
+        scene.set("Rigid Tools > Striker > Force", [-2.0 * mass, 3.0 * mass]).set("Rigid Tools > Striker > Force History", "0:0, 1e-4:1")
+        scene.set("Rigid Tools > Striker > Components", "y").set("Time > Final Time", 1e-4)
+        summary, history = self.run_scene(scene)
+        step = summary["time"] / summary["steps"]
+        exact = 3.0 * (1e-4**2 - release**2) / 2e-4
+        velocity = summary["rigid_tools"][0]["velocity"]
+        self.assertEqual(velocity[0], 0.0)
+        self.assertLess(abs(velocity[1] - exact), 3.0 * release / 1e-4 * step)
+        for time, v in zip(history["time"], history["Striker.velocity_y"]):
+            self.assertTrue(v > 0.0 or time < release + 2.0 * step)
+        self.assertLess(abs(history["residual"][-1]), 1e-9 * history["tools"][-1])
+
+    def test_a_tool_touches_the_bodies_that_it_names(self):
+        scene, mass, *_ = self.struck_bar(20, 1.0)
+        scene.set("Bodies > Other", {"Material": "Solid", "Shape": "Box", "Lower Corner": [0.08, 0.04], "Upper Corner": [0.1, 0.05]})
+        scene.set("Rigid Tools > Striker > Bodies", "Other")
+        summary, _ = self.run_scene(scene)
+        self.assertIsNone(summary["rigid_tools"][0]["first_touch"])
+        self.assertEqual(summary["rigid_tools"][0]["velocity"][0], 1.0)
+
+    def test_wrong_sections(self):
+        scene, *_ = self.struck_bar(20, 1.0)
+        tool = "Rigid Tools > Striker > "
+        for changes, where, words in (
+            ({"Shape": None}, "Shape", ["missing"]),
+            ({"Mass": 0.0}, "Mass", ["above 0"]),
+            ({"Mass": -1.0}, "Mass", ["above 0"]),
+            ({"History": "1"}, "History", ["has a Mass", "Force History"]),
+            ({"Angular Velocity": [1.0]}, "Angular Velocity", ["does not rotate"]),
+            ({"Law": "Coulomb", "Friction Coefficient": -0.1}, "Friction Coefficient", ["-0.1"]),
+            ({"Law": "Coulomb"}, "Friction Coefficient", ["is missing"]),
+            ({"Bodies": "Bra"}, "Bodies", ['"Bra"', "Bar"]),
+            ({"Components": "z"}, "Components", ['"z"']),
+            ({"Mass": None, "Force": [1.0, 0.0]}, "Force", ["without Mass"]),
+            ({"Force History": "t"}, "Force History", ["without Force"]),
+            ({"Mass": None, "History": "1/(t-t)"}, "History", []),
+            ({"Lower Corner": [-2.0, 0.0], "Upper Corner": [-1.0, 0.01]}, "", ["outside of the domain"]),
+            ({"Lower Corner": [-0.01, 0.0], "Upper Corner": [0.02, 0.01]}, "", ["overlaps Bodies > Bar", "mm"]),
+        ):
+            wrong = scene.copy()
+            for name, value in changes.items():
+                wrong.remove(tool + name) if value is None else wrong.set(tool + name, value)
+            with self.subTest(changes=changes):
+                self.assert_refused([self.write("wrong.xml", wrong.text())], [((tool + where).rstrip("> "), words)])
+        for path, value, words in (
+            ("Time > Analysis", "Static", "in motion only"),
+            ("Time > Update Scheme", "USF", "MUSL"),
+            ("Domain > Formulation", "Total Lagrangian", "do not see tools"),
+            ("Mass Matrix > Type", "Full", "lumped"),
+        ):
+            answer = rhegma(self.write("wrong.xml", scene.copy().set(path, value).text()), "--check")
+            self.assertEqual(answer.status, 1, answer)
+            self.assertIn(words, answer.messages)
+
+
+if __name__ == "__main__":
+    unittest.main()
