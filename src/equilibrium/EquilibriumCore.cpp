@@ -162,14 +162,17 @@ void warnOfRounding(const StepReport& report, State<D>& state, Account<D>& accou
 
 /// Warns, once, of an equilibrium in which bodies do not stay.
 template <int D>
-void warnOfInstability(const StepReport& report, State<D>& state, Account<D>& account)
+void warnOfInstability(const StepReport& report, const std::string& solver, State<D>& state,
+                       Account<D>& account)
 {
-  if (report.negativeEigenvalues == 0 || account.warnedOfInstability)
+  if (report.negativeEigenvalues.value_or(0) == 0 || account.warnedOfInstability)
     return;
+  const bool counts = solver.rfind("direct", 0) == 0;
   account.warnedOfInstability = true;
   state.warnings.push_back(
       "Time > Analysis: the equilibrium at t = " + readableTime(state.clock.time + state.clock.dt) +
-      " is unstable: the stiffness has " + counted(report.negativeEigenvalues, "negative eigenvalue") +
+      " is unstable: the stiffness has " + (counts ? "" : "at least ") +
+      counted(*report.negativeEigenvalues, "negative eigenvalue") +
       "; under smaller loads than these a body buckles, or its law softens, and a real "
       "one does not stay in this state: use smaller loads, or compute the motion with "
       "Time > Analysis = Dynamic");
@@ -218,6 +221,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   last.residuals = report.residuals;
   last.unknowns = step.unknowns();
   last.negativeEigenvalues = report.negativeEigenvalues;
+  last.unsolvable = report.unsolvable;
   last.solver = step.solver();
   account.iterations += last.iterations;
   account.linearIterations += report.linearIterations;
@@ -265,7 +269,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   }
   if (!(last.enough > 0.0))
     warnOfRounding(report, state, account);
-  warnOfInstability(report, state, account);
+  warnOfInstability(report, last.solver, state, account);
   warnOfFreePieces(report, isNew, state, account);
 }
 
@@ -311,13 +315,15 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
     archive("unknowns", last->unknowns);
     archive("residuals", last->residuals);
     archive("solver", last->solver);
-    archive("negative_eigenvalues", last->negativeEigenvalues);
+    int eigenvalues = last->negativeEigenvalues.value_or(-1);
+    archive("negative_eigenvalues", eigenvalues);
+    last->negativeEigenvalues = eigenvalues < 0 ? std::nullopt : std::optional<int>(eigenvalues);
   };
   core.report = [account, last](const State<D>& state, nlohmann::json& summary)
   {
     summary["equilibrium"] = {{"unknowns", last->unknowns},
                               {"solver", last->solver},
-                              {"negative_eigenvalues", last->negativeEigenvalues},
+                              {"negative_eigenvalues", nullptr},
                               {"matrix_bytes", last->matrixBytes},
                               {"load_steps", state.clock.step},
                               {"iterations", account->iterations},
@@ -325,6 +331,8 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
                               {"residuals", last->residuals},
                               {"unsupported_fields", account->unsupportedFields},
                               {"last_step_complete", state.failure.empty()}};
+    if (last->negativeEigenvalues)
+      summary["equilibrium"]["negative_eigenvalues"] = *last->negativeEigenvalues;
   };
   return core;
 }

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct LastStep
   int iterations = 0;
   std::vector<double> residuals; ///< fractions of the forces, before each iteration and after the last
   int unknowns = 0;
-  int negativeEigenvalues = 0; ///< of the last matrix, where it was factorised
+  std::optional<int> negativeEigenvalues{}; ///< of the last matrix (LinearAnswer)
+  std::string unsolvable;      ///< why a linear system of the step was not solved, where smaller loads do not
+                               ///< help; else empty
   std::string solver = "none"; ///< of the linear systems
   std::string reason;          ///< what keeps the step from equilibrium, where that is known; else empty
   double matrixBytes = 0.0;

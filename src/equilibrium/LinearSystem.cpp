@@ -3,6 +3,7 @@
 #include "equilibrium/RigidModes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -52,6 +53,23 @@ constexpr double mostAged = 2.0, mostTooOld = 4.0;
 
 /// Iterations that are no reason to replace a multigrid: its set-up takes longer.
 constexpr int fewIterations = 20;
+
+/// Whether the energy of a displacement is negative, by more than rounding. Collective.
+/// \param force by the stiffness
+bool isNegative(const Ranks& ranks, const BorrowedView<const double*>& displacement,
+                const BorrowedView<double*>& force)
+{
+  constexpr double rounding = 1e-10;
+  double sums[] = {0.0, 0.0, 0.0}; // of u . f, u . u, f . f
+  for (std::size_t k = 0; k < displacement.extent(0); ++k)
+  {
+    sums[0] += displacement(k) * force(k);
+    sums[1] += displacement(k) * displacement(k);
+    sums[2] += force(k) * force(k);
+  }
+  ranks.sum(sums, 3);
+  return sums[0] < -rounding * std::sqrt(sums[1] * sums[2]);
+}
 
 } // namespace
 
@@ -189,10 +207,10 @@ LinearAnswer LinearSystem<D>::solveDirectly(bool symmetric)
   }
   DirectSolver& direct = symmetric ? direct_ : unsymmetric_;
   if (!direct.factorise(matrix_.sparse()))
-    return {};
+    return {false, 0, {}, direct.failure()};
   Kokkos::deep_copy(x_, b_);
   direct.solve(x_);
-  return {true, 0, direct.negativeEigenvalues()};
+  return {true, 0, direct.negativeEigenvalues(), {}};
 }
 
 template <int D>
@@ -228,7 +246,10 @@ template <int D>
 SolveResult LinearSystem<D>::runKrylov(const Values& diagonal, int most)
 {
   const auto product = [this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
-  { multiply(x, y); };
+  {
+    multiply(x, y);
+    metNegative_ = metNegative_ || (symmetric_ && isNegative(owners_.ranks(), x, y));
+  };
   const auto preconditioned = [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
   { precondition(diagonal, x, y); };
   return symmetric_ ? krylov_->solve(product, preconditioned, most)
@@ -245,8 +266,9 @@ LinearAnswer LinearSystem<D>::iterate(const LinearGoal& goal)
   if (size == 0.0)
   {
     Kokkos::deep_copy(x_, 0.0);
-    return {true, 0, 0};
+    return {true, 0, {}, {}};
   }
+  metNegative_ = false;
   // The tolerance is that of a right side of size one: a smaller one needs fewer digits.
   const double wanted = std::min(std::max({goal.force / size, goal.fraction, leastLinearResidual}), 0.1);
   const double scale = size * std::max(1.0, wanted / linearTolerance);
@@ -284,7 +306,8 @@ LinearAnswer LinearSystem<D>::iterate(const LinearGoal& goal)
   for (int k = 0; k < matrix_.rows(); ++k)
     x_(k) = scale * x(k);
   // Newton's method corrects the rest.
-  return {result.converged || result.residual * scale < usefulResidual * size, iterations, 0};
+  const bool solved = result.converged || result.residual * scale < usefulResidual * size;
+  return {solved, iterations, metNegative_ ? std::optional<int>(1) : std::nullopt, {}};
 }
 
 template <int D>
@@ -317,36 +340,49 @@ LinearAnswer LinearSystem<D>::solve(StiffnessBlocks stiffness, bool symmetric, c
                                     const LinearGoal& goal, const Values& change)
 {
   if (rowsOfAll_ == 0)
-    return {true, 0, 0};
+    return {true, 0, 0, {}};
   prepare();
   matrix_.fill(stiffness, held_);
   matrix_.moveHeldToRight(stiffness, held_, right, change, b_);
   stiffness = {};
   symmetric_ = symmetric;
-  return finish(method_ == Method::Direct ? solveDirectly(symmetric) : iterate(goal), symmetric, change);
+  return finish(method_ == Method::Direct ? solveDirectly(symmetric) : iterate(goal), symmetric, goal,
+                change);
 }
 
 template <int D>
 LinearAnswer LinearSystem<D>::solveAgain(const Values& right, const LinearGoal& goal, const Values& change)
 {
   if (rowsOfAll_ == 0)
-    return {true, 0, 0};
+    return {true, 0, 0, {}};
   for (int k = 0; k < matrix_.rows(); ++k)
   {
     const int of = matrix_.unknownOf(k);
     b_(k) = held_(of) != 0 ? 0.0 : right(of);
   }
   if (method_ != Method::Direct)
-    return finish(iterate(goal), symmetric_, change);
+    return finish(iterate(goal), symmetric_, goal, change);
   DirectSolver& direct = symmetric_ ? direct_ : unsymmetric_;
   Kokkos::deep_copy(x_, b_);
   direct.solve(x_);
-  return finish({true, 0, direct.negativeEigenvalues()}, symmetric_, change);
+  return finish({true, 0, direct.negativeEigenvalues(), {}}, symmetric_, goal, change);
 }
 
 template <int D>
-LinearAnswer LinearSystem<D>::finish(LinearAnswer answer, bool symmetric, const Values& change)
+LinearAnswer LinearSystem<D>::finish(LinearAnswer answer, bool symmetric, const LinearGoal& goal,
+                                     const Values& change)
 {
+  // A factorisation that memory does not suffice for; conjugate gradients need a tenth of it.
+  if (!answer.solved && method_ == Method::Direct && !answer.failure.empty() && symmetric &&
+      Multigrid::available())
+  {
+    method_ = Method::Multigrid;
+    makeKrylov();
+    const std::string failure = answer.failure;
+    answer = iterate(goal);
+    answer.failure = answer.solved ? std::string() : failure;
+    return take(answer, change);
+  }
   if (!answer.solved && method_ != Method::Direct && DirectSolver::available() &&
       direct_.analyse(matrix_.sparse()) <= mostOperationsAtLast)
   {

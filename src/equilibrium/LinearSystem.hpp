@@ -11,6 +11,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace Rhegma::equilibrium
 {
@@ -19,8 +21,11 @@ namespace Rhegma::equilibrium
 struct LinearAnswer
 {
   bool solved = false;
-  int iterations = 0;          ///< of conjugate gradients or GMRES; 0 for a direct solution
-  int negativeEigenvalues = 0; ///< of the matrix, where a direct solution counts them
+  int iterations = 0; ///< of conjugate gradients or GMRES; 0 for a direct solution
+  /// Of the matrix: counted by a direct solution; 1 where conjugate gradients met a direction of negative
+  /// stiffness, of which there may be more; nothing where neither says anything.
+  std::optional<int> negativeEigenvalues{};
+  std::string failure{}; ///< why it is not solved, where that is no property of the matrix; else empty
 };
 
 /// When a linear solution is exact enough: as soon as its residual is below one of these.
@@ -107,7 +112,7 @@ private:
   void precondition(const View<double*>& diagonal, const BorrowedView<const double*>& x,
                     const BorrowedView<double*>& y) const;
   LinearAnswer solveDirectly(bool symmetric);
-  LinearAnswer finish(LinearAnswer answer, bool symmetric, const Values& change);
+  LinearAnswer finish(LinearAnswer answer, bool symmetric, const LinearGoal& goal, const Values& change);
   LinearAnswer take(const LinearAnswer& answer, const Values& change) const;
   LinearAnswer iterate(const LinearGoal& goal);
   void multiply(const BorrowedView<const double*>& x, const BorrowedView<double*>& y) const;
@@ -126,8 +131,9 @@ private:
   Method method_ = Method::Unknown;
   DirectSolver direct_, unsymmetric_{false};
   bool unsymmetricAnalysed_ = false;
-  bool isTooLarge_ = false;                    ///< for any factorisation
-  bool symmetric_ = true;                      ///< the last matrix
+  bool isTooLarge_ = false;  ///< for any factorisation
+  bool symmetric_ = true;    ///< the last matrix
+  bool metNegative_ = false; ///< whether conjugate gradients met negative stiffness in the last system
   const TangentProduct<D>* product_ = nullptr; ///< while a system is solved without a matrix
   const MakeBlocks* approximate_ = nullptr;    ///< with it
   Values diagonal_;                            ///< with it, of this rank's rows

@@ -378,6 +378,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
     const LinearAnswer answer = solveLinear(state, goal, keeps, change);
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
+    report.unsolvable = answer.failure;
     // Before the supports have moved there is no residual to compare with.
     const double bound =
         moved ? std::numeric_limits<double>::infinity() : mostResidual(state, k, modes_.size(), now);

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,9 +32,10 @@ constexpr double roundingOfForces = 1e-6;
 struct StepReport
 {
   bool converged = false;
-  std::vector<double> residuals;     ///< before each iteration and after the last, as fractions of the forces
-  int linearIterations = 0;          ///< of all linear solves
-  int negativeEigenvalues = 0;       ///< of the last matrix, where it was factorised
+  std::vector<double> residuals; ///< before each iteration and after the last, as fractions of the forces
+  int linearIterations = 0;      ///< of all linear solves
+  std::optional<int> negativeEigenvalues{}; ///< of the last matrix (LinearAnswer)
+  std::string unsolvable;                   ///< why a linear system was not solved (LinearAnswer::failure)
   std::vector<FreePiece> freePieces; ///< whose loads inertia forces have balanced, if they do not balance
   double forces = 0.0; ///< largest norm so far of loads, forces of supports or forces out of balance at the
                        ///< start of a step [N]

@@ -109,7 +109,8 @@ struct StiffnessBlock
       }
     for (int a = 0; a < rows.count; ++a)
     {
-      double* const block = &stiffness(D * D * graph.find(rows.row[a], rows.row[b]));
+      double* const block =
+          &stiffness(D * D * static_cast<std::size_t>(graph.find(rows.row[a], rows.row[b])));
       for (int i = 0; i < D; ++i)
         for (int k = 0; k < D; ++k)
         {

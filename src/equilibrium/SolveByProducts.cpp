@@ -10,7 +10,7 @@ LinearAnswer LinearSystem<D>::solve(const TangentProduct<D>& product, const Make
                                     const Values& right, const LinearGoal& goal, const Values& change)
 {
   if (rowsOfAll_ == 0)
-    return {true, 0, 0};
+    return {true, 0, 0, {}};
   if (!krylov_)
     makeKrylov();
   if (method_ != Method::Diagonal)

@@ -8,6 +8,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -53,7 +54,8 @@ struct DirectSolver::Instance
   std::vector<std::size_t> entry; ///< of the matrix
   std::vector<double> value;
   Ranks ranks;
-  int rows = 0; ///< of this rank
+  int rows = 0;    ///< of this rank
+  int failure = 0; ///< code of the last factorisation that failed
 
   Instance(bool symmetric, const Ranks& of) : ranks(of)
   {
@@ -135,12 +137,22 @@ bool DirectSolver::factorise(const SparseMatrix& matrix)
   {
     if (mumps.call(Factorise))
       return true;
+    mumps.failure = numbered(mumps.data.infog, 1);
     bool more = false;
     for (const int error : shortOfMemory)
       more = more || numbered(mumps.data.infog, 1) == error;
     if (!more || relaxation > mostRelaxation)
       return false;
   }
+}
+
+std::string DirectSolver::failure() const
+{
+  constexpr int ofMemory[] = {-8, -9, -11, -13, -14, -15, -17, -19, -20};
+  const int code = instance_ ? instance_->failure : 0;
+  if (std::find(std::begin(ofMemory), std::end(ofMemory), code) == std::end(ofMemory))
+    return {};
+  return "memory does not suffice to factorise its matrix (MUMPS error " + std::to_string(code) + ")";
 }
 
 int DirectSolver::negativeEigenvalues() const { return symmetric_ ? numbered(instance_->data.infog, 12) : 0; }
@@ -172,6 +184,7 @@ DirectSolver::DirectSolver(bool symmetric) : symmetric_(symmetric) {}
 DirectSolver::~DirectSolver() = default;
 double DirectSolver::analyse(const SparseMatrix&) { return std::numeric_limits<double>::infinity(); }
 bool DirectSolver::factorise(const SparseMatrix&) { return false; }
+std::string DirectSolver::failure() const { return {}; }
 int DirectSolver::negativeEigenvalues() const { return 0; }
 void DirectSolver::solve(const View<double*>&) {}
 

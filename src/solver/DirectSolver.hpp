@@ -4,6 +4,7 @@
 #include "solver/SparseMatrix.hpp"
 
 #include <memory>
+#include <string>
 
 namespace Rhegma
 {
@@ -31,6 +32,9 @@ public:
   /// Factorises the matrix that was analysed, with the values that it has now. \return false where it is
   /// singular or memory does not suffice
   bool factorise(const SparseMatrix& matrix);
+
+  /// Why the last factorisation failed, where memory did not suffice; else empty.
+  std::string failure() const;
 
   /// Negative eigenvalues of the last factorised matrix; 0 where it is not symmetric.
   int negativeEigenvalues() const;

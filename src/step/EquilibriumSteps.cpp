@@ -134,6 +134,13 @@ void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
       steps_.next = std::min(grows ? std::max(2.0 * dt, steps_.next) : dt, steps_.largest);
       return;
     }
+    if (!last_->unsolvable.empty())
+    {
+      state.failure = "a linear system of " + std::to_string(last_->unknowns) +
+                      " unknowns can't be solved: " + last_->unsolvable +
+                      "; use larger cells away from the cracks, or a machine with more memory";
+      stopRun(state);
+    }
     if (dt <= LoadSteps<D>::smallest * steps_.largest)
     {
       std::ostringstream why;

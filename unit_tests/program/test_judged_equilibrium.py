@@ -132,6 +132,21 @@ class Judged(ProgramTest):
                 unstable = [line for line in summary["warnings"] if "is unstable: the stiffness has 1 negative eigenvalue;" in line]
                 self.assertEqual(len(unstable), modes, summary["warnings"])
 
+    def test_columns_that_buckle_by_conjugate_gradients(self):
+        """They meet a displacement of negative energy where there is one, and count none elsewhere."""
+        width, cell = 4e-3, 1e-3
+        euler = math.pi**2 * STEEL["Young Modulus"] * width**2 / 12.0 / (2.0 * HEIGHT) ** 2
+        for part, found in ((0.8, None), (1.6, 1)):
+            with self.subTest(part=part):
+                load = {"Type": "Traction", "Body": "Plate", "From": [width, HEIGHT], "To": [0.0, HEIGHT], "Stress": [0.01 * euler, -part * euler]}
+                scene = plate({"Foot": FOOT, "Load": load}).set("Domain > Cell Size", cell).set("Time > Linear Solver", "Iterative")
+                scene.set("Bodies > Plate > Upper Corner", [width, HEIGHT])
+                summary = self.summary(scene)
+                self.assertIn("conjugate gradients", summary["equilibrium"]["solver"])
+                self.assertEqual(summary["equilibrium"]["negative_eigenvalues"], found)
+                unstable = [line for line in summary["warnings"] if "is unstable: the stiffness has at least 1 negative eigenvalue;" in line]
+                self.assertEqual(len(unstable), found or 0, summary["warnings"])
+
     def test_supports_that_reach_hardly_any_material(self):
         """A column whose foot lies a 250th or a 20th of a cell below the row of nodes that the support holds: it hangs on the ghost penalty,
         sinks, and its work is far from P u / 2 = P^2 L / (2 E A). Where the support reaches the row next to it nothing is said."""
