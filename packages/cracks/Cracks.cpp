@@ -206,7 +206,6 @@ void start(const Shared<D>& parts, State<D>& state)
   parts->meshes = readCracks(parts->section, *parts->bodies, state, edge, front);
   if (!parts->adaptive) // else once cells are refined
     refuseCloseCracks(state);
-  judgeLengths(front, state);
   if (parts->hasSprings)
     parts->advected.start(state);
   StencilEditor<D> editor;
@@ -376,6 +375,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     if (!parts->meshes.empty()) // else bodies or cracks are wrong
       judgeLigaments(*parts->bodies, parts->mirrored, parts->meshes, state);
     parts->meshes.clear();
+    judgeLengths(sizesOf(*parts, state).second, state); // in cells that are refined already
     if (parts->adaptive)
       refuseCloseCracks(state);
   };

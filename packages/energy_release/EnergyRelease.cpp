@@ -307,7 +307,10 @@ void reportSamples(const State<D>& state, const Options& options, Samples<D>& sa
     nlohmann::json& front = crack["fronts"][s.front.number];
     s.report(options, front);
     reportError(s, options, errors[k], front);
-    if (options.contour && !state.method.equilibrium())
+    // Where all loads rise in proportion the largest is the last.
+    const bool proportional =
+        state.method.analysis == Analysis::Static || state.method.analysis == Analysis::LoadFactor;
+    if (options.contour && !proportional)
     {
       const LargestRelease::Peak largest = samples.largest.of(s.front.crack, s.front.number);
       front["largest_G_J"] = largest.release;

@@ -42,22 +42,21 @@ constexpr double enoughForG = 1e-3;
 /// longer a small correction.
 constexpr double noticeablePenalty = 0.02;
 
-/// Warns where nodes are held by the ghost penalty rather than by material. Collective.
+/// Warns where nodes are held by the ghost penalty rather than by material. \param stabilised energy of the
+/// penalty [J] \param largest of the strain energy and the work of the loads together, during the run [J]
 template <int D>
-void warnOfPenalty(State<D>& state)
+void warnOfPenalty(double stabilised, double largest, State<D>& state)
 {
-  measureEnergy(state);
-  const EnergyBalance energy = energyOfAllRanks(state);
-  const double all = std::fabs(energy.externalWork) + energy.strain;
-  if (!(energy.stabilised > noticeablePenalty * all))
+  if (!(stabilised > noticeablePenalty * largest))
     return;
-  state.warnings.push_back(
-      "Time > Analysis: the ghost penalty, which holds nodes with hardly any material to their neighbours, "
-      "took " +
-      formatShort(energy.stabilised) + " J, " + formatShort(100.0 * energy.stabilised / all) +
-      " % of the work of the loads and the strain energy: supports or loads act on such nodes, and "
-      "displacements "
-      "and energies are wrong; let their boxes reach half a cell into the bodies, or use smaller cells");
+  state.warnings.push_back("Time > Analysis: the ghost penalty, which holds nodes with hardly any material "
+                           "to their neighbours, took " +
+                           formatShort(stabilised) + " J, " + formatShort(100.0 * stabilised / largest) +
+                           " % of the largest strain energy and work of the loads: supports, loads or "
+                           "thermal strain act on such nodes, and "
+                           "displacements and energies are wrong; let boxes of supports reach half a cell "
+                           "into the bodies, or use smaller "
+                           "cells");
 }
 
 template <int D>
@@ -319,10 +318,13 @@ void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until
     return;
   ++state.clock.step;
   state.particles.particleSteps += allParticles(state);
+  measureEnergy(state);
+  const EnergyBalance energy = energyOfAllRanks(state);
+  largestEnergy_ = std::max(largestEnergy_, energy.strain + std::fabs(energy.externalWork));
   if (ends)
   {
     settleInPlace(stages, state);
-    warnOfPenalty(state);
+    warnOfPenalty(energyOfAllRanks(state).stabilised, largestEnergy_, state);
   }
   // Nodes are those of the particles as they lie now, at rest.
   runBetweenSteps(plan, state);

@@ -73,6 +73,7 @@ private:
   void withoutNewLoads(State<D>& state, const std::function<void()>& solve);
 
   LoadSteps<D> steps_;
+  double largestEnergy_ = 0.0;    ///< strain energy and work of loads, of this part of the run [J]
   bool warnedOfSettling_ = false; ///< not stored: a run that continues says it again
   std::shared_ptr<equilibrium::LastStep> last_ = std::make_shared<equilibrium::LastStep>();
 };

@@ -20,7 +20,7 @@ class Column:
         self.errors, self.ranges = errors or [None] * len(values), ranges or [None] * len(values)
         self.largest = largest_of(values) if largest is None else largest
         root = " √m" if unit.endswith("√m") else ""
-        self.factor, scaled = style.scale(self.largest, unit.replace(" √m", "")) if unit != "m/s" else (1.0, unit)
+        self.factor, scaled = style.scale(self.largest, unit.replace(" √m", "")) if unit not in ("m/s", "") else (1.0, unit)
         self.unit = scaled + root
 
     @property

@@ -126,6 +126,14 @@ def head_of(run):
     return element("header", parts)
 
 
+def of_which_loads(summary):
+    """For which loads the values of fronts are, in words."""
+    factor = (summary.get("propagation") or {}).get("load_factor")
+    if not isinstance(factor, (int, float)):
+        return "Values at the end of the run"
+    return f"Values at the end of the run, at {factor:.4g} times the loads of the scene (K is in proportion to them in linear elastic bodies, G to their square)"
+
+
 def fronts_part(summary):
     """The table of fronts; of many, the rest is folded."""
     found = front_table(summary)
@@ -135,7 +143,7 @@ def fronts_part(summary):
     parts = [element("h3", "Cracks and their fronts"), table(head, rows[:OPEN_ROWS], numbers)]
     if len(rows) > OPEN_ROWS:
         parts.append(folded(f"{len(rows) - OPEN_ROWS} more fronts", table(head, rows[OPEN_ROWS:], numbers)))
-    parts.append(element("p", "Values at the end of the run, fronts with the largest G first. ± is the estimated numerical error; in 3D values are means along "
+    parts.append(element("p", f"{of_which_loads(summary)}, fronts with the largest G first. ± is the estimated numerical error; in 3D values are means along "
                          "the front, with their range in brackets. Largest G is that of all samples.", class_="note"))
     return parts
 
