@@ -52,9 +52,28 @@ def given_view(fields, normal, where):
     return View([axis for axis in range(3) if axis != normal], normal, position)
 
 
+def lengths_of_fronts(fields):
+    """How long crack fronts are along each axis (3) [m]: edges of the crack's surface that have one triangle, with material beyond them."""
+    crack = fields.crack
+    edges = np.concatenate([crack.cells[:, [0, 1]], crack.cells[:, [1, 2]], crack.cells[:, [2, 0]]])
+    third = np.concatenate([crack.cells[:, 2], crack.cells[:, 0], crack.cells[:, 1]])
+    _, first, count = np.unique(np.sort(edges, axis=1), axis=0, return_index=True, return_counts=True)
+    start, end, inner = (crack.points[index[first[count == 1]]] for index in (edges[:, 0], edges[:, 1], third))
+    along = end - start
+    middle = 0.5 * (start + end)
+    outward = middle - inner
+    square = np.einsum("ij,ij->i", along, along)
+    outward -= np.divide(np.einsum("ij,ij->i", outward, along), square, out=np.zeros_like(square), where=square > 0.0)[:, None] * along
+    size = np.linalg.norm(outward, axis=1, keepdims=True)
+    beyond = middle + fields.size * np.divide(outward, size, out=np.zeros_like(outward), where=size > 0.0)
+    half = np.stack([boxes.reach(fields.boxes(), axis) for axis in range(3)], axis=1)
+    inside = [bool((np.abs(fields.position - point) <= half).all(axis=1).any()) for point in beyond]
+    return np.abs(along[inside]).sum(axis=0)
+
+
 def choose_view(fields, asked=None):
     """2D: the plane. 3D: the slice that is asked for (axis and position), else one through the middle, or through the
-    cracks, that shows the most and cuts the cracks."""
+    cracks, that shows the most and cuts the cracks, across their fronts where these run along an axis."""
     if asked is not None:
         return given_view(fields, *asked)
     if fields.dimension == 2:
@@ -66,6 +85,9 @@ def choose_view(fields, asked=None):
         facing = np.abs(crack_normals(fields.crack)).mean(axis=0)
         candidates.remove(int(np.argmax(facing)))  # seen from there a crack is no line
         middle = 0.5 * (fields.crack.points.min(axis=0) + fields.crack.points.max(axis=0))
+        fronts = lengths_of_fronts(fields)[candidates]
+        if fronts.max() > 2.0 * fronts.min():  # else they are round
+            candidates = [candidates[int(np.argmax(fronts))]]
     # Of equally thin directions the last, so that x and y are drawn where nothing else decides.
     thinnest = extent[candidates].min()
     normal = [axis for axis in candidates if extent[axis] <= thinnest * (1.0 + 1.0e-6)][-1]

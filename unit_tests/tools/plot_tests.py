@@ -246,6 +246,16 @@ class FieldPicture(ToolTest):
             np.zeros((2, 3)), np.zeros((2, 3)), np.array([[0, 0, 0, 3.0, 0, 0], [0, 0, -2.0, 0, 0, 0]]), 1.0)})])
         np.testing.assert_allclose(read_fields(self.folder).largest_principal_stress(), [3.0, 0.0], atol=1e-14)
 
+    def test_slice_of_3d_cuts_a_straight_front(self):
+        """A crack from the edge of a cube in the plane z = 0, whose front runs along x or along y: the slice lies across it."""
+        made_up_run.penny(self.folder)
+        fields = read_fields(self.folder)
+        for along, across in ((0, 1), (1, 0)):
+            points = np.zeros((4, 3))
+            points[:, along], points[:, across] = [-0.5, 0.5, 0.5, -0.5], [-0.6, -0.6, 0.0, 0.0]
+            fields.crack = Crack(points, np.array([[0, 1, 2], [0, 2, 3]]), np.zeros((4, 3)))
+            self.assertEqual(choose_view(fields).normal, along)
+
     def test_slice_of_3d_cuts_the_crack(self):
         """A penny in the plane z = 0 is a line only in a slice along z: of x and y, equally wide, y is taken. The
         slice of a cube of 40 layers goes through the middle of one, and the crack's cut is as long as its chord there.
