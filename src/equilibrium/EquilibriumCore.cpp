@@ -207,6 +207,20 @@ void warnOfFreePieces(const StepReport& report, const IsNew& isNew, State<D>& st
     }
 }
 
+/// What the loop of load steps and the summary know of a solution.
+template <int D>
+void tellLoop(const StepReport& report, const NewtonStep<D>& step, LastStep& last)
+{
+  last.converged = report.converged;
+  last.iterations = std::max(0, static_cast<int>(report.residuals.size()) - 1);
+  last.residuals = report.residuals;
+  last.unknowns = step.unknowns();
+  last.negativeEigenvalues = report.negativeEigenvalues;
+  last.unsolvable = report.unsolvable;
+  last.solver = step.solver();
+  last.reason = report.reason;
+}
+
 template <int D>
 void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 {
@@ -216,17 +230,10 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   if (!report.converged && !last.trial && solved->hasClippedBoxes())
     report = solveOnce(state, account, last, Boxes::AsTheyAre, solved);
   const NewtonStep<D>& step = *solved;
-  last.converged = report.converged;
-  last.iterations = std::max(0, static_cast<int>(report.residuals.size()) - 1);
-  last.residuals = report.residuals;
-  last.unknowns = step.unknowns();
-  last.negativeEigenvalues = report.negativeEigenvalues;
-  last.unsolvable = report.unsolvable;
-  last.solver = step.solver();
+  tellLoop(report, step, last);
   account.iterations += last.iterations;
   account.linearIterations += report.linearIterations;
   account.unsupportedFields = step.unsupportedFields();
-  last.reason = report.reason;
   const auto isNew = [&](const FreePiece& piece)
   { return last.freePiecesAreNew || (piece.isPart && state.cracks.growth.area > 0.0); };
   if (!last.trial && state.failure.empty())
