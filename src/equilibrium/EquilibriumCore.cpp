@@ -209,7 +209,7 @@ void warnOfFreePieces(const StepReport& report, const IsNew& isNew, State<D>& st
 
 /// What the loop of load steps and the summary know of a solution.
 template <int D>
-void tellLoop(const StepReport& report, const NewtonStep<D>& step, LastStep& last)
+void reportToLoop(const StepReport& report, const NewtonStep<D>& step, LastStep& last)
 {
   last.converged = report.converged;
   last.iterations = std::max(0, static_cast<int>(report.residuals.size()) - 1);
@@ -230,7 +230,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   if (!report.converged && !last.trial && solved->hasClippedBoxes())
     report = solveOnce(state, account, last, Boxes::AsTheyAre, solved);
   const NewtonStep<D>& step = *solved;
-  tellLoop(report, step, last);
+  reportToLoop(report, step, last);
   account.iterations += last.iterations;
   account.linearIterations += report.linearIterations;
   account.unsupportedFields = step.unsupportedFields();
