@@ -77,7 +77,7 @@ def of_no_growth(summary, fronts):
     return f"No{until}: no front grew{reached}."
 
 
-def of_no_toughness(fronts):
+def of_no_toughness(fronts, in_equilibrium):
     known = [entry for entry in fronts if largest_release(entry[2]) is not None]
     if not known:
         return "Not decided: the scene computes no energy release rate (section Energy Release)."
@@ -92,8 +92,10 @@ def of_no_toughness(fronts):
         if is_number(most_along) and most_along > last:
             at_end = f"{readable(last, 'J/m²')}{estimate} in the mean along the front and {readable(most_along, 'J/m²')} at most, at the end"
     peak = f"{', ' if at_end else ''}{readable(largest, 'J/m²')} at most" if not is_number(last) or largest > last else ""
+    decide = (" A run that decides has Propagation > Toughness, Time > Analysis = Quasi-Static with Load Steps = 1, and, if cells are refined at fronts, "
+              "Adaptivity > Front Cells = 0 with a box around the path." if in_equilibrium else "")
     return (f"Not decided: the scene has no toughness (section Propagation). A crack runs if its toughness is below G. The largest is that of "
-            f"{name_of(most)}: G = {at_end}{peak}.")
+            f"{name_of(most)}: G = {at_end}{peak}.{decide}")
 
 
 def verdict(summary):
@@ -108,7 +110,7 @@ def verdict(summary):
     elif grown:
         text = f"Yes: {growth_of(grown, len(fronts), 'equilibrium' in summary)}."
     else:
-        text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts)
+        text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts, "equilibrium" in summary)
     stopped = [entry for entry in fronts if entry[2].get("stopped")]
     return text + (f" Stopped for a numerical reason, not by the material: {listed(stopped)}." if stopped else "")
 
