@@ -185,7 +185,7 @@ std::vector<Geometry::SurfacePoint<D>> chosenSurface(const ParameterList& scene,
   const std::string name = list.get<std::string>("Body");
   const ParameterList& body = scene.sublist("Bodies").sublist(name);
   const double spacing = 0.25 * scene.sublist("Domain").get<double>("Cell Size");
-  const auto points = Geometry::chosenPoints<D>(makeShape<D>(body), readChoice<D>(list, body), spacing);
+  auto points = Geometry::chosenPoints<D>(makeShape<D>(body), readChoice<D>(list, body), spacing);
   if (points.empty())
   {
     std::string left;

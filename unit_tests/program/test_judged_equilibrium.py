@@ -147,6 +147,17 @@ class Judged(ProgramTest):
                 unstable = [line for line in summary["warnings"] if "is unstable: the stiffness has at least 1 negative eigenvalue;" in line]
                 self.assertEqual(len(unstable), found or 0, summary["warnings"])
 
+    def test_largest_release_of_loads_that_fall(self):
+        """A load that rises to its whole at half of the time and falls to a fifth: G is 25 times that of the end."""
+        load = {"Type": "Traction", "Body": "Plate", "From": [0.04, HEIGHT], "To": [0.0, HEIGHT], "Stress": [0.0, 1e6], "History": "0:0, 0.5:1, 1:0.2"}
+        scene = plate({"Foot": FOOT, "Load": load}, Cracks={"Notch": {"Points": [-0.001, 0.0411, 0.0123, 0.0411]}}, **{"Energy Release": {}})
+        scene.set("Time > Analysis", "Quasi-Static").set("Time > Load Steps", 4).set("Domain > Cell Size", 1e-3)
+        summary = self.summary(scene)
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertAlmostEqual(front["largest_G_J"] / front["G_J"], 25.0, delta=0.05)
+        self.assertEqual(front["time_of_largest_G_J"], 0.5)
+        self.assertTrue(any("the largest G of all samples was" in answer for answer in summary["answers"]), summary["answers"])
+
     def test_supports_that_reach_hardly_any_material(self):
         """A column whose foot lies a 250th or a 20th of a cell below the row of nodes that the support holds: it hangs on the ghost penalty,
         sinks, and its work is far from P u / 2 = P^2 L / (2 E A). Where the support reaches the row next to it nothing is said."""
