@@ -49,7 +49,6 @@ struct SumImpulses
 {
   using value_type = double[];
   using size_type = int;
-  using execution_space = ExecSpace;
 
   static constexpr int size = D + D * D;
   int value_count = size;
@@ -211,7 +210,6 @@ struct AddContacts
 {
   using value_type = double[];
   using size_type = int;
-  using execution_space = ExecSpace;
 
   static constexpr int size = D + 4;
   int value_count = size;

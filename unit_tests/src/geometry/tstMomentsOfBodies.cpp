@@ -58,9 +58,11 @@ Moments<D> momentsOf(const Seeds<D>& seeds)
 
 /// Compares with closed forms to the same relative accuracy; off the diagonal to as much of the polar moment.
 /// \param mostSmall fraction of the volume that may be in particles below half a cell of their lattice
+/// \param ofEnds how much more a second moment may be off: what a bar lacks at its end counts three times, as
+///        (l / 2)^2 is 3 l^2 / 12
 template <int D>
 void expectMoments(const Seeds<D>& seeds, const Moments<D>& right, double accuracy, const std::string& what,
-                   double mostSmall = 0.0)
+                   double mostSmall = 0.0, double ofEnds = 1.0)
 {
   const Moments<D> found = momentsOf(seeds);
   const double size = std::pow(right.volume, 1.0 / D);
@@ -72,7 +74,8 @@ void expectMoments(const Seeds<D>& seeds, const Moments<D>& right, double accura
   {
     EXPECT_NEAR(found.centre[d], right.centre[d], accuracy * size) << what;
     for (int e = 0; e < D; ++e)
-      EXPECT_NEAR(found.second[d][e], right.second[d][e], accuracy * (d == e ? right.second[d][d] : polar))
+      EXPECT_NEAR(found.second[d][e], right.second[d][e],
+                  ofEnds * accuracy * (d == e ? right.second[d][d] : polar))
           << what << ' ' << d << e;
   }
   double cell = 1.0;
@@ -294,8 +297,9 @@ TEST(MomentsOfBodies, TurnedCutsAreExact)
   }
 }
 
-/// Two boxes that share a face are one body, wherever the face is. Only where the face reaches the surface,
-/// twice, may some 2e-3 of a particle of 0.25 be lost: 2e-4 of the area of 10 at least.
+/// Two boxes that share a face are one body, wherever the face is. Only where the face or the end of a box
+/// reaches the surface, up to four times, may some 2e-3 of a particle of 0.25 be lost: 2e-4 of the area of 10
+/// at least.
 TEST(MomentsOfBodies, AddedPartsJoinWithoutAGap)
 {
   Random random;
@@ -308,7 +312,8 @@ TEST(MomentsOfBodies, AddedPartsJoinWithoutAGap)
     Moments<2> right{5.0 * height, {{2.5, 0.5 * height}}, {}};
     right.second[0][0] = right.volume * 25.0 / 12.0;
     right.second[1][1] = right.volume * height * height / 12.0;
-    expectMoments(seedParticles(makeShape<2>(list), 1.0, 2, "Beam"), right, 2e-4, std::to_string(at));
+    expectMoments(seedParticles(makeShape<2>(list), 1.0, 2, "Beam"), right, 2e-4, std::to_string(at), 0.0,
+                  3.0);
   }
 }
 
