@@ -84,6 +84,7 @@ int main(int argc, char** argv)
   bindThreads(argv);
   startWithoutNetwork();
   outliveReaders();
+  startWithoutDisplay();
   MPI_Init(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

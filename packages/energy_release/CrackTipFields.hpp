@@ -86,14 +86,4 @@ KOKKOS_INLINE_FUNCTION TipField williamsField(int mode, double r, double theta, 
   return WilliamsPosition(r, theta).field(mode, moduli);
 }
 
-/// Angle [rad] from the front's direction towards its normal in which the hoop stress is largest.
-/// Source: Erdogan and Sih, J. Basic Eng. 85 (1963) 519.
-inline double hoopStressAngle(double modeI, double modeII)
-{
-  if (modeII == 0.0)
-    return 0.0;
-  const double ratio = modeI / modeII;
-  return 2.0 * std::atan(0.25 * (ratio - std::copysign(std::sqrt(ratio * ratio + 8.0), modeII)));
-}
-
 } // namespace Rhegma::energy_release

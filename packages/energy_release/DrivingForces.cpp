@@ -5,6 +5,7 @@
 #include "energy_release/DomainIntegral.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
+#include "material/StartOfGrowth.hpp"
 #include "plan/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 

@@ -20,6 +20,8 @@
 #include "energy_release/NegativeRelease.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "energy_release/RecordFrontValues.hpp"
+#include "energy_release/ToughnessReached.hpp"
+#include "energy_release/YieldedPart.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <cmath>
@@ -43,6 +45,7 @@ struct Samples
   std::vector<FrontSample<D>> last;
   double time = 0.0;                 ///< of these [s]
   LargestRelease largest;            ///< of all samples
+  ToughnessReached reached;          ///< by all samples
   std::vector<BoundaryRegion> loads; ///< that may act near fronts
   FrontSet inclined;                 ///< fronts that did not start along the grid: without crack closure (2D)
   FrontSet warned;                   ///< fronts whose tube has left the body during the run
@@ -223,6 +226,7 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples, Sample
     s.addTo(state.sample.row, columnName(state, s.front), options);
   }
   samples.largest.add(samples.last, samples.time);
+  samples.reached.add(state, samples.last);
   recordFrontValues(state, samples.last, options);
 }
 
@@ -289,6 +293,7 @@ void serialize(const State<D>& state, const Options& options, Samples<D>& sample
     samples.errors[k].serialize(archive);
   }
   samples.largest.serialize(archive);
+  samples.reached.serialize(archive);
   storeFronts(samples.warned, "warned", archive);
   storeFronts(samples.unclosed, "unclosed", archive);
 }
@@ -325,6 +330,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   const Options options = readOptions(scene, run);
   const auto samples = std::make_shared<Samples<D>>();
   samples->loads = readLoads(scene);
+  samples->reached = ToughnessReached(options.toughness);
   const auto driving = std::make_shared<DrivingForces<D>>();
   const auto work = std::make_shared<SampleWork<D>>();
   Effect<D> effect;
@@ -362,12 +368,14 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     reportSamples(state, options, *samples, summary);
+    const double factor = samples->reached.report(state, run, summary);
     addAnswersOfHeldFronts(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);
     for (const auto& warnings :
          {warningsOfNegativeRelease(state, samples->last, samples->time, samples->largest.ever()),
-          warningsOfDisagreement(state, samples->last, samples->time)})
+          warningsOfDisagreement(state, samples->last, samples->time),
+          warningsOfYield(state, samples->last, factor)})
       for (const std::string& warning : warnings)
         summary["warnings"].push_back(warning);
   };

@@ -1,7 +1,7 @@
 #include "energy_release/FrontSample.hpp"
 
 #include "archive/Archive.hpp"
-#include "energy_release/CrackTipFields.hpp"
+#include "material/StartOfGrowth.hpp"
 
 #include <algorithm>
 #include <cmath>

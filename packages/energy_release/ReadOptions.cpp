@@ -61,6 +61,21 @@ Section energyReleaseSection()
       .byDefault("Consistent")
       .meaning("Mass matrix used to recover nodal displacements for crack closure: consistent, lumped, or "
                "that of the section Mass Matrix (lumped without that section).");
+  s.real("Toughness")
+      .unit("J/m2")
+      .positive()
+      .optional("no comparison")
+      .meaning("Energy release rate at which the cracks would start. The summary then says how close they "
+               "come to it; they do not grow. For cracks that grow see Propagation.");
+  s.fromLibrary("Toughness From Library")
+      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
+               "absent (docs/reference/materials.md).");
+  s.refuse({when::given("Energy Release", "Toughness"), when::present("Propagation")},
+           "the cracks grow by the toughness of the section Propagation; leave Toughness and Toughness From "
+           "Library out here");
+  s.refuse(
+      {when::given("Energy Release", "Toughness"), when::is("Energy Release", "Contour Integral", {"false"})},
+      "it is compared with G of the domain integrals; write Contour Integral = true or leave it out");
   s.needs("Cracks", "there are no cracks; add the section Cracks or remove this section");
   // The opening of Broken Cell is not known.
   s.refuse({when::is("Energy Release", "Contour Integral", {"false"}),
@@ -137,6 +152,7 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
   Options options;
   options.openingKnown = run.openingKnown;
   options.radii = readRadii(scene);
+  options.toughness = list.isParameter("Toughness") ? list.get<double>("Toughness") : 0.0;
   if (isThreeDimensional(scene)) // crack closure is 2D only
     return options;
   if (run.growth) // round cracks that run the usual radii are those by which they run

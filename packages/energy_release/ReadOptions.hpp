@@ -21,6 +21,7 @@ struct Options
   bool lumped = false;
   bool openingKnown = true; ///< shape functions without linear completeness give no opening to close
   int columns = 1;
+  double toughness = 0.0; ///< with which G is compared [J/m2]; 0: none
   RecoveryMatrix recovery = consistentMatrix();
 };
 

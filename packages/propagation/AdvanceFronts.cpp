@@ -1,5 +1,6 @@
 #include "propagation/AdvanceFronts.hpp"
 
+#include "material/StartOfGrowth.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/HoopStress.hpp"
 #include "propagation/MaterialsAhead.hpp"

@@ -1,6 +1,7 @@
 #include "propagation/HoopStress.hpp"
 
 #include "base/ShortNumber.hpp"
+#include "material/StartOfGrowth.hpp"
 #include "transfer/NearestMaterial.hpp"
 
 #include <nlohmann/json.hpp>
@@ -79,14 +80,6 @@ bool isAtRest(const CrackFront<2>& front, const FrontState<2>& own)
 }
 
 } // namespace
-
-double hoopStressLoad(double turn)
-{
-  const double t = std::min(std::fabs(turn), std::acos(1.0 / 3.0) - 1e-6);
-  const double shear = std::sin(t) / (3.0 * std::cos(t) - 1.0); // K_II / K_I, where the shear stress is zero
-  const double half = std::cos(0.5 * t);
-  return std::sqrt(1.0 + shear * shear) / (half * half * half + 1.5 * shear * half * std::sin(t));
-}
 
 void markMeasured(State<2>& state, const Options& options, const std::vector<FrontState<2>>& fronts)
 {

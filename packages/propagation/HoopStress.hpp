@@ -12,11 +12,6 @@
 namespace Rhegma::propagation
 {
 
-/// Load at which the largest hoop stress makes a front start and turn, over that at which G of a straight
-/// extension reaches the toughness (Erdogan and Sih, J. Basic Eng. 85 (1963) 519). \param turn angle by which
-/// it turns, of either sign, at most that of shear alone, 70.5 degrees [rad]
-double hoopStressLoad(double turn);
-
 /// Marks fronts at rest whose stress intensities are computed in this step of motion (CrackFront::measured):
 /// those whose G is so large that the largest hoop stress may be what it is at the toughness, or larger than
 /// it was. In equilibrium all are computed.

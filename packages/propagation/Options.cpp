@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "material/RayleighSpeed.hpp"
+#include "material/StartOfGrowth.hpp"
 #include "plan/LastStage.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -28,8 +29,8 @@ void addRulesOfEquilibrium(Section& s)
   const Condition self = when::present("Propagation");
   s.refuse(
       {self, when::isNot("Time", "Analysis", {"Dynamic", "Quasi-Static"})},
-      "cracks grow in dynamic and quasi-static analyses only; write Time > Analysis = Quasi-Static, or leave "
-      "the section out to get G alone");
+      "cracks grow in dynamic and quasi-static analyses only; write Time > Analysis = Quasi-Static, or, to "
+      "compare G with a toughness only, Energy Release > Toughness instead of this section");
   s.refuse(
       {when::below("Propagation", "Increment", leastWhileRunning), when::is("Time", "Analysis", {"Dynamic"})},
       "increments below half a cell are for equilibrium only; write at least 0.5");
@@ -358,12 +359,7 @@ void refuseWeak(const State<D>& state, const Options& options)
 
 double openingRelease(const DrivingForce& driving, const Elasticity& e)
 {
-  if (driving.modeI >= 0.0)
-    return driving.release;
-  const double closing = driving.modeI * driving.modeI / e.effectiveModulus;
-  const double sliding = driving.modeII * driving.modeII / e.effectiveModulus +
-                         driving.modeIII * driving.modeIII / (2.0 * e.shear);
-  return driving.release * sliding / (closing + sliding);
+  return Rhegma::openingRelease(driving.release, driving.modeI, driving.modeII, driving.modeIII, e);
 }
 
 template double speedLimitAt(const State<2>&, const Vector<2>&, const Options&);

@@ -67,12 +67,22 @@ void checkChoice(SectionChecks& checks, const ParameterList& list, const std::st
     if (const auto direction = SceneValues::reals(list, name);
         direction && std::all_of(direction->begin(), direction->end(), [](double x) { return x == 0.0; }))
       checks.report(scenePath(where, name), "is zero; write the vector of a direction, of any length.");
+  if (list.isParameter("Largest Angle") && !list.getEntry("Largest Angle").isDefault() &&
+      !list.isParameter("Facing") && !list.isParameter("Around"))
+    checks.report(
+        scenePath(where, "Largest Angle"),
+        "is the largest deviation from Facing or Around, and there is neither; write one of them, or "
+        "leave it out.");
   checks.corners(list, where, true);
   const ParameterList& scene = checks.scene();
   const std::string part = SceneValues::text(list, "Part"), body = SceneValues::text(list, "Body");
   if (part.empty() || !scene.isSublist("Bodies") || !scene.sublist("Bodies").isSublist(body))
     return;
   const std::vector<std::string> names = partsOf(scene.sublist("Bodies").sublist(body));
+  if (std::count(names.begin(), names.end(), part) > 1)
+    checks.report(scenePath(where, "Part"),
+                  "\"" + part + "\" is the first shape of Bodies > " + body +
+                      ", and one of its Operations has that name, too; rename the operation.");
   if (std::find(names.begin(), names.end(), part) == names.end())
   {
     std::string all;
@@ -101,6 +111,54 @@ Geometry::SurfaceChoice<D> readChoice(const ParameterList& list, const Parameter
   return choice;
 }
 
+/// Whether a point lies on a plane of symmetry, where the body goes on.
+template <int D>
+bool isOnSymmetry(const ParameterList& scene, const Geometry::SurfacePoint<D>& point, double rounding)
+{
+  const ParameterList& boundaries = scene.sublist("Boundaries");
+  const std::vector<std::string> names = sublistNames(boundaries);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name)
+                     {
+                       const ParameterList& list = boundaries.sublist(name);
+                       if (list.get<std::string>("Type") != "Symmetry")
+                         return false;
+                       const int axis = list.get<std::string>("Axis")[0] - 'x';
+                       constexpr double along = 0.999; // of a normal along the axis
+                       return axis < D && std::abs(point.normal[axis]) > along &&
+                              std::abs(point.x[axis] - list.get<double>("Position")) < rounding;
+                     });
+}
+
+/// The other bodies of a scene.
+template <int D>
+std::vector<Shape<D>> otherBodies(const ParameterList& scene, const std::string& name)
+{
+  std::vector<Shape<D>> shapes;
+  const ParameterList& bodies = scene.sublist("Bodies");
+  for (const std::string& other : sublistNames(bodies))
+    if (other != name)
+      shapes.push_back(makeShape<D>(bodies.sublist(other)));
+  return shapes;
+}
+
+/// Leaves out points that are no free surface: on planes of symmetry, and where another body begins.
+template <int D>
+void keepFree(const ParameterList& scene, const std::string& body, double cell,
+              std::vector<Geometry::SurfacePoint<D>>& points)
+{
+  constexpr double rounding = 1e-3; // of a cell
+  const std::vector<Shape<D>> others = otherBodies<D>(scene, body);
+  const auto isCovered = [&](const Geometry::SurfacePoint<D>& point)
+  {
+    const Vector<D> beyond = point.x + rounding * cell * point.normal;
+    return isOnSymmetry(scene, point, rounding * cell) ||
+           std::any_of(others.begin(), others.end(),
+                       [&](const Shape<D>& other) { return other.contains(beyond); });
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), isCovered), points.end());
+}
+
 /// Outward normal of a flat piece, as long as its area [m2].
 template <int D>
 Vector<D> flatSurface(const ParameterList& list, double thickness)
@@ -123,8 +181,10 @@ void describeSurface(Section& s)
       .byDefault("Flat")
       .meaning(
           "Flat: a line (2D: From, To) or a parallelogram (3D: Corner, Edge 1, Edge 2) of the undeformed "
-          "body. Body: all of the body's surface, less what Part, Lower Corner with Upper Corner, Facing "
-          "and Around leave out; for round faces and walls of holes.");
+          "body. Body: all of the body's free surface, less what Part, Lower Corner with Upper Corner, "
+          "Facing "
+          "and Around leave out; for round faces and walls of holes. Planes of Symmetry and faces that touch "
+          "other bodies are not free.");
   s.realArray("From").unit("m").onlyIn(2).length(2).optional().meaning(
       "One end of a line on the surface of the undeformed body.");
   s.realArray("To").unit("m").onlyIn(2).length(2).optional().meaning("Other end of the line.");
@@ -184,8 +244,14 @@ std::vector<Geometry::SurfacePoint<D>> chosenSurface(const ParameterList& scene,
 {
   const std::string name = list.get<std::string>("Body");
   const ParameterList& body = scene.sublist("Bodies").sublist(name);
-  const double spacing = 0.25 * scene.sublist("Domain").get<double>("Cell Size");
-  auto points = Geometry::chosenPoints<D>(makeShape<D>(body), readChoice<D>(list, body), spacing);
+  const double cell = scene.sublist("Domain").get<double>("Cell Size");
+  auto points = Geometry::chosenPoints<D>(makeShape<D>(body), readChoice<D>(list, body), 0.25 * cell);
+  const bool any = !points.empty();
+  keepFree(scene, name, cell, points);
+  if (any && points.empty())
+    throw std::invalid_argument(where + ": all of the chosen surface of Bodies > " + name +
+                                " lies on planes of symmetry or on other bodies, where nothing acts on it; "
+                                "choose a surface that is free");
   if (points.empty())
   {
     std::string left;

@@ -227,7 +227,9 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   sumOverRanks(state, SharedSums::Force);
   std::unique_ptr<NewtonStep<D>> solved;
   StepReport report = solveOnce(state, account, last, Boxes::MayBeClipped, solved);
-  if (!report.converged && !last.trial && solved->hasClippedBoxes())
+  // Clipped boxes may be too far from the stiffness, or from what multigrid needs.
+  if (!report.converged && !last.trial &&
+      (solved->hasClippedStiffness() || (solved->hasClippedBoxes() && !report.unsolvable.empty())))
     report = solveOnce(state, account, last, Boxes::AsTheyAre, solved);
   const NewtonStep<D>& step = *solved;
   reportToLoop(report, step, last);

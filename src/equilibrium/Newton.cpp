@@ -358,7 +358,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
   SecantMixing mixing = mixingOfFreeMotions();
   bool moved = !supportsAreInPlace();
   double ofStiffness = mostLinearFraction; // see LinearGoal::fraction
-  most = iterationsFor(boxes_.any() ? std::min(most, mostClippedIterations) : most);
+  most = iterationsFor(hasClippedStiffness() ? std::min(most, mostClippedIterations) : most);
   for (int k = 0; k <= most; ++k)
   {
     stopTogetherIfRequested(owners_.ranks());

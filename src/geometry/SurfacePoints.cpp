@@ -1,6 +1,7 @@
 #include "geometry/SurfacePoints.hpp"
 
 #include "geometry/Cross.hpp"
+#include "geometry/SurfacePieces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -162,51 +163,39 @@ struct Sampler
       addEnds(polygon);
   }
 
-  /// Points of equal pieces of the surface, along its items in their order. In a triangle they follow the
-  /// powers of the inverse of the plastic number, which fill a square evenly.
+  /// Points that stand for the pieces of a surface that are near each other and look the same way, as files
+  /// have them in any order and size.
   void operator()(const FileShape<D>& shape)
   {
     const Simplices<D>& surface = shape.solid->surface();
-    const double piece = D == 2 ? spacing : spacing * spacing;
-    double left = 0.5 * piece; // up to the next point
-    double whole = 0.0;
-    int count = 0;
+    Pieces<D> pieces(spacing);
     for (int k = 0; k < static_cast<int>(surface.items.size()); ++k)
     {
-      const Vector<D> normal = surface.normalOf(k);
-      const double length = norm(normal), size = (D == 2 ? 1.0 : 0.5) * length * std::pow(shape.scale, D - 1);
       Vector<D> corner[D];
       surface.corners(k, corner);
-      double at = left;
-      for (; at < size; at += piece)
-      {
-        ++count;
-        const double a = D == 2 ? at / size : std::fmod(0.7548776662466927 * count, 1.0);
-        const double b = D == 2 ? 0.0 : std::fmod(0.5698402909980532 * count, 1.0);
-        const bool over = a + b > 1.0; // the other half of the parallelogram
-        Vector<D> x = corner[0] + (over ? 1.0 - a : a) * (corner[1] - corner[0]);
-        x = x + (over ? 1.0 - b : b) * (corner[D - 1] - corner[0]);
-        points.push_back({shape.origin + shape.scale * x, (1.0 / length) * normal, 0.0});
-      }
-      left = at - size;
-      whole += size;
+      for (Vector<D>& x : corner)
+        x = shape.origin + shape.scale * x;
+      const Vector<D> normal = surface.normalOf(k);
+      const double length = norm(normal);
+      const double size = (D == 2 ? 1.0 : 0.5) * length * std::pow(shape.scale, D - 1);
+      if (size > 0.0)
+        pieces.addDivided(corner, (1.0 / length) * normal, size);
     }
-    for (SurfacePoint<D>& point : points)
-      point.size = whole / count;
+    pieces.gather(points);
   }
 
-  /// Points of faces between voxels of the value and others: all, or every so many of small ones.
+  /// The same of the faces between voxels of the value and others.
   void operator()(const VoxelShape<D>& shape)
   {
     const int across = countOf(shape.size, spacing, 1);
-    const auto every = static_cast<std::int64_t>(std::max(1.0, std::pow(spacing / shape.size, D - 1)));
     const Bounds<D>& bounds = shape.phase->bounds();
-    std::int64_t first[3] = {}, last[3] = {1, 1, 1}, seen = 0;
+    std::int64_t first[3] = {}, last[3] = {1, 1, 1};
     for (int d = 0; d < D; ++d)
     {
       first[d] = static_cast<std::int64_t>(bounds.lower[d]);
       last[d] = static_cast<std::int64_t>(bounds.upper[d]);
     }
+    Pieces<D> pieces(spacing);
     typename VoxelPhase<D>::Index voxel;
     for (std::int64_t i = first[0]; i < last[0]; ++i)
       for (std::int64_t j = first[1]; j < last[1]; ++j)
@@ -221,16 +210,17 @@ struct Sampler
             {
               auto next = voxel;
               next[axis] += side;
-              if (!shape.phase->has(next) && seen++ % every == 0)
-                addFace(shape, voxel, axis, side, across, every);
+              if (!shape.phase->has(next))
+                addFace(shape, voxel, axis, side, across, pieces);
             }
         }
+    pieces.gather(points);
   }
 
   void addFace(const VoxelShape<D>& shape, const typename VoxelPhase<D>::Index& voxel, int axis, int side,
-               int across, double faces)
+               int across, Pieces<D>& pieces)
   {
-    const double size = faces * std::pow(shape.size / across, D - 1);
+    const double size = std::pow(shape.size / across, D - 1);
     for (int k = 0; k < (D == 2 ? across : across * across); ++k)
     {
       Vector<D> x{}, normal{};
@@ -241,7 +231,7 @@ struct Sampler
         rest = d == axis ? rest : rest / across;
       }
       normal[axis] = side;
-      points.push_back({shape.corner + shape.size * x, normal, size});
+      pieces.add({shape.corner + shape.size * x, normal, size});
     }
   }
 

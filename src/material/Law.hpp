@@ -99,7 +99,7 @@ struct LawDefaults
   static constexpr bool warms = false;
   /// Why the law can't be used in a scene with heat; null where it can.
   static const char* refusesHeat(const Properties&) { return nullptr; }
-  /// Stress in tension at which the law first flows; 0 where it does not [Pa].
+  /// Stress in tension at which the material first flows; 0 where that is not known [Pa].
   static double firstYield(const Properties&) { return 0.0; }
   /// Multiplies those of `own` that are shear moduli, for materials that are `Entropic`.
   static void scaleShear(Properties&, double /*factor*/) {}

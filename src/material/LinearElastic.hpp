@@ -21,15 +21,27 @@ struct LinearElastic : LawDefaults
   static constexpr const char* meaning =
       "Isotropic linear elasticity for small strain; rotations may be large.";
 
+  static constexpr int yieldAt = 0; ///< in Properties::own [Pa]
+  /// Known for warnings only; the law does not yield.
+  static double firstYield(const Properties& m) { return m.own[yieldAt]; }
+
   template <class Section>
   static void describe(Section& s)
   {
     describeElasticity(s);
+    s.real("Yield Stress")
+        .orTable()
+        .unit("Pa")
+        .positive()
+        .optional("not known")
+        .meaning("Stress in tension at which the material yields. The law stays linear; warnings compare "
+                 "stresses with it.");
   }
   template <class Reader>
   static void read(const Reader& reader, Properties& m)
   {
     readElasticity(reader, -1.0, m);
+    m.own[yieldAt] = reader.optional("Yield Stress", "yield stress [Pa]");
   }
 
   template <int D, Plane P>

@@ -100,9 +100,10 @@ void History::setColumns(const Row& row)
   for (const auto& column : row)
   {
     if (!seen.insert(column.first).second)
-      throw std::invalid_argument(
-          "the history would have two columns \"" + column.first +
-          "\": names of the scene give the same one; rename a probe, a crack or a body");
+      throw std::invalid_argument("the history would have two columns \"" + column.first +
+                                  "\": names of the scene give the same one; rename one of the boundaries, "
+                                  "tools, probes, cracks or bodies "
+                                  "with that name");
     columns_.push_back(column.first);
     header += "," + quoted(column.first);
   }

@@ -134,6 +134,42 @@ void judgeTinyLoads(const JudgedScene<D>& judged, Messages& messages)
                        "forces in N and Young's modulus in Pa");
 }
 
+/// Whether a body has a part of voxels.
+bool hasVoxels(const Teuchos::ParameterList& body)
+{
+  const auto isOfVoxels = [](const Teuchos::ParameterList& shape)
+  { return shape.isType<std::string>("Shape") && shape.get<std::string>("Shape") == "Voxels"; };
+  if (isOfVoxels(body) || !body.isSublist("Operations"))
+    return isOfVoxels(body);
+  const Teuchos::ParameterList& operations = body.sublist("Operations");
+  const std::vector<std::string> names = sublistNames(operations);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return isOfVoxels(operations.sublist(name)); });
+}
+
+/// What acts by area on faces of voxels, which go up and down in steps. Of a pressure the steps cancel.
+template <int D>
+void judgeVoxelFaces(const JudgedScene<D>& judged, Messages& messages)
+{
+  if (!judged.scene.isSublist("Boundaries") || !judged.scene.isSublist("Bodies"))
+    return;
+  const Teuchos::ParameterList& section = judged.scene.sublist("Boundaries");
+  for (const std::string& name : sublistNames(section))
+  {
+    const Teuchos::ParameterList& list = section.sublist(name);
+    const bool ofBody = list.isType<std::string>("Surface") && list.get<std::string>("Surface") == "Body";
+    if (!ofBody || list.isParameter("Pressure") ||
+        !hasVoxels(judged.scene.sublist("Bodies").sublist(list.get<std::string>("Body"))))
+      continue;
+    messages.push_back("Boundaries > " + name +
+                       " acts on the steps of its voxels: on faces that are not along " +
+                       "the axes their area is larger than that of the smooth surface, of a " +
+                       (D == 2 ? "disk by 27 % (4 / pi)" : "ball by 50 %") +
+                       ", and what acts in all is too large by as much; divide it by that ratio, or take the "
+                       "part from a surface file");
+  }
+}
+
 } // namespace
 
 template <int D>
@@ -144,6 +180,7 @@ Messages judgeLoads(const JudgedScene<D>& judged)
   judgeTinyLoads(judged, messages);
   judgeStart(judged, messages);
   judgeHistories(judged, messages);
+  judgeVoxelFaces(judged, messages);
   return messages;
 }
 

@@ -37,6 +37,8 @@ void refuseMisfits(const Options& options)
                      "\" out, or put names with blanks in quotes");
   if (options.watch && options.action != Options::Action::Run)
     throw UsageError("--watch keeps a page of a run; leave it out, or run the scene");
+  if (!options.picture.empty() && options.action != Options::Action::Check)
+    throw UsageError("--picture draws a scene that is checked; write --check, too, or leave it out");
   const bool needsScene = options.action == Options::Action::Run ||
                           options.action == Options::Action::Check ||
                           options.action == Options::Action::PrintPlan;
@@ -112,6 +114,12 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
       options.overrides.push_back(valueOf(k));
     else if (bool* const flag = flagOf(a, options))
       *flag = true;
+    else if (a == "--picture")
+    {
+      options.picture = valueOf(k);
+      if (options.picture.empty() || startsWith(options.picture, "--"))
+        throw UsageError("--picture has no file; write one after it, such as scene.png");
+    }
     else if (a == "--check")
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
@@ -153,7 +161,8 @@ std::string usage()
          "page "
          "of the run for a browser\nrhegma SCENE.xml --twice        run it as it is and with "
          "cells of half the size, and print how much the results change\nrhegma SCENE.xml --check        "
-         "check the scene, list every error, forecast the cost, and stop\nrhegma SCENE.xml --print-plan   "
+         "check the scene, list every error, forecast the cost, and stop;\n                        --picture "
+         "FILE.png: draw it, too\nrhegma SCENE.xml --print-plan   "
          "list the effects, fields and stages of the scene\nrhegma --describe [Section]     every parameter: "
          "type, unit, default, allowed values, meaning;\n                        of a part: --describe "
          "'Thermal > Sources', --describe Domain:Accuracy;\n                        of a name anywhere: "

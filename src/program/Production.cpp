@@ -303,6 +303,14 @@ void Production::advanceFromFieldToField()
 {
   const Teuchos::ParameterList& output = scene_.sublist("Output");
   const double interval = fieldInterval(scene_);
+  // A multiple of the interval may be a rounding error short of the end: programs that read both frames take
+  // them for one time.
+  constexpr double rounding = 1e-12;
+  const auto timeOf = [&](long k)
+  {
+    const double time = static_cast<double>(k) * interval;
+    return time < (1.0 - rounding) * finalTime_ ? time : finalTime_;
+  };
   if (output.isParameter("Field Interval") && simulation_.time() == 0.0)
     writeFrame();
   // A run that continues may have stopped between a step and its fields; existing fields are not written
@@ -316,7 +324,7 @@ void Production::advanceFromFieldToField()
     for (; pending || (simulation_.time() < finalTime_ && !simulation_.ended()); ++k)
     {
       pending = false;
-      simulation_.advance(std::min(static_cast<double>(k) * interval, finalTime_));
+      simulation_.advance(timeOf(k));
       writeFrame();
     }
   }

@@ -21,6 +21,7 @@
 #include "program/MaterialsText.hpp"
 #include "program/Production.hpp"
 #include "program/RunEnd.hpp"
+#include "program/ScenePicture.hpp"
 #include "program/Templates.hpp"
 #include "program/Twice.hpp"
 #include "scene/FillFromLibrary.hpp"
@@ -393,7 +394,11 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
     try
     {
       if (options.action == Action::Check)
-        return checkScene(options, scene, start, out, err);
+      {
+        const int code = checkScene(options, scene, start, out, err);
+        return code == exitFinished && !options.picture.empty() ? drawScene(options, Ranks(world()), err)
+                                                                : code;
+      }
       const RunOne runOne = [&](const Options& one, const auto& list, const auto& beforeFiles)
       { return runScene(one, list, start, out, err, beforeFiles); };
       return options.twice ? runTwice(options, scene, Ranks(world()), out, err, runOne)

@@ -37,6 +37,8 @@ void bindThreads(char** argv)
 #endif
 }
 
+void startWithoutDisplay() { setenv("HWLOC_COMPONENTS", "-gl", 0); }
+
 void startWithoutNetwork()
 {
   if (isUnderMpi())

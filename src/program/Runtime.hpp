@@ -17,6 +17,11 @@ void bindThreads(char** argv);
 /// environment stay. Without effect on other kinds of MPI. Call before MPI_Init.
 void startWithoutNetwork();
 
+/// Keeps hwloc, by which MPI looks at the machine, from asking X servers for graphics cards: it ends the
+/// program if such a server goes away at that moment. A setting in the environment stays. Call before
+/// MPI_Init.
+void startWithoutDisplay();
+
 /// Ignores SIGPIPE: a reader of the output that ends early (such as head) does not end the run.
 void outliveReaders();
 

@@ -1,29 +1,13 @@
 #include "scene/DerivedConstants.hpp"
 
-#include "base/Numbers.hpp"
-#include "base/PairTable.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/RayleighSpeed.hpp"
 #include "scene/FillFromLibrary.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace Rhegma
 {
-
-namespace
-{
-
-/// The toughness at rest of a number or a table.
-double toughnessAtRest(const std::string& toughness)
-{
-  if (!PairTable::isMeant(toughness))
-    return parseReal(toughness).value_or(std::numeric_limits<double>::quiet_NaN());
-  return PairTable(toughness, {"a speed and an energy", "speeds", " m/s", "", ""})(0.0);
-}
-
-} // namespace
 
 DerivedConstants deriveConstants(const LibraryMaterial& material, const SceneSchema& schema)
 {
@@ -43,7 +27,7 @@ DerivedConstants deriveConstants(const LibraryMaterial& material, const SceneSch
   d.rayleigh = rayleighSpeed(properties);
   if (const LibraryConstant* toughness = material.find("Toughness"))
   {
-    d.toughness = toughnessAtRest(toughness->value);
+    d.toughness = toughness->atRest();
     d.intensity = std::sqrt(e.effectiveModulus * *d.toughness);
   }
   return d;

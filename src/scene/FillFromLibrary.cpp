@@ -9,6 +9,7 @@
 #include "scene/Validation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -93,11 +94,14 @@ void setLaw(ParameterList& list, const Section& section, const LibraryMaterial& 
   setFromLibrary(list, section.key, law);
 }
 
-/// A constant as a scene would have it, in SI units.
+/// A constant as a scene would have it, in SI units; of a table of speeds its value at rest, where the scene
+/// has a number.
 ParameterEntry entryOf(const LibraryConstant& constant, const Parameter& parameter)
 {
   ParameterEntry entry;
-  const auto number = parseReal(constant.value);
+  std::optional<double> number = parseReal(constant.value);
+  if (const double atRest = constant.atRest(); !number && !parameter.mayBeTable && std::isfinite(atRest))
+    number = atRest;
   if (parameter.type != ParameterType::Real || !number)
     entry.setValue(constant.value);
   else if (constant.unit.empty())

@@ -1,10 +1,12 @@
 #include "scene/MaterialLibrary.hpp"
 
 #include "base/Numbers.hpp"
+#include "base/PairTable.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/XmlReader.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -116,6 +118,13 @@ private:
 };
 
 } // namespace
+
+double LibraryConstant::atRest() const
+{
+  if (!PairTable::isMeant(value))
+    return parseReal(value).value_or(std::numeric_limits<double>::quiet_NaN());
+  return PairTable(value, {"a speed and an energy", "speeds", " m/s", "", ""})(0.0);
+}
 
 const LibraryConstant* LibraryMaterial::find(const std::string& constant) const
 {

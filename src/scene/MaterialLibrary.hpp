@@ -29,6 +29,9 @@ struct LibraryConstant
   std::string unit;   ///< empty for a pure number
   std::string range;  ///< "1.17 to 1.20" in `unit`, between which values of the literature lie
   std::string source; ///< keys of sources, with semicolons between them
+
+  /// The number, in `unit`; of a table of a front's speed the value at rest; else not a number.
+  double atRest() const;
 };
 
 struct LibraryMaterial

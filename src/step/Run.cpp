@@ -135,7 +135,7 @@ void Run<D>::makeAll(const IsDivided<D>& isDivided)
       state_.mesh.nodalFields.add(field);
   effects.insert(effects.begin(), makeCore(state_, equilibrium_.last()));
   Effect<D> boundaries = makeBoundaries<D>(*scene_, options.adaptive);
-  if (!boundaries.calls.empty())
+  if (!boundaries.calls.empty() || boundaries.report) // surfaces that only heat uses are reported
     effects.insert(effects.begin() + 1, std::move(boundaries));
   // Without constraints, calls that read the constrained motion get the solved one.
   plan_ = makePlan<D>(std::move(effects));

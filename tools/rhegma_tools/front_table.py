@@ -80,7 +80,7 @@ def columns_of(fronts, in_equilibrium):
     columns += [Column(mode, "Pa √m", values(mode), values(f"{mode}_error_estimate"), ranges(mode), largest_k) for mode in MODES]
     columns.append(Column("largest G / toughness", "", values("closest_to_initiation")))
     if not in_equilibrium:
-        columns += [Column("initiated at", "s", values("initiated")), Column("speed", "m/s", speeds(entries))]
+        columns += [Column("initiated at", "s", values("initiated")), Column("steady speed, else mean", "m/s", speeds(entries))]
     columns.append(Column("grew by", "m", [grown_by(front) for front in entries]))
     return [column for column in columns if not column.empty]
 

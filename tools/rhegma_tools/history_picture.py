@@ -125,8 +125,9 @@ def draw_ends(axes, found, factor):
 
 
 def initiation_toughness(summary):
-    """What starts a front [J/m2] where cracks may grow, or None."""
-    value = ((summary or {}).get("propagation") or {}).get("initiation_toughness")
+    """What starts a front [J/m2] where the scene has a toughness, or None."""
+    summary = summary or {}
+    value = (summary.get("propagation") or {}).get("initiation_toughness", (summary.get("start_of_growth") or {}).get("toughness"))
     return float(value) if isinstance(value, (int, float)) else None
 
 

@@ -1,5 +1,6 @@
 """Whether a crack of a run has grown, as a line of text."""
 
+from . import style
 from .answers import is_number
 from .history_picture import areas, growth
 from .report_facts import all_fronts, grown_by, largest_release, readable, short
@@ -20,14 +21,31 @@ def listed(entries):
     return "; ".join(name_of(entry) for entry in entries[:NAMED]) + more
 
 
+def where_to(front):
+    """Where a front in 2D is at the end, as text."""
+    position = front.get("position") or []
+    if len(position) != 2 or not all(is_number(x) for x in position):
+        return ""
+    factor, unit = style.scale(max(abs(x) for x in position) or 1.0, "m")
+    return f" to ({', '.join(f'{x * factor:.4g}' for x in position)}) {unit}"
+
+
+def how_fast(front):
+    """The speed of a front that ran, as text: the steady one, else the mean one."""
+    for key, words in (("settled_speed", "steadily at"), ("mean_speed", "on average at")):
+        if is_number(front.get(key)):
+            return f", {words} {readable(front[key], 'm/s')}"
+    return ""
+
+
 def growth_of(grown, count, in_equilibrium):
     """By how much fronts grew and from when on. grown: [(crack, number, entry)]; count: of all fronts"""
     grown = sorted(grown, key=lambda entry: entry[2]["initiated"])
     texts = []
     for entry in grown[:NAMED]:
         length = grown_by(entry[2])
-        text = f"{name_of(entry)}, grew" + ("" if length is None else f" by {readable(length, 'm')}")
-        texts.append(text if in_equilibrium else text + f" from t = {readable(entry[2]['initiated'], 's')} on")
+        text = f"{name_of(entry)}, grew" + ("" if length is None else f" by {readable(length, 'm')}") + where_to(entry[2])
+        texts.append(text if in_equilibrium else text + f" from t = {readable(entry[2]['initiated'], 's')} on{how_fast(entry[2])}")
     more = f"; {len(grown) - NAMED} more" if len(grown) > NAMED else ""
     return "; ".join(texts) + more + (f" ({len(grown)} of {count} fronts grew)" if count > 1 else "")
 
@@ -77,13 +95,43 @@ def of_no_growth(summary, fronts):
     return f"No{until}: no front grew{reached}."
 
 
-def of_no_toughness(fronts, in_equilibrium):
+def unusable(entry):
+    """Of a front whose G is negative, as no crack has it."""
+    return (f"Not decided: the energy release rate of {name_of(entry)} is {readable(largest_release(entry[2]), 'J/m²')}, but no crack has a negative one. "
+            "It can't be used; the warnings say what to change.")
+
+
+def of_comparison(summary, fronts):
+    """Of a scene with a toughness with which G is compared, in which no front can grow."""
+    start = summary["start_of_growth"]
+    first = max(fronts, key=lambda entry: entry[2]["closest_to_initiation"] if is_number(entry[2].get("closest_to_initiation")) else -1.0)
+    release, error = first[2].get("closest_to_initiation"), relative_error(first[2])
+    if not is_number(release):
+        return "Not decided: no energy release rate is known."
+    if release <= 0.0 and is_number(first[2].get("G_J")) and first[2]["G_J"] < 0.0:
+        return unusable(first)
+    hoop = max((front["closest_by_hoop_stress"] for _, _, front in fronts if is_number(front.get("closest_by_hoop_stress"))), default=0.0)
+    reached = max(release ** 0.5, hoop)  # of the load
+    wide = UNKNOWN if error is None else 0.5 * error
+    near = abs(reached - 1.0) <= wide * max(reached, 1.0)
+    decided = "Not certain" if near else "Yes" if reached > 1.0 else "No"
+    how = f", and K of the largest hoop stress {short(hoop)} of that of the toughness" if hoop * HOOP > release ** 0.5 else ""
+    text = f"{decided}: G of {name_of(first)} reached {short(release)} of the toughness of {readable(start['toughness'], 'J/m²')}{how}."
+    if is_number(start.get("load_factor")):
+        estimate = "" if error is None else f" ± {50.0 * error:.2g} %"
+        text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of the scene."
+    return text
+
+
+def of_no_toughness(fronts):
     known = [entry for entry in fronts if largest_release(entry[2]) is not None]
     if not known:
         return "Not decided: the scene computes no energy release rate (section Energy Release)."
     most = max(known, key=lambda entry: largest_release(entry[2]))
     largest, last = largest_release(most[2]), most[2].get("G_J")
     error = most[2].get("G_J_error_estimate")
+    if largest <= 0.0:
+        return unusable(most)
     at_end = ""
     if is_number(last):
         estimate = f" ± {100.0 * error / last:.2g} %" if is_number(error) and last > 0.0 else ""
@@ -92,10 +140,8 @@ def of_no_toughness(fronts, in_equilibrium):
         if is_number(most_along) and most_along > last:
             at_end = f"{readable(last, 'J/m²')}{estimate} in the mean along the front and {readable(most_along, 'J/m²')} at most, at the end"
     peak = f"{', ' if at_end else ''}{readable(largest, 'J/m²')} at most" if not is_number(last) or largest > last else ""
-    decide = (" A run that decides has Propagation > Toughness, Time > Analysis = Quasi-Static with Load Steps = 1, and, if cells are refined at fronts, "
-              "Adaptivity > Front Cells = 0 with a box around the path." if in_equilibrium else "")
-    return (f"Not decided: the scene has no toughness (section Propagation). A crack runs if its toughness is below G. The largest is that of "
-            f"{name_of(most)}: G = {at_end}{peak}.{decide}")
+    return ("Not decided: the scene has no toughness. A crack runs if its toughness is below G. The largest is that of "
+            f"{name_of(most)}: G = {at_end}{peak}. With Energy Release > Toughness (or Toughness From Library) a run decides.")
 
 
 def verdict(summary):
@@ -107,10 +153,12 @@ def verdict(summary):
     start = ((summary.get("propagation") or {}).get("initiation") or {}).get("load_factor")
     if is_number(start):
         text = of_load_factor(fronts, start, grown)
+    elif "start_of_growth" in summary:
+        text = of_comparison(summary, fronts)
     elif grown:
         text = f"Yes: {growth_of(grown, len(fronts), 'equilibrium' in summary)}."
     else:
-        text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts, "equilibrium" in summary)
+        text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts)
     stopped = [entry for entry in fronts if entry[2].get("stopped")]
     return text + (f" Stopped for a numerical reason, not by the material: {listed(stopped)}." if stopped else "")
 

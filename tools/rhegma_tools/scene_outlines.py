@@ -11,10 +11,10 @@ ROUND = np.linspace(0.0, 2.0 * np.pi, 97)
 
 
 class Outline:
-    """lines: arrays (k, 3); cut: of a shape that is cut away; body: number of its body"""
+    """lines: arrays (k, 3); cut: of a shape that is cut away; tool: name of the rigid tool that it is of, "" of a body"""
 
-    def __init__(self, lines, cut, body):
-        self.lines, self.cut, self.body = lines, cut, body
+    def __init__(self, lines, cut, tool=""):
+        self.lines, self.cut, self.tool = lines, cut, tool
 
 
 def closed(points):
@@ -97,12 +97,14 @@ def rotated(lines, values, dimension):
 
 
 def outlines_of(values, dimension):
-    """Outlines of all shapes of the section Bodies."""
+    """Outlines of all shapes of bodies and rigid tools."""
     found = []
-    for body, (_, one) in enumerate(lists(values, "Bodies")):
-        shapes = [(one, False)] + [(shape, shape.get("Operation") == "Cut") for _, shape in lists(one, "Operations")]
-        for shape, cut in shapes:
-            if shape.get("Shape") in SHAPES:
-                shape = dict(shape)
-                found.append(Outline(rotated(SHAPES[shape["Shape"]](shape, dimension), shape, dimension), cut, body))
+    for section in ("Bodies", "Rigid Tools"):
+        for name, one in lists(values, section):
+            shapes = [(one, False)] + [(shape, shape.get("Operation") == "Cut") for _, shape in lists(one, "Operations")]
+            for shape, cut in shapes:
+                if shape.get("Shape") in SHAPES:
+                    shape = dict(shape)
+                    lines = rotated(SHAPES[shape["Shape"]](shape, dimension), shape, dimension)
+                    found.append(Outline(lines, cut, name if section == "Rigid Tools" else ""))
     return found

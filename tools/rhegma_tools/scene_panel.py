@@ -7,10 +7,10 @@ from . import boxes, style
 from .cell_picture import SHADES, leaf_rectangles, rectangle_outlines
 from .field_picture import particle_outlines
 from .front_picture import border
-from .scene_symbols import HEAT, LOAD, MOTION, SUPPORT, Arrows, Mark, Nodes, Plane, Region
+from .scene_symbols import HEAT, LOAD, MOTION, SUPPORT, TOOL, Arrows, Mark, Nodes, Plane, Region
 
 TINTS = ["#DCE8F2", "#F7E2D3", "#DCEFE6", "#F1E1EC", "#E8E8E8", "#FBEFD2"]  # of bodies, in turn
-COLOUR = {LOAD: "#0072B2", SUPPORT: "#00795A", HEAT: "#D55E00", MOTION: "#8E4585"}
+COLOUR = {LOAD: "#0072B2", SUPPORT: "#00795A", HEAT: "#D55E00", MOTION: "#8E4585", TOOL: "#7A4B1E"}
 ARROW = 0.09  # length of an arrow, of the largest extent of the bodies
 FINEST = 2.5  # points on paper: cells that are drawn smaller than this have no lines
 MOST_NODES = 60  # symbols of supports along each direction of a picture
@@ -63,9 +63,10 @@ def draw_bodies(panel, fields):
 
 
 def draw_outlines(panel, outlines):
-    """The shapes of the scene: thin lines, dashed where a shape is cut away."""
+    """The shapes of the scene: thin lines, thicker ones of rigid tools, dashed where a shape is cut away."""
     for outline in outlines:
-        lines = LineCollection([panel.flat(line) for line in outline.lines], colors="#666666", linewidths=0.8,
+        colour, width = (COLOUR[TOOL], 1.6) if outline.tool else ("#666666", 0.8)
+        lines = LineCollection([panel.flat(line) for line in outline.lines], colors=colour, linewidths=width,
                                linestyles="--" if outline.cut else "-", zorder=3)
         panel.axes.add_collection(lines)
 

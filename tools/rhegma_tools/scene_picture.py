@@ -27,14 +27,23 @@ class Drawing:
 
     def __init__(self, scene, state):
         self.scene, self.state, self.fields = scene, state, state.fields
-        self.symbols = symbols_of(scene.values, state.fields, state.summary.get("surfaces") or ())
         self.outlines = outlines_of(scene.values, state.fields.dimension)
+        self.tools = {}
+        for outline in self.outlines:
+            if outline.tool:
+                self.tools.setdefault(outline.tool, []).extend(outline.lines)
+        self.symbols = symbols_of(scene.values, state.fields, state.summary.get("surfaces") or (), self.tools)
         self.fronts = front_positions(state.summary, state.fields.dimension)
         half = 0.5 * self.fields.size
         self.low, self.high = self.fields.position.min(axis=0) - half, self.fields.position.max(axis=0) + half
         if self.fields.dimension == 2:
             self.low[2] = self.high[2] = 0.0
         self.extent = float(np.max(self.high - self.low))
+        self.seen_low, self.seen_high = self.low.copy(), self.high.copy()  # with tools, as far as they are in the domain or near the bodies
+        for lines in self.tools.values():
+            points = np.vstack(lines)
+            self.seen_low = np.minimum(self.seen_low, np.maximum(points.min(axis=0), self.low - self.extent))
+            self.seen_high = np.maximum(self.seen_high, np.minimum(points.max(axis=0), self.high + self.extent))
         self.length, self.unit = style.scale(self.extent, "m")
         self.title = os.path.splitext(os.path.basename(scene.path))[0]
 
@@ -84,7 +93,7 @@ def list_lines(drawing):
 
 def frame(panel, drawing):
     """Limits of the axes around the bodies with their arrows, and with the labels of those that point to a side."""
-    low, high = drawing.low.copy(), drawing.high.copy()
+    low, high = drawing.seen_low.copy(), drawing.seen_high.copy()
     for symbol in drawing.symbols:
         if isinstance(symbol, Arrows):
             reach = symbol.direction * ARROW * drawing.extent * (-1.0 if symbol.into else 1.0)
@@ -218,8 +227,8 @@ def summary_line(drawing):
     sources = sum(isinstance(symbol, Region) for symbol in drawing.symbols)
     supports = len({symbol.name for symbol in drawing.symbols if isinstance(symbol, (Nodes, Plane))})
     cracks = len({crack.get("name") for crack in drawing.state.summary.get("cracks") or []})
-    bodies = len(set(drawing.fields.body.tolist()))
+    bodies, tools = len(set(drawing.fields.body.tolist())), len(drawing.tools)
 
     counts = ((bodies, "body", "bodies"), (cracks, "crack", "cracks"), (loads, "load", "loads"), (supports, "support", "supports"),
-              (sources, "heat source", "heat sources"))
+              (sources, "heat source", "heat sources"), (tools, "rigid tool", "rigid tools"))
     return ", ".join(f"{count} {one if count == 1 else more}" for count, one, more in counts if count) + f"; {cells_text(drawing)}."

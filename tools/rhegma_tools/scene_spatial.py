@@ -4,8 +4,8 @@ import numpy as np
 
 from .field_picture import choose_view
 from .scene_panel import ARROW, COLOUR
-from .scene_symbols import Arrows, Nodes, Region
-from .spatial_pieces import body_piece, crack_pieces, edge_piece, rgb
+from .scene_symbols import TOOL, Arrows, Nodes, Region
+from .spatial_pieces import crack_pieces, outline_pieces, rgb
 from .spatial_picture import camera_of, triad
 from .vtk_window import Piece, render
 
@@ -43,12 +43,16 @@ def cube_piece(points, size, colour, **look):
     return Piece(corners.reshape(-1, 3), (8 * np.arange(len(points))[:, None, None] + faces).reshape(-1, 4), rgb(colour), **look)
 
 
+def tool_pieces(tools):
+    """Outlines of rigid tools. tools: {name: arrays of lines (k, 3)}"""
+    return [Piece(line, np.stack([np.arange(len(line) - 1), np.arange(1, len(line))], axis=1), rgb(COLOUR[TOOL]), lines=True, width=2.0, flat=True)
+            for lines in tools.values() for line in lines]
+
+
 def scene_pieces(drawing):
     """All pieces of a scene in 3D."""
-    fields, pieces = drawing.fields, [edge_piece(drawing.fields, 1.0, "#8A949C", width=1.5)]
-    if len(pieces[0].cells) == 0:
-        pieces = [body_piece(fields, np.arange(len(fields.position)), 1.0, np.array([150, 165, 180]), opacity=0.12, flat=True)]
-    pieces += crack_pieces(fields, None)
+    fields = drawing.fields
+    pieces = outline_pieces(fields) + crack_pieces(fields, None) + tool_pieces(drawing.tools)
     for symbol in drawing.symbols:
         if isinstance(symbol, Arrows):
             pieces += arrow_pieces(symbol, 1.4 * ARROW * drawing.extent)

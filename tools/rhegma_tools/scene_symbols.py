@@ -7,7 +7,7 @@ from . import boxes
 from .report_facts import readable
 from .scene_values import array, lists, number
 
-LOAD, SUPPORT, HEAT, MOTION = "load", "support", "heat", "motion"
+LOAD, SUPPORT, HEAT, MOTION, TOOL = "load", "support", "heat", "motion", "tool"
 ALONG_LINE, ALONG_EDGE = 7, 3  # arrows of a traction: on a line, and along each edge of a parallelogram
 ON_SURFACE = 16  # at most, on a choice of a body's surface
 
@@ -87,8 +87,8 @@ def arrows(kind, name, label, points, direction, fields):
     """Arrows at a surface: with their heads on it where they point into the body, else with their tails. direction: (3), or (k, 3) one for each
     point, along the normals; then a list, of which the first has the label"""
     points = np.atleast_2d(points)
-    if not np.any(direction):
-        return Mark(kind, name, label, np.mean(points, axis=0))
+    if not np.any(direction) or len(points) == 0:
+        return Mark(kind, name, label, np.mean(points if len(points) else fields.position, axis=0))
     if np.ndim(direction) == 2:
         return [Arrows(kind, name, "" if k else label, point, one, has_material(fields, point + 0.6 * fields.size * one / np.linalg.norm(one)))
                 for k, (point, one) in enumerate(zip(points, direction))]
@@ -101,6 +101,8 @@ def surface_points(values, chosen=None, count_line=ALONG_LINE):
     surface, whose entry of the summary is chosen, the normals (k, 3)."""
     if chosen:
         return tuple(sign * np.array([spatial(point) for point in chosen[name][:ON_SURFACE]]) for name, sign in (("points", 1.0), ("normals", -1.0)))
+    if values.get("Surface") == "Body":
+        return np.zeros((0, 3)), np.zeros(3)  # of a program that does not say where it is
     if "From" in values:
         start, end = spatial(array(values, "From")), spatial(array(values, "To"))
         fraction = (np.arange(count_line) + 0.5)[:, None] / count_line
@@ -255,6 +257,29 @@ def motion_symbols(values, fields):
     return found
 
 
+def tool_symbols(values, outlines):
+    """Symbols of rigid tools: how each moves, at the middle of its outlines. outlines: {tool: arrays of lines (k, 3)}"""
+    found = []
+    for name, one in lists(values, "Rigid Tools"):
+        points = np.vstack(outlines[name]) if outlines.get(name) else np.zeros((1, 3))
+        middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        speed, turn = spatial(array(one, "Velocity", [0.0] * 3)), array(one, "Angular Velocity", [0.0])
+        factor, words = peak(one)
+        mass = number(one, "Mass")
+        push, force_words = peak(one, "Force History")
+        force = push * spatial(array(one, "Force", [0.0] * 3))
+        parts = [] if mass is None else [f"{mass * 1e3:.4g} g" if mass < 1.0 else f"{mass:.4g} kg"]
+        if speed.any():
+            parts.append(f"{'starts at ' if mass is not None else ''}{readable(abs(factor) * float(np.linalg.norm(speed)), 'm/s')}{words}")
+        if any(turn):
+            parts.append(f"turns at {readable(abs(factor) * float(np.linalg.norm(turn)), 'rad/s')}{words}")
+        if force.any():
+            parts.append(f"{readable(float(np.linalg.norm(force)), 'N')}{force_words}")
+        label = "rigid tool, " + (", ".join(parts) or "at rest")
+        found.append(Arrows(TOOL, name, label, middle, np.sign(factor) * speed) if speed.any() and factor else Mark(TOOL, name, label, middle))
+    return found
+
+
 def crack_loads(values):
     """{crack: text} of pressures and combustion in cracks."""
     found = {}
@@ -266,6 +291,7 @@ def crack_loads(values):
     return found
 
 
-def symbols_of(values, fields, surfaces=()):
-    """All symbols of a scene. values: as scene_values.as_values gives them; surfaces: those of the summary, which boundaries choose"""
-    return boundary_symbols(values, fields, surfaces) + source_symbols(values, fields) + motion_symbols(values, fields)
+def symbols_of(values, fields, surfaces=(), tools=None):
+    """All symbols of a scene. values: as scene_values.as_values gives them; surfaces: those of the summary, which boundaries choose; tools: {name:
+    outlines of a rigid tool}"""
+    return boundary_symbols(values, fields, surfaces) + source_symbols(values, fields) + motion_symbols(values, fields) + tool_symbols(values, tools or {})

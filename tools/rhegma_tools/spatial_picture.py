@@ -10,7 +10,7 @@ from .field_picture import choose_view, colour_scale, heat_scale, stop_after
 from .history_picture import initiation_toughness
 from .quantity import label_of, quantity_shown, unit_of
 from .report_facts import all_fronts, readable
-from .spatial_pieces import body_piece, cell_piece, crack_pieces, cut_open, edge_piece, front_segments
+from .spatial_pieces import body_piece, cell_piece, crack_pieces, cut_open, front_segments, outline_pieces
 from .style import plt
 from .vtk_window import Camera, Piece, render
 
@@ -208,11 +208,7 @@ def draw_cracks_in_body(fields, summary, title, path):
     """Writes the picture of the cracks in the outline of the body, at true positions. \\return what the fronts are coloured by, "" for nothing,
     or None where VTK draws nothing"""
     camera, _ = camera_of(fields, choose_view(fields), 1.0, onto=True)
-    everyone = np.arange(len(fields.position))
-    pieces = [edge_piece(fields, 1.0, "#8A949C", width=1.5)]
-    if len(pieces[0].cells) == 0:
-        pieces = [body_piece(fields, everyone, 1.0, np.array([150, 165, 180]), opacity=0.12, flat=True)]
-    pieces += crack_pieces(fields, None)
+    pieces = outline_pieces(fields) + crack_pieces(fields, None)
     front, bars = fronts_at_end(summary, fields.time), []
     if front is not None:
         norm = front_norm(front.values)

@@ -8,13 +8,15 @@ from .deformation import magnified_faces
 from .field_picture import in_slice
 from .front_picture import border, lines_of
 from .occupancy import Occupancy
-from .vtk_window import Piece
+from .vtk_window import Level, Piece
 
 # Corners of the six faces of a box in half edge vectors, seen from outside, and the direction of each.
 FACES = np.array([[[-1, -1, -1], [-1, -1, 1], [-1, 1, 1], [-1, 1, -1]], [[1, -1, -1], [1, 1, -1], [1, 1, 1], [1, -1, 1]],
                   [[-1, -1, -1], [1, -1, -1], [1, -1, 1], [-1, -1, 1]], [[-1, 1, -1], [-1, 1, 1], [1, 1, 1], [1, 1, -1]],
                   [[-1, -1, -1], [-1, 1, -1], [1, 1, -1], [1, -1, -1]], [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]], dtype=float)
 OUTWARD = FACES.mean(axis=1)
+MOST_NODES = 4.0e6  # of the lattice on which the surface of curved bodies is found
+HALF_FULL = 0.5  # fraction of material at a surface: a plane one that lies anywhere between nodes
 MOST_EDGES = 3.0  # times the edges of the bodies' bounding boxes: with more, surfaces are curved or oblique
 
 
@@ -66,6 +68,35 @@ def edge_piece(fields, magnification, colour, **look):
     if len(points) // 2 * fields.size > MOST_EDGES * of_boxes:
         points = points[:0]
     return Piece(points, np.arange(len(points)).reshape(-1, 2), rgb(colour), lines=True, flat=True, **look)
+
+
+def filling(fields):
+    """(fractions (nx, ny, nz), origin (3), spacing) of material around the nodes of a lattice, by weights that are linear between them: their sum
+    is the volume of the bodies."""
+    spacing = fields.size
+    low, high = fields.position.min(axis=0), fields.position.max(axis=0)
+    while np.prod((high - low) / spacing + 5.0) > MOST_NODES:
+        spacing *= 1.25
+    origin = low - 2.0 * spacing
+    shape = np.ceil((high - origin) / spacing).astype(int) + 3
+    at = (fields.position - origin) / spacing
+    first = np.floor(at).astype(int)
+    part = at - first
+    volume = np.abs(np.linalg.det(fields.boxes())) / spacing**3
+    values = np.zeros(shape)
+    for corner in np.ndindex(2, 2, 2):
+        weight = np.prod(np.where(np.array(corner) == 1, part, 1.0 - part), axis=1)
+        np.add.at(values, tuple((first + corner).T), weight * volume)
+    return values, origin, spacing
+
+
+def outline_pieces(fields):
+    """What shows where the bodies are: their edges; of bodies with curved surfaces, which have none, a translucent surface."""
+    edges = edge_piece(fields, 1.0, "#8A949C", width=1.5)
+    if len(edges.cells):
+        return [edges]
+    values, origin, spacing = filling(fields)
+    return [Level(values, origin, spacing, HALF_FULL, np.array([150, 165, 180]), opacity=0.3)]
 
 
 def cut_open(fields, normal, where, side):

@@ -6,8 +6,8 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTubeFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the back end registers itself)
@@ -25,8 +25,36 @@ def poly_data(points, cells, colours, lines):
     return data
 
 
+def level_surface(values, lattice):
+    """Where a field on a lattice has a value, with the normals of its gradient."""
+    image = vtkImageData()
+    image.SetDimensions(*lattice["shape"])
+    image.SetOrigin(*lattice["origin"])
+    image.SetSpacing(*3 * [lattice["spacing"]])
+    ordered = values.reshape(lattice["shape"]).transpose(2, 1, 0).ravel()  # x first
+    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(ordered), deep=True))
+    surface = vtkFlyingEdges3D()
+    surface.SetInputData(image)
+    surface.SetValue(0, lattice["level"])
+    surface.ComputeNormalsOn()
+    surface.ComputeScalarsOff()
+    return surface
+
+
 def actor(points, cells, colours, look):
-    """look: lines, tube (radius), opacity, width (pixels), flat (without light)"""
+    """look: lines, tube (radius), opacity, width (pixels), flat (without light), lattice (of a field, whose values are in points)"""
+    if look.get("lattice"):
+        mapper, surface = vtkPolyDataMapper(), level_surface(points, look["lattice"])
+        mapper.SetInputConnection(surface.GetOutputPort())
+        mapper.ScalarVisibilityOff()
+        result = vtkActor()
+        result.SetMapper(mapper)
+        result.GetProperty().SetColor(*(float(part) / 255.0 for part in colours[0]))
+        result.GetProperty().SetOpacity(look.get("opacity", 1.0))
+        result.GetProperty().SetAmbient(0.35)
+        result.GetProperty().SetDiffuse(0.65)
+        result.GetProperty().SetInterpolationToPhong()
+        return result
     data = poly_data(points, cells, colours, look.get("lines"))
     mapper = vtkPolyDataMapper()
     if look.get("tube"):

@@ -28,6 +28,14 @@ class Piece:
         self.colours = np.broadcast_to(np.asarray(colours, dtype=np.uint8), (len(self.cells), 3))
 
 
+class Level(Piece):
+    """The surface on which a field on a lattice has a value. values: (nx, ny, nz); origin (3): the first node; spacing: of the lattice"""
+
+    def __init__(self, values, origin, spacing, level, colour, **look):
+        lattice = {"shape": list(values.shape), "origin": [float(x) for x in origin], "spacing": float(spacing), "level": float(level)}
+        super().__init__(np.asarray(values, dtype=float).reshape(-1, 1), [[0]], colour, lattice=lattice, **look)
+
+
 class Camera:
     """Parallel projection. focus: the position (3) in the middle of the picture; toward: from the body to the reader (3); up (3);
     half_height: half the height of the picture, in the unit of positions; size: pixels (width, height)"""

@@ -36,6 +36,11 @@ class WrongArguments(ProgramTest):
     def test_unknown_option(self):
         self.refuse("scene.xml", "--verbose", words=["--verbose", "--help"])
 
+    def test_pictures(self):
+        self.refuse("scene.xml", "--check", "--picture", words=["--picture", "needs a value"])
+        self.refuse("scene.xml", "--check", "--picture", "--quiet", words=["has no file", "scene.png"])
+        self.refuse("scene.xml", "--picture", "scene.png", words=["write --check, too"])
+
     def test_two_scenes(self):
         self.refuse("scene.xml", "other.xml", words=["one scene", "other.xml"])
 
@@ -138,6 +143,18 @@ class WrongArguments(ProgramTest):
 
     def test_nonsense_to_describe(self):
         self.refuse("--describe", "Zebra", words=["Zebra", "Domain", "Energy Release"])
+
+
+class Picture(ProgramTest):
+    def test_a_checked_scene_is_drawn(self):
+        path, picture = self.write("scene.xml", plate().text()), self.path("scene.png")
+        answer = rhegma(path, "--check", "--picture", picture, "--set", "Domain:Cell Size=0.1", RHEGMA_TOOLS=os.path.join(SOURCE, "tools"))
+        self.assertEqual(answer.status, 0, answer)
+        with open(picture, "rb") as file:
+            self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        answer = rhegma(path, "--check", "--picture", picture, RHEGMA_TOOLS=self.folder)
+        self.assertEqual(answer.status, 1, answer)
+        self.assertIn("write that folder into RHEGMA_TOOLS", answer.messages)
 
 
 class Information(ProgramTest):

@@ -36,6 +36,16 @@ class RequestedFields(RestartTest):
         return {float(row["time"]): {name: float(value) for name, value in row.items()}
                 for row in csv.DictReader(self.file(folder, "history.csv").decode().splitlines())}
 
+    def test_the_last_frame_is_written_once(self):
+        """50 times 2e-6 s is a rounding error less than the end, 1e-4 s: programs that read both frames take them for one time."""
+        self.assertLess(50 * 2e-6, 1e-4)
+        scene = plate().set("Time > Final Time", 1e-4).set("Output", {"Field Interval": 2e-6, "History Interval": 1e-4})
+        folder = self.path("out")
+        answer = rhegma(self.write("scene.xml", scene.text()), "--output", folder)  # with a warning: no wave crosses the plate in so short a time
+        self.assertEqual(answer.status, 0, answer)
+        times = [time for time, _ in self.frames(folder)]
+        self.assertEqual((len(times), times[-1]), (51, 1e-4))
+
     def test_fields_and_extremes_agree(self):
         folder = self.path("out")
         # Of a body without a crack: the strain energy of the history has that of front springs as well.

@@ -3,6 +3,7 @@
 
 import math
 import os
+import re
 import shutil
 import sys
 import unittest
@@ -69,6 +70,71 @@ class SurfaceLoads(SurfaceScenes):
         summary = self.assert_pressed_evenly(body, 0.016, cell, 2, 2e-3)
         radius = body["Operations"]["Hole"]["Radius"]
         self.assertAlmostEqual(summary["surfaces"][0]["area"], 2 * (0.0183 + 0.011) + 2 * math.pi * radius, delta=1e-12)
+
+    def area(self, scene, name="Load"):
+        """The area [m2] of a boundary that --check prints, and all of its messages."""
+        answer = rhegma("--check", self.write("checked.xml", scene.text()))
+        self.assertEqual(answer.status, 0, answer)
+        match = re.search(rf"Boundaries > {name}: on ([\d.e+-]+) (cm2|mm2|m2)", answer.output)
+        self.assertIsNotNone(match, answer.output)
+        return float(match.group(1)) * {"m2": 1.0, "cm2": 1e-4, "mm2": 1e-6}[match.group(2)], answer.messages
+
+    def test_all_sides_of_voxels(self):
+        """Voxels of a fifth of a cell and of two cells: each side of a box has its area, and a pressure all around it no resultant."""
+        for size, shape in ((2e-4, (40, 20)), (2e-4, (21, 13, 9)), (2e-3, (4, 3))):
+            numpy.save(self.path("box.npy"), numpy.ones(shape, dtype="uint8"))
+            dimension = len(shape)
+            body = {"Shape": "Voxels", "File": "box.npy", "Value": 1, "Voxel Size": size, "Corner": self.middle(1e-3, dimension)}
+            scene = scene_of(body, 0.02, 1e-3, dimension)
+            edges = [size * count for count in shape]
+            for axis in range(dimension):
+                for side in (-1.0, 1.0):
+                    scene.set("Boundaries > Load > Facing", [side * float(axis == other) for other in range(dimension)])
+                    right = math.prod(edge for other, edge in enumerate(edges) if other != axis)
+                    self.assertAlmostEqual(self.area(scene)[0] / right, 1.0, delta=1e-3)  # --check prints four digits
+            scene = scene_of(body, 0.02, 1e-3, dimension)
+            summary, _ = self.run_scene(scene)
+            self.assertAlmostEqual(summary["surfaces"][0]["area"], 2 * sum(math.prod(edges) / edge for edge in edges), delta=1e-12)
+            for axis in "xyz"[:dimension]:
+                # The area is that of the undeformed body: off by the strain.
+                self.assertAlmostEqual(summary["bodies"][0]["stress"][2 * axis] / -PRESSURE, 1.0, delta=PRESSURE / YOUNG)
+
+    def test_steps_of_voxels_are_warned_of(self):
+        """The area of a disk of voxels is that of its steps, 4/pi of that of the disk: a flux through it is too large, a pressure is not."""
+        across = numpy.arange(40) - 19.5
+        numpy.save(self.path("disk.npy"), (numpy.hypot(*numpy.meshgrid(across, across)) < 20).astype("uint8"))
+        body = {"Shape": "Voxels", "File": "disk.npy", "Value": 1, "Voxel Size": 2e-4}
+        scene = scene_of(body, 0.012, 1e-3)
+        area, messages = self.area(scene)
+        self.assertNotIn("steps of its voxels", messages)
+        self.assertAlmostEqual(area / (4 * 8e-3), 1.0, delta=0.05)
+        scene.remove("Boundaries > Load > Pressure").set("Boundaries > Load > Stress", [0.0, 1e5])
+        self.assertIn("steps of its voxels", self.area(scene)[1])
+
+    def test_choices_that_say_nothing(self):
+        body = {"Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.01, 0.01],
+                "Operations": {"Base": {"Operation": "Cut", "Shape": "Ball", "Centre": [0.005, 0.005], "Radius": 0.002}}}
+        for name, value, words in (("Part", "Base", "rename the operation"), ("Largest Angle", 20.0, "there is neither")):
+            scene = scene_of(body, 0.015, 1e-3).set(f"Boundaries > Load > {name}", value)
+            answer = rhegma("--check", self.write("checked.xml", scene.text()))
+            self.assertEqual(answer.status, 1, answer)
+            self.assertIn(words, answer.messages)
+
+    def test_what_is_not_free_is_left_out(self):
+        """A quarter of a plate: its planes of symmetry are no surface. Two bonded bodies: nor is the face between them."""
+        body = {"Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.01, 0.01]}
+        scene = scene_of(body, 0.015, 1e-3)
+        self.assertAlmostEqual(self.area(scene)[0], 0.04, delta=1e-5)
+        for axis in "xy":
+            scene.set(f"Boundaries > Half {axis}", {"Type": "Symmetry", "Axis": axis, "Position": 0.0})
+        self.assertAlmostEqual(self.area(scene)[0], 0.02, delta=1e-5)
+        scene.set("Boundaries > Load > Facing", [-1.0, 0.0])
+        answer = rhegma("--check", self.write("checked.xml", scene.text()))
+        self.assertEqual(answer.status, 1, answer)
+        self.assertIn("planes of symmetry or on other bodies", answer.messages)
+        scene = scene_of(body, 0.015, 1e-3)
+        scene.set("Bodies > Other", {"Material": "Polymer", "Shape": "Box", "Lower Corner": [0.01, 0.002], "Upper Corner": [0.014, 0.008]})
+        self.assertAlmostEqual(self.area(scene)[0], 0.034, delta=1e-5)
 
     def test_pressure_on_all_of_a_part_from_a_file(self):
         cell = 1e-3

@@ -218,7 +218,7 @@ class Report(ToolTest):
             {"position": [0.0, 0.0], "initiated": 0.08, "runs": [{"length": 6e-3}], "G_J": 100.0}]}],
             propagation={"initiation": {"load_factor": 1.9}, "load_factor": 0.8})
         page = self.page()
-        self.assertIn("No, at the given loads: cracks start at 1.9 times these loads. The run then followed the growth: A, front 0, grew by 6 mm.",
+        self.assertIn("No, at the given loads: cracks start at 1.9 times these loads. The run then followed the growth: A, front 0, grew by 6 mm to (0, 0) m.",
                       page.text)
         self.assertIn("equilibrium, 12 load steps, load factor", page.text)
         panel = next(panel for panel in page.data.values() if panel.get("title", "").startswith("Load at which"))

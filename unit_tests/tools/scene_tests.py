@@ -72,6 +72,41 @@ class SceneDrawn(ToolTest):
         """{label: (points, directions)} in the unit of the picture, of the arrows in the order of the symbols."""
         return [(np.asarray(q.XY), np.stack([q.U, q.V], axis=1), q) for q in axes.collections if isinstance(q, Quiver)]
 
+    def test_rigid_tools(self):
+        """Each tool has its outline, a line in the list and, if it moves, an arrow; all are in the picture."""
+        tools = {"Punch": {"Shape": "Box", "Lower Corner": [0.004, 0.0201], "Upper Corner": [0.012, 0.026], "Velocity": [0.0, -2.0]},
+                 "Roller": {"Shape": "Ball", "Centre": [0.004, -0.0051], "Radius": 0.005},
+                 "Weight": {"Shape": "Ball", "Centre": [0.026, 0.0251], "Radius": 0.005, "Mass": 0.05, "Force": [0.0, -0.5]}}
+        values = plate(0.03, 0.02, 1e-3, [0.0, 0.01, 0.008, 0.01], {}, **{"Rigid Tools": tools})
+        values["Domain"].update({"Lower Corner": [-0.005, -0.012], "Upper Corner": [0.035, 0.034]})
+        values.pop("Boundaries")
+        drawing = self.drawing(values)
+        self.assertEqual(sorted(drawing.tools), ["Punch", "Roller", "Weight"])
+        low = np.min([np.vstack(lines).min(axis=0) for lines in drawing.tools.values()], axis=0)
+        np.testing.assert_allclose(low[:2], [-0.001, -0.0101], atol=1e-12)
+        labels = {symbol.name: symbol for symbol in drawing.symbols}
+        self.assertEqual(labels["Roller"].label, "rigid tool, at rest")
+        self.assertEqual(labels["Weight"].label, "rigid tool, 50 g, 500 mN")
+        self.assertEqual(labels["Punch"].label, "rigid tool, 2 m/s")
+        np.testing.assert_allclose(labels["Punch"].direction, [0.0, -1.0, 0.0])
+        self.assertIn("3 rigid tools", summary_line(drawing))
+        _, panels = flat_figure(drawing)
+        across, up = panels[0].axes.get_xlim(), panels[0].axes.get_ylim()
+        self.assertLess(up[0], -10.1)
+        self.assertGreater(up[1], 30.1)
+        self.assertLess(across[0], -1.0)
+
+    def test_heat_through_all_of_a_surface(self):
+        """Of a scene whose only boundary is Convection through the whole surface: arrows all around."""
+        glass = dict(MATERIAL[1]["Glass"], **{"Specific Heat": 800.0, "Conductivity": 1.0, "Thermal Expansion": 9e-6})
+        cool = {"Type": "Convection", "Body": "Plate", "Surface": "Body", "Coefficient": 2000.0, "Ambient Temperature": 300.0}
+        values = plate(0.03, 0.02, 1e-3, [0.0, 0.01, 0.008, 0.01], {"Water": cool}, Thermal={"Initial Temperature": 400.0})
+        values["Materials"] = {"Glass": glass}
+        found = [symbol for symbol in self.drawing(values).symbols if isinstance(symbol, Arrows)]
+        self.assertGreater(len(found), 8)
+        directions = np.array([symbol.direction for symbol in found])
+        self.assertEqual(len(np.unique(np.round(directions), axis=0)), 4)
+
     def random_plate(self, rng):
         cell = 1e-3 * rng.uniform(0.8, 1.2)
         width, height = (round(rng.uniform(24, 40)) * cell for _ in range(2))

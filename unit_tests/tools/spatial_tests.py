@@ -13,9 +13,9 @@ from rhegma_tools import scene_spatial, spatial_picture, style
 from rhegma.fields import Crack, read_fields
 from rhegma_tools.front_picture import shown_opening
 from rhegma_tools.scene_symbols import LOAD, Arrows
-from rhegma_tools.spatial_pieces import cell_piece, crack_pieces, cut_open, edge_piece, front_segments, outer_faces
+from rhegma_tools.spatial_pieces import HALF_FULL, cell_piece, crack_pieces, cut_open, edge_piece, filling, front_segments, outer_faces, outline_pieces
 from rhegma_tools.spatial_picture import camera_of, fronts_at_end, scale_bar
-from rhegma_tools.vtk_window import Camera, Piece, render
+from rhegma_tools.vtk_window import Camera, Level, Piece, render
 
 SEED = int(os.environ.get("RHEGMA_SEED", "20261128"))
 SQUARE = Piece(np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), [[0, 1, 2, 3]], [200, 30, 40], flat=True)
@@ -122,6 +122,35 @@ class Pieces(ToolTest):
     def test_a_ball_has_no_edges_but_a_surface(self):
         made_up_run.balls(self.folder)
         self.assertEqual(len(edge_piece(read_fields(self.folder), 1.0, "#000000").cells), 0)
+
+    def test_the_surface_of_curved_bodies_is_where_material_ends(self):
+        """The fractions on the lattice sum up to the volume, and are a half at a radius of the balls, to half of the lattice."""
+        made_up_run.balls(self.folder)
+        fields = read_fields(self.folder)
+        values, origin, spacing = filling(fields)
+        volume = np.abs(np.linalg.det(fields.boxes())).sum()
+        self.assertAlmostEqual(values.sum() * spacing**3 / volume, 1.0, places=12)
+        at = origin + spacing * np.stack(np.meshgrid(*map(np.arange, values.shape), indexing="ij"), axis=-1)
+        middle = fields.position[fields.body == 0].mean(axis=0)
+        other = fields.position[fields.body == 1].mean(axis=0)
+        away = np.linalg.norm(at - middle, axis=-1)
+        alone = np.linalg.norm(at - other, axis=-1) > 0.2 + 3 * spacing
+        self.assertTrue((values[alone & (away < 0.2 - 1.5 * spacing)] > HALF_FULL).all())
+        self.assertTrue((values[alone & (away > 0.2 + 1.5 * spacing)] < HALF_FULL).all())
+        self.assertIsInstance(outline_pieces(fields)[0], Level)
+        os.makedirs(self.path("brick"))
+        self.assertNotIsInstance(outline_pieces(brick(self.path("brick")))[0], Level)
+
+    @unittest.skipUnless(DRAWS, "VTK draws nothing here")
+    def test_a_level_of_a_field_is_drawn(self):
+        """A ball of radius 0.5 in the middle of the picture covers its disk, and nothing else."""
+        x = np.linspace(-1.0, 1.0, 41)
+        away = np.linalg.norm(np.stack(np.meshgrid(x, x, x, indexing="ij"), axis=-1) - [0.2, 0.0, 0.0], axis=-1)
+        picture = render([Level(away, [-1.0] * 3, 0.05, 0.5, [200, 30, 40])], Camera([0.0, 0.0, 0.0], [0, 0, 1], [0, 1, 0], 1.0, (300, 300)))
+        shown = (picture < 250).any(axis=2)
+        self.assertAlmostEqual(shown.mean(), np.pi * 0.25 / 4.0, delta=0.01)
+        columns = np.flatnonzero(shown.any(axis=0))
+        self.assertAlmostEqual(0.5 * (columns[0] + columns[-1]), 150 + 0.2 * 150, delta=2.0)
 
     def test_faces_of_a_penny_part_by_its_opening(self):
         made_up_run.penny(self.folder)

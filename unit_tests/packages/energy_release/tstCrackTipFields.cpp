@@ -1,5 +1,6 @@
 #include "LatticeState.hpp"
 #include "Pi.hpp"
+#include "material/StartOfGrowth.hpp"
 
 #include <gtest/gtest.h>
 

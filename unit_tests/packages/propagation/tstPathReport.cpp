@@ -1,5 +1,6 @@
 /// What the path of a growing crack in equilibrium says.
 
+#include "material/StartOfGrowth.hpp"
 #include "propagation/HoopStress.hpp"
 #include "propagation/PathReport.hpp"
 

@@ -1,0 +1,123 @@
+#include "energy_release/ToughnessReached.hpp"
+
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+#include "material/Laws.hpp"
+#include "material/StartOfGrowth.hpp"
+#include "transfer/NearestMaterial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// K of the largest hoop stress over that at which the front starts. \param release G over the toughness
+double hoopIntensity(double release, double modeI, double modeII)
+{
+  return std::sqrt(std::max(release, 0.0)) / hoopStressLoad(hoopStressAngle(std::max(modeI, 0.0), modeII));
+}
+
+/// How close a front came to its start, as text.
+std::string reachedAsText(double release, double intensity, double toughness)
+{
+  constexpr double leastEffect = 1.005; // of shear that is worth a word
+  std::string text =
+      "G reached " + formatShort(release) + " of the toughness of " + formatShort(toughness) + " J/m2";
+  if (intensity > leastEffect * std::sqrt(release))
+    text += ", and K of the largest hoop stress " + formatShort(intensity) + " of that of the toughness";
+  return text;
+}
+
+} // namespace
+
+template <int D>
+bool isProportional(const State<D>& state, const RunOptions& run)
+{
+  const auto& bodies = state.bodies.info;
+  return state.method.analysis == Analysis::Static && !run.contact && !run.heat() && !run.bodiesKeptApart &&
+         std::all_of(bodies.begin(), bodies.end(),
+                     [&](const auto& body)
+                     { return state.materials.properties[body.material].law == lawIndex<LinearElastic>; });
+}
+
+template <int D>
+void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<D>>& samples)
+{
+  for (const FrontSample<D>& sample : samples)
+  {
+    if (!(toughness_ > 0.0) || sample.front.ended)
+      continue;
+    const Elasticity e = elasticity(state.materials.properties[materialAt(state, sample.front.position)]);
+    for (std::size_t k = 0; k < sample.J.size(); ++k)
+    {
+      const double modeIII = D == 3 ? sample.modeIII[k] : 0.0;
+      if (!std::isfinite(sample.J[k] + sample.modeI[k] + sample.modeII[k] + modeIII))
+        continue;
+      Reached& reached = reached_[{sample.front.crack, sample.front.number}];
+      const double release =
+          openingRelease(sample.J[k], sample.modeI[k], sample.modeII[k], modeIII, e) / toughness_;
+      reached.release = std::max(reached.release, release);
+      if (D == 2)
+        reached.intensity =
+            std::max(reached.intensity, hoopIntensity(release, sample.modeI[k], sample.modeII[k]));
+    }
+  }
+}
+
+template <int D>
+double ToughnessReached::report(const State<D>& state, const RunOptions& run, nlohmann::json& summary) const
+{
+  if (!(toughness_ > 0.0))
+    return 1.0;
+  double most = 0.0; // largest root of G or K, over what the toughness allows
+  for (const CrackFront<D>& front : state.cracks.fronts)
+  {
+    nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
+    const auto found = reached_.find({front.crack, front.number});
+    const bool known = found != reached_.end();
+    entry["closest_to_initiation"] = known ? found->second.release : FrontSample<D>::notYet;
+    if (D == 2)
+      entry["closest_by_hoop_stress"] = known ? found->second.intensity : FrontSample<D>::notYet;
+    if (!known)
+      continue;
+    const auto& [release, intensity] = found->second;
+    most = std::max({most, std::sqrt(release), intensity});
+    summary["answers"].push_back(frontName(state.cracks, front) + ": " +
+                                 reachedAsText(release, intensity, toughness_));
+  }
+  const bool scales = isProportional(state, run) && most > 0.0;
+  summary["start_of_growth"] = {{"toughness", toughness_},
+                                {"load_factor", scales ? 1.0 / most : FrontSample<D>::notYet}};
+  if (!scales)
+    return 1.0;
+  summary["answers"].push_back("cracks would start at " + formatShort(1.0 / most) +
+                               " times the loads and prescribed displacements of this scene");
+  return 1.0 / most;
+}
+
+void ToughnessReached::serialize(Archive& archive)
+{
+  constexpr std::size_t width = 4;
+  std::vector<double> rows;
+  for (const auto& [front, reached] : reached_)
+    rows.insert(rows.end(), {double(front.first), double(front.second), reached.release, reached.intensity});
+  archive("closest_to_toughness", rows, width);
+  reached_.clear();
+  for (std::size_t k = 0; k + width <= rows.size(); k += width)
+    reached_[{static_cast<int>(rows[k]), static_cast<int>(rows[k + 1])}] = {rows[k + 2], rows[k + 3]};
+}
+
+template bool isProportional(const State<2>&, const RunOptions&);
+template bool isProportional(const State<3>&, const RunOptions&);
+template void ToughnessReached::add(const State<2>&, const std::vector<FrontSample<2>>&);
+template void ToughnessReached::add(const State<3>&, const std::vector<FrontSample<3>>&);
+template double ToughnessReached::report(const State<2>&, const RunOptions&, nlohmann::json&) const;
+template double ToughnessReached::report(const State<3>&, const RunOptions&, nlohmann::json&) const;
+
+} // namespace Rhegma::energy_release

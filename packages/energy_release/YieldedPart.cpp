@@ -1,0 +1,143 @@
+#include "energy_release/YieldedPart.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+#include "material/Laws.hpp"
+#include "material/MaterialTable.hpp"
+#include "state/ParticleStress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// Of a body, as far as it is clear of fronts.
+template <int D>
+struct YieldedPart
+{
+  double volume = 0.0;  ///< of particles with a stress above the yield stress [m3]
+  double all = 0.0;     ///< of the whole body [m3]
+  double largest = 0.0; ///< von Mises stress [Pa]
+  Vector<D> at{};       ///< where that is [m]
+};
+
+template <int D>
+bool isAtFront(const std::vector<FrontSample<D>>& samples, const Vector<D>& x)
+{
+  return std::any_of(samples.begin(), samples.end(),
+                     [&](const FrontSample<D>& sample)
+                     {
+                       const auto& nodes = sample.front.nodes;
+                       return std::any_of(nodes.begin(), nodes.end(),
+                                          [&](const FrontNode<D>& node)
+                                          { return norm(node.position - x) < sample.tube.radii.outer; });
+                     });
+}
+
+/// Of the particles on this rank. \param yield stresses of the bodies; 0: not looked at [Pa]
+template <int D>
+std::vector<YieldedPart<D>> yieldedHere(const State<D>& state, const std::vector<FrontSample<D>>& samples,
+                                        double factor, const std::vector<double>& yield)
+{
+  const auto host = [](const auto& view)
+  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto body = host(state.particles.integer(fields::body));
+  const auto volume = host(state.particles.scalar(fields::volume));
+  const auto x = host(state.particles.template real<D>(fields::position));
+  const auto F = host(state.particles.template real<gradientSize<D>>(fields::deformation));
+  const auto tau = host(state.particles.template real<symmetricSize<D>>(fields::stress));
+  std::vector<YieldedPart<D>> parts(yield.size());
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    YieldedPart<D>& part = parts[body(p)];
+    part.all += volume(p);
+    if (!(yield[body(p)] > 0.0))
+      continue;
+    double s[6], f[gradientSize<D>], t[symmetricSize<D>];
+    for (int k = 0; k < gradientSize<D>; ++k)
+      f[k] = F(p, k);
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      t[k] = tau(p, k);
+    cauchyStress<D>(f, t, s);
+    const double stress = factor * vonMisesStress(s);
+    Vector<D> at;
+    for (int d = 0; d < D; ++d)
+      at[d] = x(p, d);
+    if (!(stress > yield[body(p)]) || isAtFront(samples, at))
+      continue;
+    part.volume += volume(p);
+    if (stress > part.largest)
+    {
+      part.largest = stress;
+      part.at = at;
+    }
+  }
+  return parts;
+}
+
+/// The sum over ranks, with the largest stress of all.
+template <int D>
+YieldedPart<D> onAllRanks(const State<D>& state, YieldedPart<D> part)
+{
+  const double largest = state.ranks.max(part.largest);
+  double sums[3 + D] = {part.volume, part.all, largest == part.largest ? 1.0 : 0.0};
+  for (int d = 0; d < D; ++d)
+    sums[3 + d] = sums[2] * part.at[d];
+  state.ranks.sum(sums, 3 + D);
+  part = {sums[0], sums[1], largest, {}};
+  for (int d = 0; d < D; ++d)
+    part.at[d] = sums[3 + d] / sums[2];
+  return part;
+}
+
+} // namespace
+
+template <int D>
+std::vector<std::string> warningsOfYield(const State<D>& state, const std::vector<FrontSample<D>>& samples,
+                                         double factor)
+{
+  const std::string loads =
+      factor == 1.0 ? "at the end"
+                    : "at " + formatShort(factor) + " times the loads, at which the cracks start,";
+  constexpr double least = 1e-3; // of the volume
+  std::vector<std::string> warnings;
+  std::vector<double> yield;
+  for (const auto& body : state.bodies.info)
+  {
+    const Properties& material = state.materials.properties[body.material];
+    yield.push_back(material.law == lawIndex<LinearElastic> ? firstYield(material) : 0.0);
+  }
+  if (!state.method.mechanics || state.clock.step == 0 ||
+      std::none_of(yield.begin(), yield.end(), [](double y) { return y > 0.0; }))
+    return warnings;
+  const std::vector<YieldedPart<D>> here = yieldedHere(state, samples, factor, yield);
+  for (std::size_t b = 0; b < yield.size(); ++b)
+  {
+    const YieldedPart<D> part = onAllRanks(state, here[b]);
+    if (!(part.volume > least * part.all))
+      continue;
+    const auto& body = state.bodies.info[b];
+    std::string at;
+    for (int d = 0; d < D; ++d)
+      at += (d == 0 ? "" : ", ") + formatShort(part.at[d]);
+    warnings.push_back("Materials > " + state.materials.names[body.material] + " > Yield Stress is " +
+                       formatShort(yield[b]) + " Pa, and " + loads + " the von Mises stress is larger in " +
+                       formatShort(100.0 * part.volume / part.all) + " % of Bodies > " + body.name +
+                       " outside of the contours of the fronts, at most " + formatShort(part.largest) +
+                       " Pa at " + at +
+                       " m: the part yields there, which its law, Linear Elastic, leaves "
+                       "out; a smaller load, or Model = J2 Plastic");
+  }
+  return warnings;
+}
+
+template std::vector<std::string> warningsOfYield(const State<2>&, const std::vector<FrontSample<2>>&,
+                                                  double);
+template std::vector<std::string> warningsOfYield(const State<3>&, const std::vector<FrontSample<3>>&,
+                                                  double);
+
+} // namespace Rhegma::energy_release
