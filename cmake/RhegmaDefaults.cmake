@@ -14,13 +14,20 @@ endif()
 
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-march=native RHEGMA_HAS_MARCH_NATIVE)
+check_cxx_compiler_flag(-fno-ipa-modref RHEGMA_HAS_IPA_MODREF)
 
 # Results stay those of IEEE arithmetic (no -ffast-math): the two flags below only give up errno and floating-point
 # traps, which nothing here reads and which keep loops with sqrt or a division from being vectorised.
 # GCC's two warnings that are off come from its optimiser and are wrong where it inlines a null pointer that is never
 # used (no history of a material) or the allocator of std::vector (seen with GCC 12).
+# GCC's analysis of what functions read (modref) takes away stores that kernels read through a pointer in a structure: with GCC
+# 12 and OpenMP the diagonal of a tangent lacked some particles (tstTangentProduct). Who compiles kernels of the headers needs
+# the same.
 function(rhegma_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_17)
+  if(RHEGMA_HAS_IPA_MODREF AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(${target} PUBLIC $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-modref>)
+  endif()
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
     -fno-math-errno -fno-trapping-math

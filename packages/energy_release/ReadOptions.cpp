@@ -15,6 +15,26 @@ namespace
 const char* const nothingLeft =
     "it must be true if crack closure is not available; set it to true or remove the section Energy Release";
 
+/// With what the cracks are compared that do not grow.
+void describeToughness(Section& s)
+{
+  s.real("Toughness")
+      .unit("J/m2")
+      .positive()
+      .optional("no comparison")
+      .meaning("Energy release rate at which the cracks would start. The summary then says how close they "
+               "come to it; they do not grow. For cracks that grow see Propagation.");
+  s.fromLibrary("Toughness From Library")
+      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
+               "absent (docs/reference/materials.md).");
+  s.refuse({when::given("Energy Release", "Toughness"), when::present("Propagation")},
+           "the cracks grow by the toughness of the section Propagation; leave Toughness and Toughness From "
+           "Library out here");
+  s.refuse(
+      {when::given("Energy Release", "Toughness"), when::is("Energy Release", "Contour Integral", {"false"})},
+      "it is compared with G of the domain integrals; write Contour Integral = true or leave it out");
+}
+
 } // namespace
 
 Section energyReleaseSection()
@@ -61,21 +81,7 @@ Section energyReleaseSection()
       .byDefault("Consistent")
       .meaning("Mass matrix used to recover nodal displacements for crack closure: consistent, lumped, or "
                "that of the section Mass Matrix (lumped without that section).");
-  s.real("Toughness")
-      .unit("J/m2")
-      .positive()
-      .optional("no comparison")
-      .meaning("Energy release rate at which the cracks would start. The summary then says how close they "
-               "come to it; they do not grow. For cracks that grow see Propagation.");
-  s.fromLibrary("Toughness From Library")
-      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
-               "absent (docs/reference/materials.md).");
-  s.refuse({when::given("Energy Release", "Toughness"), when::present("Propagation")},
-           "the cracks grow by the toughness of the section Propagation; leave Toughness and Toughness From "
-           "Library out here");
-  s.refuse(
-      {when::given("Energy Release", "Toughness"), when::is("Energy Release", "Contour Integral", {"false"})},
-      "it is compared with G of the domain integrals; write Contour Integral = true or leave it out");
+  describeToughness(s);
   s.needs("Cracks", "there are no cracks; add the section Cracks or remove this section");
   // The opening of Broken Cell is not known.
   s.refuse({when::is("Energy Release", "Contour Integral", {"false"}),

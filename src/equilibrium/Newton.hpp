@@ -67,8 +67,8 @@ public:
 
   /// Whether clipped boxes are used: for the stiffness, or for the multigrid alone.
   bool hasClippedBoxes() const { return boxes_.any(); }
-  /// Whether the stiffness by which Newton's method goes on is that of clipped boxes. Products without a matrix
-  /// are those of the boxes as they are.
+  /// Whether the stiffness by which Newton's method goes on is that of clipped boxes. Products without a
+  /// matrix are those of the boxes as they are.
   bool hasClippedStiffness() const { return boxes_.any() && !byProducts_; }
 
   int unknowns() const { return system_ ? system_->unknowns() : 0; }

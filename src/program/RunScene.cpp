@@ -298,6 +298,14 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   return exitFinished;
 }
 
+/// Checks a scene, and draws it if the options say so.
+int checkAndDraw(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
+                 std::ostream& out, std::ostream& err)
+{
+  const int code = checkScene(options, scene, start, out, err);
+  return code == exitFinished && !options.picture.empty() ? drawScene(options, Ranks(world()), err) : code;
+}
+
 /// \param start as in checkScene \param beforeFiles called before the run changes files
 int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
              std::ostream& out, std::ostream& err, const std::function<void()>& beforeFiles)
@@ -394,11 +402,7 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
     try
     {
       if (options.action == Action::Check)
-      {
-        const int code = checkScene(options, scene, start, out, err);
-        return code == exitFinished && !options.picture.empty() ? drawScene(options, Ranks(world()), err)
-                                                                : code;
-      }
+        return checkAndDraw(options, scene, start, out, err);
       const RunOne runOne = [&](const Options& one, const auto& list, const auto& beforeFiles)
       { return runScene(one, list, start, out, err, beforeFiles); };
       return options.twice ? runTwice(options, scene, Ranks(world()), out, err, runOne)

@@ -36,7 +36,7 @@ std::map<int, double> areas(const std::vector<SurfacePoint<3>>& points)
 /// first moments, and points lie on the plate.
 TEST(SurfacePieces, DoNotDependOnOrderAndSize)
 {
-  std::mt19937 random(seedOf());
+  std::mt19937 random(seedOf("SurfacePieces"));
   for (const double leg : {spacing / 4.0, spacing / 3.0, 0.2, 1.0, 3.0})
     for (const bool shuffled : {false, true})
     {
@@ -83,7 +83,7 @@ TEST(SurfacePieces, DoNotDependOnOrderAndSize)
 /// of the triangles.
 TEST(SurfacePieces, OfAClosedSurfaceHaveNoResultant)
 {
-  std::mt19937 random(seedOf());
+  std::mt19937 random(seedOf("SurfacePieces"));
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   for (int trial = 0; trial < 5; ++trial)
   {
@@ -91,7 +91,7 @@ TEST(SurfacePieces, OfAClosedSurfaceHaveNoResultant)
     const int rows = 5 + 8 * trial;
     const auto at = [&](int i, int j)
     {
-      const double polar = Test::pi * i / rows, around = Test::pi * j / rows;
+      const double polar = Surfaces::pi * i / rows, around = Surfaces::pi * j / rows;
       return radius * Vector<3>{{std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
                                  std::cos(polar)}};
     };
