@@ -61,7 +61,7 @@ void Progress::sample(double time, const Row& row)
 {
   if (rest_ && time >= notBefore_)
     rest_->sample(time, row);
-  release_ = largestRelease(row);
+  releases_ = releasesOf(row);
   residual_ = residualFraction(row);
 }
 
@@ -89,6 +89,26 @@ std::string Progress::timeLeft() const
                         : ", at most " + duration(toEnd) + " left";
 }
 
+/// Text with a comma before it: of each front, or of many the largest; empty where none is known.
+std::string Progress::releaseText() const
+{
+  constexpr std::size_t few = 4;
+  if (releases_.empty())
+    return {};
+  std::vector<double> shown = releases_;
+  if (shown.size() > few)
+    shown = {*std::max_element(shown.begin(), shown.end())};
+  std::string text = toughness_ ? ", G/Gc " : ", G ";
+  for (std::size_t k = 0; k < shown.size(); ++k)
+  {
+    char number[32];
+    std::snprintf(number, sizeof number, toughness_ ? "%.3g" : "%.5g", shown[k] / toughness_.value_or(1.0));
+    text += (k == 0 ? "" : ", ") + std::string(number);
+  }
+  text += toughness_ ? "" : " J/m2";
+  return text + (releases_.size() > few ? " at most of " + std::to_string(releases_.size()) + " fronts" : "");
+}
+
 std::string Progress::text(bool running) const
 {
   char part[64];
@@ -97,14 +117,7 @@ std::string Progress::text(bool running) const
   if (running)
     text += timeLeft();
   text += ", step " + std::to_string(step_);
-  if (release_)
-  {
-    if (toughness_)
-      std::snprintf(part, sizeof part, ", G/Gc %.3g", *release_ / *toughness_);
-    else
-      std::snprintf(part, sizeof part, ", G %.5g J/m2", *release_);
-    text += part;
-  }
+  text += releaseText();
   if (residual_)
   {
     std::snprintf(part, sizeof part, ", residual %.2g %%", 100.0 * std::fabs(*residual_));

@@ -14,8 +14,8 @@ namespace Rhegma
 {
 
 /// On a terminal one line that is overwritten a few times a second; elsewhere a line in the first seconds and
-/// one each tenth of the run. Percent done, time left, step, and of the last sample the largest G of the
-/// fronts, over their toughness where that is known, and the residual of the energy balance. Time left is by
+/// one each tenth of the run. Percent done, time left, step, and of the last sample G of each front (of
+/// more than four the largest), over their toughness where that is known, and the residual of the energy balance. Time left is by
 /// the pace of the last quarter to half of the run so far.
 class Progress
 {
@@ -65,6 +65,7 @@ public:
 
 private:
   std::string timeLeft() const;
+  std::string releaseText() const;
   void followPace(double now);
   void print(bool running);
   void write(std::string text);
@@ -89,7 +90,8 @@ private:
   double time_ = 0.0;
   long step_ = 0;
   bool followed_ = false;
-  std::optional<double> toughness_, release_; ///< of initiation, and the largest of the last sample [J/m2]
+  std::optional<double> toughness_; ///< of initiation [J/m2]
+  std::vector<double> releases_;    ///< of the fronts in the last sample [J/m2]
   std::optional<double> residual_;            ///< of the last sample, over the largest energy
   double lastPrint_;
   double lastIteration_; ///< when an iteration was printed, or the last step was taken

@@ -16,18 +16,14 @@ bool endsWith(const std::string& text, const std::string& end)
 
 } // namespace
 
-std::optional<double> largestRelease(const std::vector<std::pair<std::string, double>>& row)
+std::vector<double> releasesOf(const std::vector<std::pair<std::string, double>>& row)
 {
-  std::optional<double> along, mean;
+  std::vector<double> along, mean;
   for (const auto& [name, value] : row)
-  {
-    const bool ofNodes = endsWith(name, ".G_J_max");
-    if (!std::isfinite(value) || !(ofNodes || endsWith(name, ".G_J")))
-      continue;
-    std::optional<double>& largest = ofNodes ? along : mean;
-    largest = std::max(largest.value_or(value), value);
-  }
-  return along ? along : mean;
+    if (const bool ofNodes = endsWith(name, ".G_J_max");
+        std::isfinite(value) && (ofNodes || endsWith(name, ".G_J")))
+      (ofNodes ? along : mean).push_back(value);
+  return along.empty() ? mean : along;
 }
 
 std::optional<double> residualFraction(const std::vector<std::pair<std::string, double>>& row)

@@ -48,9 +48,9 @@ TEST(Progress, PlainLinesEachTenth)
                        "100 %, step 100, G 12.5 J/m2\n");
 }
 
-/// Of all fronts the largest G, over the toughness where fronts grow, and the residual over the largest
-/// energy.
-TEST(Progress, ShowsTheLargestReleaseAndTheResidual)
+/// G of each front, of more than four the largest, over the toughness where there is one, and the residual
+/// over the largest energy.
+TEST(Progress, ShowsReleasesAndTheResidual)
 {
   std::ostringstream out;
   Hand hand;
@@ -60,9 +60,11 @@ TEST(Progress, ShowsTheLargestReleaseAndTheResidual)
   hand.now += 1.0;
   progress.step(1.0, 1);
   progress.setToughness(10.0);
+  progress.sample(1.5,
+                  {{"A.0.G_J", 1.0}, {"A.1.G_J", 2.0}, {"B.0.G_J", 9.0}, {"C.0.G_J", 4.0}, {"D.0.G_J", 5.0}});
   progress.step(2.0, 2);
-  EXPECT_EQ(out.str(), " 50 %, 1 s left, step 1, G 8 J/m2, residual 0.25 %\n"
-                       "100 %, step 2, G/Gc 0.8, residual 0.25 %\n");
+  EXPECT_EQ(out.str(), " 50 %, 1 s left, step 1, G 6, 8 J/m2, residual 0.25 %\n"
+                       "100 %, step 2, G/Gc 0.9 at most of 5 fronts\n");
 }
 
 /// Without a stream nothing is printed; what the line would say is known on request only.
