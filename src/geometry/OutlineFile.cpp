@@ -101,6 +101,9 @@ std::vector<Outline> parseOutlines(const std::string& text)
       open = open && comment != std::string::npos; // a comment separates no polygons
       continue;
     }
+    if (number <= 8 && (line.find("<svg") != std::string::npos || line.find("<?xml") != std::string::npos))
+      throw std::invalid_argument(
+          "it is an SVG drawing; convert it by tools/rhegma-mesh, which writes polygons");
     const auto values = parseReals(line);
     if (!values || values->size() != 2 || !std::isfinite((*values)[0] + (*values)[1]))
       throw std::invalid_argument("line " + std::to_string(number) +

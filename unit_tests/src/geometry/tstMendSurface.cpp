@@ -237,6 +237,7 @@ TEST(Outlines, HaveHoles)
 TEST(Outlines, ThatAreWrongAreRefused)
 {
   expectWords(outlineRefusal("0 0\n1 0\n1 x\n"), {"line 3 holds no point"});
+  expectWords(outlineRefusal("<?xml version=\"1.0\"?>\n<svg/>\n"), {"SVG", "tools/rhegma-mesh"});
   expectWords(outlineRefusal("0 0\n1 0 2\n"), {"line 2"});
   expectWords(outlineRefusal("0 0\n1 0\n1 nan\n"), {"line 3"});
   expectWords(outlineRefusal("# nothing\n\n"), {"no point"});
