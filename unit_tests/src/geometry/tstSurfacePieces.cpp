@@ -17,7 +17,7 @@ using Surfaces::seedOf;
 namespace
 {
 
-constexpr double spacing = 0.25;
+constexpr double cube = 0.25;
 
 /// Area of the points that look along each side of each axis.
 std::map<int, double> areas(const std::vector<SurfacePoint<3>>& points)
@@ -37,7 +37,7 @@ std::map<int, double> areas(const std::vector<SurfacePoint<3>>& points)
 TEST(SurfacePieces, DoNotDependOnOrderAndSize)
 {
   std::mt19937 random(seedOf("SurfacePieces"));
-  for (const double leg : {spacing / 4.0, spacing / 3.0, 0.2, 1.0, 3.0})
+  for (const double leg : {cube / 4.0, cube / 3.0, 0.2, 1.0, 3.0})
     for (const bool shuffled : {false, true})
     {
       const int across = std::max(1, static_cast<int>(std::lround(3.0 / leg)));
@@ -60,7 +60,7 @@ TEST(SurfacePieces, DoNotDependOnOrderAndSize)
             }
       if (shuffled)
         std::shuffle(triangles.begin(), triangles.end(), random);
-      Pieces<3> pieces(spacing);
+      Pieces<3> pieces(cube);
       for (const Triangle& triangle : triangles)
         pieces.addDivided(triangle.corner, {{0.0, 0.0, triangle.side}}, 0.5 * step * step);
       std::vector<SurfacePoint<3>> points;
@@ -74,7 +74,7 @@ TEST(SurfacePieces, DoNotDependOnOrderAndSize)
         EXPECT_EQ(std::abs(point.x[2]), 0.5);
         moment += point.size * point.normal[2] * point.x[0];
       }
-      EXPECT_NEAR(moment, 0.0, 18.0 * spacing); // half a cube a point at most
+      EXPECT_NEAR(moment, 0.0, 18.0 * cube); // half a cube a point at most
       EXPECT_LE(points.size(), 2 * 13 * 13u);
     }
 }
@@ -95,7 +95,7 @@ TEST(SurfacePieces, OfAClosedSurfaceHaveNoResultant)
       return radius * Vector<3>{{std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
                                  std::cos(polar)}};
     };
-    Pieces<3> pieces(spacing);
+    Pieces<3> pieces(cube);
     double area = 0.0;
     const auto add = [&](const Vector<3>& a, const Vector<3>& b, const Vector<3>& c)
     {
