@@ -144,6 +144,26 @@ void judgeYieldStress(const JudgedScene<D>& judged, Messages& messages)
           "1e6 Pa");
 }
 
+/// A yield stress that a scene without cracks gives to a law that does not yield: only warnings of cracks
+/// compare stresses with it.
+template <int D>
+void judgeUnusedYield(const JudgedScene<D>& judged, Messages& messages)
+{
+  std::set<std::string> said;
+  for (const BodyMeasure<D>& body : judged.bodies)
+  {
+    if (!(body.linear && body.yield > 0.0) || !judged.state.cracks.cracks.empty() ||
+        !said.insert(body.material).second)
+      continue;
+    const Teuchos::ParameterList& list = judged.scene.sublist("Materials").sublist(body.material);
+    if (list.isParameter("Yield Stress") && !list.getEntry("Yield Stress").isDefault())
+      messages.push_back(
+          "Materials > " + body.material + " > Yield Stress is " + formatShort(body.yield) +
+          " Pa, but its Model, Linear Elastic, does not yield; write Model = J2 Plastic, or leave "
+          "it out");
+  }
+}
+
 /// Edge of the cells of most of a body [m]: the median at 4^D points of its bounding box, so that cells
 /// refined next to fronts do not count.
 template <int D>
@@ -214,6 +234,7 @@ Messages judgeQuantities(const JudgedScene<D>& judged)
   judgeThicknessOfPlane(judged, messages);
   judgeForcesOnAMetre(judged, messages);
   judgeYieldStress(judged, messages);
+  judgeUnusedYield(judged, messages);
   judgeLocking(judged, messages);
   return messages;
 }

@@ -37,15 +37,15 @@ TEST(Progress, PlainLinesEachTenth)
   }
   progress.finish();
   EXPECT_EQ(out.str(), " 10 %, 9 s left, step 10\n"
-                       " 20 %, 8 s left, step 20, G 12.5 J/m2\n"
-                       " 30 %, 7 s left, step 30, G 12.5 J/m2\n"
-                       " 40 %, 6 s left, step 40, G 12.5 J/m2\n"
-                       " 50 %, 5 s left, step 50, G 12.5 J/m2\n"
-                       " 60 %, 4 s left, step 60, G 12.5 J/m2\n"
-                       " 70 %, 3 s left, step 70, G 12.5 J/m2\n"
-                       " 80 %, 2 s left, step 80, G 12.5 J/m2\n"
-                       " 90 %, 1 s left, step 90, G 12.5 J/m2\n"
-                       "100 %, step 100, G 12.5 J/m2\n");
+                       " 20 %, 8 s left, step 20, G 12.5, 7 J/m2\n"
+                       " 30 %, 7 s left, step 30, G 12.5, 7 J/m2\n"
+                       " 40 %, 6 s left, step 40, G 12.5, 7 J/m2\n"
+                       " 50 %, 5 s left, step 50, G 12.5, 7 J/m2\n"
+                       " 60 %, 4 s left, step 60, G 12.5, 7 J/m2\n"
+                       " 70 %, 3 s left, step 70, G 12.5, 7 J/m2\n"
+                       " 80 %, 2 s left, step 80, G 12.5, 7 J/m2\n"
+                       " 90 %, 1 s left, step 90, G 12.5, 7 J/m2\n"
+                       "100 %, step 100, G 12.5, 7 J/m2\n");
 }
 
 /// G of each front, of more than four the largest, over the toughness where there is one, and the residual

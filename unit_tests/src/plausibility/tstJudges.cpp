@@ -132,6 +132,19 @@ TEST(YieldStress, AboveWhatBondsBearIsSaid)
   }
 }
 
+/// Without cracks nothing compares stresses with the yield stress of a linear law.
+TEST(YieldStress, OfALawThatDoesNotYieldIsSaid)
+{
+  for (const std::string model : {"Linear Elastic", "J2 Plastic"})
+  {
+    const auto scene = freePlate();
+    scene->sublist("Materials").sublist("Steel").set<std::string>("Model", model).set("Yield Stress", 3e8);
+    EXPECT_EQ(say(warningsOf(scene), "Materials > Steel > Yield Stress is 3e+08 Pa, but its Model, Linear "
+                                     "Elastic, does not yield"),
+              model == "Linear Elastic");
+  }
+}
+
 /// A run that starts in equilibrium under a load that rises from zero starts unloaded.
 TEST(Start, InEquilibriumWithoutALoadIsSaid)
 {

@@ -254,8 +254,8 @@ TEST(SceneMistakes, WrongArrayLength)
 
 TEST(SceneMistakes, ParameterOfAnotherVariant)
 {
-  expectMistake(with("Steel", parameter("Yield Stress", "double", "1e8")), "Materials > Steel > Yield Stress",
-                {"belongs to the Model J2 Plastic"});
+  expectMistake(with("Steel", parameter("Hardening Modulus", "double", "1e8")),
+                "Materials > Steel > Hardening Modulus", {"belongs to the Model J2 Plastic"});
 }
 
 TEST(SceneMistakes, ParameterOfAnotherDimension)

@@ -62,7 +62,8 @@ TEST(SceneOverrides, ThatLeadNowhere)
   expectMistake("Tiem:Final Time=1", "Tiem", {"--set", "can't be applied", "\"Time\""});
   expectMistake("Time:Finl Time=1", "Time > Finl Time", {"can't be applied", "\"Final Time\""});
   expectMistake("Materials:Stel:Density=1", "Materials > Stel", {"can't be applied", "\"Steel\""});
-  expectMistake("Materials:Steel:Yield Stress=1", "Materials > Steel > Yield Stress", {"can't be applied"});
+  expectMistake("Materials:Steel:Hardening Modulus=1", "Materials > Steel > Hardening Modulus",
+                {"can't be applied"});
   expectMistake("Time:CFL:Deeper=1", "Time > CFL", {"can't be applied"});
 }
 
