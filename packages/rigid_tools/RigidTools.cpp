@@ -203,6 +203,9 @@ void report(const Tools<D>& tools, nlohmann::json& summary)
   {
     all += one.record.friction();
     summary["rigid_tools"].push_back(one.record.report(one.tool));
+    const std::string warning = one.record.warning(one.tool);
+    if (!warning.empty())
+      summary["warnings"].push_back(warning);
   }
   friction = all;
 }

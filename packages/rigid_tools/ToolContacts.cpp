@@ -194,6 +194,7 @@ void reserve(ToolContacts<D>& contacts, int count)
   contacts.gap = View<double*>("rhegma::gapsAtTool", rows);
   contacts.held = View<char* [D]>("rhegma::heldAtTool", rows);
   contacts.impulse = View<double* [D]>("rhegma::impulsesOfTool", rows);
+  contacts.wanted = View<double* [D]>("rhegma::wantedImpulsesOfTool", rows);
   contacts.sticks = View<char*>("rhegma::stickingAtTool", rows);
   contacts.taken = View<double* [2]>("rhegma::energyAtTool", rows);
   contacts.work = View<double*>("rhegma::workOfTool", rows);

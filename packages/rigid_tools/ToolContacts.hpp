@@ -38,10 +38,12 @@ struct ToolContacts
   View<double*> gap;         ///< between the tool and the particles at the node [m]
   View<char* [D]> held;      ///< not 0 along axes that a support holds
   View<double* [D]> impulse; ///< on the body in this step [N s]
+  View<double* [D]> wanted;  ///< the impulse that is found, before it is applied [N s]
   View<char*> sticks;        ///< not 0 where the two do not move along each other
   View<double* [2]> taken; ///< energy that contact takes in this step, and the part of it along the faces [J]
   View<double*> work;      ///< of the tool on the body in this step [J]
   int count = 0;           ///< number of contacts
+  int cut = 0; ///< of a tool with a mass: contacts with less friction than their law has (FreeVelocity)
 
   View<char*> pressed;    ///< of each node: not 0 where a field of it pressed on the tool in the last step
   View<int*> pressedNode; ///< those nodes

@@ -16,18 +16,19 @@ struct ToolSums
   double work = 0.0;       ///< of the tool on the bodies [J]
   double overlap = 0.0;    ///< largest, of domains that press on the tool [m]
   int closed = 0;          ///< fields of nodes that press on it
+  int cut = 0;             ///< how many of them slide with less friction than the tool's law has
 };
 
 /// Changes the nodes' motion by impulses of a tool on the fields that touch it and would move into it, and
 /// records them. They are such that both move alike along the normal, and along the face too where friction
-/// bears it. The velocity of a tool with a mass is found with them, so that its momentum changes by exactly
-/// the opposite of their sum.
+/// bears it. The velocity of a tool with a mass is found with them (FreeVelocity.hpp), so that its momentum
+/// changes by exactly the opposite of their sum. Counts in `cut` contacts with too little friction.
 ///
 /// Called several times a step where several tools touch one field: then it finds the impulses of this tool
 /// anew, with those of the others as they are. \return the largest change of an impulse, as a fraction of the
 /// largest impulse
 template <int D>
-double exchangeImpulses(const State<D>& state, Tool<D>& tool, const ToolContacts<D>& contacts);
+double exchangeImpulses(const State<D>& state, Tool<D>& tool, ToolContacts<D>& contacts);
 
 /// Gives the fields that press on a tool its velocity along the normal in the projection that strains the
 /// particles, and along the face too where they stick. Finds the energy that contact takes and the work of
