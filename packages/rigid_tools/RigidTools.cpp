@@ -5,6 +5,7 @@
 #include "base/Numbers.hpp"
 #include "base/PointText.hpp"
 #include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
 #include "rigid_tools/Outline.hpp"
 #include "rigid_tools/ToolRecord.hpp"
 #include "rigid_tools/ToolSection.hpp"
@@ -19,6 +20,13 @@ namespace Rhegma::rigid_tools
 
 namespace
 {
+
+/// Most sweeps over tools that touch the same fields.
+constexpr int mostSweeps = 1000;
+
+/// Sweeps end when no impulse changes by more than this fraction of the largest one, and no velocity by more
+/// than this fraction of the largest change of the first sweep.
+constexpr double settledChange = 1e-9;
 
 /// A tool and what it touches.
 template <int D>
@@ -39,6 +47,8 @@ struct Tools
 {
   Teuchos::ParameterList section; ///< of the scene
   std::vector<ToolInRun<D>> all;
+  int unsettled = 0;       ///< steps in which impulses of tools that touch the same fields did not settle
+  double lastChange = 0.0; ///< largest change of an impulse in the last sweep of these steps, as a fraction
 };
 
 /// Throws std::invalid_argument where particles lie in a tool.
@@ -140,8 +150,6 @@ double stepLimit(const Tools<D>& tools, const State<D>& state)
 template <int D>
 void press(Tools<D>& tools, State<D>& state)
 {
-  constexpr int mostSweeps = 100;        // over tools that touch the same fields
-  constexpr double settledChange = 1e-9; // of an impulse, as a fraction of the largest one
   int touching = 0;
   for (ToolInRun<D>& one : tools.all)
   {
@@ -152,12 +160,38 @@ void press(Tools<D>& tools, State<D>& state)
     touching += one.contacts.count > 0 ? 1 : 0;
   }
   const int sweeps = touching > 1 ? mostSweeps : std::min(touching, 1);
+  double changed = 0.0;
+  for (int k = 0; k < sweeps && (k == 0 || changed > settledChange); ++k)
+  {
+    changed = 0.0;
+    for (ToolInRun<D>& one : tools.all)
+      changed = std::max(changed, exchangeImpulses(state, one.tool, one.contacts));
+  }
+  if (touching < 2 || !(changed > settledChange))
+    return;
+  ++tools.unsettled;
+  tools.lastChange = std::max(tools.lastChange, changed);
+}
+
+/// Finds the energy of all impulses, then joins the projection in sweeps over the tools that touch something.
+template <int D>
+void join(const Tools<D>& tools, const State<D>& state)
+{
+  int touching = 0;
+  for (const ToolInRun<D>& one : tools.all)
+  {
+    countImpulses(state, one.tool, one.contacts);
+    touching += one.contacts.count > 0 ? 1 : 0;
+  }
+  const int sweeps = touching > 1 ? mostSweeps : touching;
+  double first = 0.0; // the largest change of the first sweep
   for (int k = 0; k < sweeps; ++k)
   {
     double changed = 0.0;
-    for (ToolInRun<D>& one : tools.all)
-      changed = std::max(changed, exchangeImpulses(state, one.tool, one.contacts));
-    if (!(changed > settledChange))
+    for (const ToolInRun<D>& one : tools.all)
+      changed = std::max(changed, joinProjection(state, one.tool, one.contacts));
+    first = k == 0 ? changed : first;
+    if (!(changed > settledChange * first))
       return;
   }
 }
@@ -165,9 +199,9 @@ void press(Tools<D>& tools, State<D>& state)
 template <int D>
 void move(Tools<D>& tools, State<D>& state)
 {
+  join(tools, state);
   for (ToolInRun<D>& one : tools.all)
   {
-    joinProjection(state, one.tool, one.contacts);
     const ToolSums<D> sums = sumContacts(one.contacts);
     one.record.add(state, sums);
     state.energy.contact += sums.dissipated;
@@ -191,6 +225,8 @@ void serialize(Tools<D>& tools, const State<D>& state, Archive& archive)
     serializePressedNodes(state, one.contacts, archive);
     one.near = CellsNearTool<D>();
   }
+  archive("unsettled", tools.unsettled);
+  archive("last_change", tools.lastChange);
 }
 
 template <int D>
@@ -208,6 +244,12 @@ void report(const Tools<D>& tools, nlohmann::json& summary)
       summary["warnings"].push_back(warning);
   }
   friction = all;
+  if (tools.unsettled > 0)
+    summary["warnings"].push_back(
+        "Rigid Tools: in " + std::to_string(tools.unsettled) + " step" + (tools.unsettled == 1 ? "" : "s") +
+        " the impulses of tools that press on the same nodes still changed by up to " +
+        formatShort(100.0 * tools.lastChange) + " % after " + std::to_string(mostSweeps) +
+        " sweeps over the tools; use smaller cells, so that each has nodes of its own");
 }
 
 template <int D>

@@ -155,44 +155,65 @@ Vector<D> sumOfImpulses(const ToolContacts<D>& contacts)
   return sumContacts(contacts).impulse;
 }
 
-/// Joins the projection of a contact with the velocity of the tool.
+/// Finds the energy that the impulse of a contact takes from the particles' motion, and its work.
 template <int D>
-struct JoinProjection
+struct CountImpulse
 {
   Nodes<D> nodes;
   ToolContacts<D> contacts;
-  RigidVelocity<D> now, mean; ///< of the tool
-  double dt;
+  RigidVelocity<D> mean; ///< of the tool
 
   KOKKOS_INLINE_FUNCTION void operator()(const int c) const
   {
-    const Vector<D> impulse = vectorAt<D>(contacts.impulse, c), n = vectorAt<D>(contacts.normal, c),
-                    arm = vectorAt<D>(contacts.arm, c);
+    const Vector<D> impulse = vectorAt<D>(contacts.impulse, c), n = vectorAt<D>(contacts.normal, c);
     contacts.taken(c, 0) = contacts.taken(c, 1) = contacts.work(c) = 0.0;
     if (!(dot(impulse, impulse) > 0.0))
       return;
     const int row = contacts.row(c);
     const double mass = nodes.sums(row, Nodes<D>::massAt);
-    Vector<D> projected, force, before;
+    Vector<D> velocity; // the mean over the step
+    for (int d = 0; d < D; ++d)
+      velocity[d] = 0.5 * (nodes.sums(row, Nodes<D>::momentumAt + d) / mass + nodes.projection(row, d));
+    const Vector<D> surface = mean.at(vectorAt<D>(contacts.arm, c)), relative = velocity - surface;
+    const double all = -dot(impulse, relative), across = -dot(impulse, n) * dot(relative, n);
+    contacts.taken(c, 0) = all;
+    contacts.taken(c, 1) = all - across;
+    contacts.work(c) = dot(impulse, surface);
+  }
+};
+
+/// Joins the projection of a contact with the velocity of the tool. Finds the largest change.
+template <int D>
+struct JoinProjection
+{
+  Nodes<D> nodes;
+  ToolContacts<D> contacts;
+  RigidVelocity<D> now; ///< of the tool
+  double dt;
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int c, double& changed) const
+  {
+    const Vector<D> impulse = vectorAt<D>(contacts.impulse, c), n = vectorAt<D>(contacts.normal, c);
+    if (!(dot(impulse, impulse) > 0.0))
+      return;
+    const int row = contacts.row(c);
+    const Vector<D> surface = now.at(vectorAt<D>(contacts.arm, c));
+    Vector<D> toTool, force;
     for (int d = 0; d < D; ++d)
     {
-      projected[d] = nodes.projection(row, d);
-      before[d] = nodes.sums(row, Nodes<D>::momentumAt + d) / mass;
+      toTool[d] = contacts.held(c, d) != 0 ? 0.0 : surface[d] - nodes.projection(row, d);
       force[d] = nodes.sums(row, Nodes<D>::forceAt + d);
     }
-    const Vector<D> surface = mean.at(arm), relative = 0.5 * (before + projected) - surface;
-    const double all = -dot(impulse, relative), across = -dot(impulse, n) * dot(relative, n);
-    Vector<D> toTool = now.at(arm) - projected;
-    for (int d = 0; d < D; ++d)
-      toTool[d] = contacts.held(c, d) != 0 ? 0.0 : toTool[d];
     const Vector<D> normal = dot(toTool, n) * n;
     const Vector<D> face = contacts.sticks(c) != 0 ? toTool - normal : Vector<D>{};
     for (int d = 0; d < D; ++d)
+    {
       nodes.projection(row, d) += normal[d] + face[d];
+      changed = std::fmax(changed, std::fabs(normal[d] + face[d]));
+    }
     const double byFace = dt * dot(force, face);
-    contacts.taken(c, 0) = all + dt * dot(force, normal) + byFace;
-    contacts.taken(c, 1) = all - across + byFace;
-    contacts.work(c) = dot(impulse, surface);
+    contacts.taken(c, 0) += dt * dot(force, normal) + byFace;
+    contacts.taken(c, 1) += byFace;
   }
 };
 
@@ -270,11 +291,22 @@ double exchangeImpulses(const State<D>& state, Tool<D>& tool, ToolContacts<D>& c
 }
 
 template <int D>
-void joinProjection(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts)
+void countImpulses(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts)
 {
-  const JoinProjection<D> join{state.mesh.nodes, contacts, tool.velocity(), tool.meanVelocity(),
-                               state.clock.dt};
-  parallelForSmall("rhegma::joinProjectionAtTool", contacts.count, join);
+  parallelForSmall("rhegma::countImpulsesOfTool", contacts.count,
+                   CountImpulse<D>{state.mesh.nodes, contacts, tool.meanVelocity()});
+}
+
+template <int D>
+double joinProjection(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts)
+{
+  if (contacts.count == 0)
+    return 0.0;
+  double changed = 0.0;
+  parallelSumSmall("rhegma::joinProjectionAtTool", 0, contacts.count,
+                   JoinProjection<D>{state.mesh.nodes, contacts, tool.velocity(), state.clock.dt},
+                   Kokkos::Max<double>(changed));
+  return std::fmax(changed, 0.0);
 }
 
 template <int D>
@@ -302,8 +334,10 @@ ToolSums<D> sumContacts(const ToolContacts<D>& contacts)
 
 template double exchangeImpulses(const State<2>&, Tool<2>&, ToolContacts<2>&);
 template double exchangeImpulses(const State<3>&, Tool<3>&, ToolContacts<3>&);
-template void joinProjection(const State<2>&, const Tool<2>&, const ToolContacts<2>&);
-template void joinProjection(const State<3>&, const Tool<3>&, const ToolContacts<3>&);
+template void countImpulses(const State<2>&, const Tool<2>&, const ToolContacts<2>&);
+template double joinProjection(const State<2>&, const Tool<2>&, const ToolContacts<2>&);
+template void countImpulses(const State<3>&, const Tool<3>&, const ToolContacts<3>&);
+template double joinProjection(const State<3>&, const Tool<3>&, const ToolContacts<3>&);
 template ToolSums<2> sumContacts(const ToolContacts<2>&);
 template ToolSums<3> sumContacts(const ToolContacts<3>&);
 

@@ -223,6 +223,44 @@ class Tools(DrawnScenes):
                 impulse, own = summary["rigid_tools"][0]["impulse"], history["momentum_x"]
                 self.assertLess(abs(own[-1] - own[0] - impulse[0]), ROUNDING * summary["bodies"][0]["mass"] * 10.0)
 
+    def plate_between_tools(self, thickness, mass, speed):
+        """A plate of less than a cell, at nodes that touch a plane at rest and a tool with a mass."""
+        cell = 0.02
+        low = self.rng.uniform(0.65, 0.9 - 0.5 * thickness) * cell
+        high = low + thickness * cell
+        law = {"Law": "Coulomb", "Friction Coefficient": self.rng.uniform(0.1, 0.5)}
+        return Scene(
+            {
+                "Domain": {"Dimension": 2, "Cell Size": cell, "Lower Corner": [-0.3, -0.2], "Upper Corner": [0.3, 0.4]},
+                "Time": {"Final Time": 0.06, "CFL": self.rng.uniform(0.1, 0.4)},
+                "Materials": {"Solid": solid(1e6)},
+                "Bodies": {"Plate": {"Material": "Solid", "Shape": "Box", "Lower Corner": [-0.1, low], "Upper Corner": [0.1, high]}},
+                "Rigid Tools": {
+                    "Plane": {"Shape": "Box", "Lower Corner": [-0.25, -0.1], "Upper Corner": [0.25, low], **law},
+                    "Block": {"Shape": "Box", "Lower Corner": [-0.08, high + 0.3 * cell], "Upper Corner": [0.08, high + 0.16], **law,
+                              "Mass": mass, "Velocity": speed},
+                },
+                "Output": {"Fields": False, "Checkpoints": False, "History Interval": 1e-3},
+            }
+        )
+
+    def test_the_balance_closes_at_nodes_of_two_tools(self):
+        """Both tools press on the same nodes, which stop in one step. The energy of both impulses is that of the motion before either tool has
+        changed the strain rate; with that after the first tool 1.8 % were left."""
+        for thickness in (0.4, 0.5):
+            summary, history = self.run_scene(self.plate_between_tools(thickness, 25.0, [0.5, -1.0]))
+            with self.subTest(thickness=thickness):
+                plane, block = summary["rigid_tools"]
+                self.assertLess(abs(plane["impulse"][1] + block["impulse"][1] - summary["momentum"][1]), 1e-10 * abs(block["impulse"][1]))
+                self.assertGreater(history["contact"][-1], 0.5 * history["tools"][0])
+                self.assertLess(max(abs(r) for r in history["residual"]), 2e-3 * history["tools"][0])
+
+    def test_impulses_that_do_not_settle_are_reported(self):
+        """No velocity of a node is that of two tools which move towards each other."""
+        scene = self.plate_between_tools(0.5, 25.0, [0.0, -1.0]).remove("Rigid Tools > Block > Mass")
+        summary, _ = self.run_scene(scene.set("Time > Final Time", 0.0075))
+        self.assertTrue(any("sweeps over the tools" in warning for warning in summary["warnings"]), summary["warnings"])
+
     def test_a_belt_drives_a_block(self):
         """A tool that moves along its face drags a block at mu g until both move alike. Half of its work is then motion, half friction. The block
         shakes, so that its speed is off by a few mm/s at any time."""
