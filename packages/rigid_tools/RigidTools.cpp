@@ -7,6 +7,7 @@
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "rigid_tools/Outline.hpp"
+#include "rigid_tools/PressedNodes.hpp"
 #include "rigid_tools/ToolRecord.hpp"
 #include "rigid_tools/ToolSection.hpp"
 
@@ -208,13 +209,13 @@ void move(Tools<D>& tools, State<D>& state)
     if (!one.tool.hasMass())
       state.energy.externalWork += sums.work;
     state.energy.externalWork += one.tool.endStep(state.clock.dt);
-    keepPressedNodes(state, one.contacts);
+    keepPressedNodes(state, one.tool.name(), one.contacts);
   }
   state.energy.tools = kineticEnergyOf(tools);
 }
 
 template <int D>
-void serialize(Tools<D>& tools, const State<D>& state, Archive& archive)
+void serialize(Tools<D>& tools, Archive& archive)
 {
   for (std::size_t k = 0; k < tools.all.size(); ++k)
   {
@@ -222,7 +223,6 @@ void serialize(Tools<D>& tools, const State<D>& state, Archive& archive)
     const Archive::Group group(archive, std::to_string(k));
     one.tool.serialize(archive);
     one.record.serialize(archive);
-    serializePressedNodes(state, one.contacts, archive);
     one.near = CellsNearTool<D>();
   }
   archive("unsettled", tools.unsettled);
@@ -260,6 +260,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   Effect<D> effect;
   effect.name = "Rigid Tools";
   effect.balance = {"contact", "tools"};
+  for (const std::string& name : sublistNames(tools->section))
+    effect.addsNodal.push_back(pressedNodesField(name));
   effect.atStart = [tools](State<D>& state) { start(*tools, state); };
   effect.timeStepLimit = [tools](const State<D>& state) { return stepLimit(*tools, state); };
   effect.call(Stage::Solve, "impulses of rigid tools",
@@ -276,7 +278,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
               });
   effect.memory = [tools](State<D>& s, Archive& archive)
   {
-    serialize(*tools, s, archive);
+    serialize(*tools, archive);
     placeOutlines(*tools, s);
   };
   effect.report = [tools](const State<D>&, nlohmann::json& summary) { report(*tools, summary); };

@@ -2,6 +2,7 @@
 
 #include "base/SmallLoops.hpp"
 #include "boundary/HeldMarks.hpp"
+#include "rigid_tools/PressedNodes.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::rigid_tools
@@ -36,10 +37,10 @@ KOKKOS_INLINE_FUNCTION bool isInReach(const ParticleGaps<D>& gaps, int k, const 
 
 /// Whether a particle touches the tool at a node.
 template <int D>
-KOKKOS_INLINE_FUNCTION bool touchesAt(const ParticleGaps<D>& gaps, int k, const View<char*>& pressed,
+KOKKOS_INLINE_FUNCTION bool touchesAt(const ParticleGaps<D>& gaps, int k, const PressedNodes& pressed,
                                       int node)
 {
-  return gaps.gap(k) <= (pressed(node) != 0 ? stillClosed * gaps.spacing(k) : 0.0);
+  return gaps.gap(k) <= (pressed(node) ? stillClosed * gaps.spacing(k) : 0.0);
 }
 
 /// Marks the rows to which particles that touch the tool add.
@@ -51,7 +52,7 @@ struct MarkRows
   Nodes<D> nodes;
   NodePositions<D> positions;
   View<int*> indexOfRow;
-  View<char*> pressed;
+  PressedNodes pressed;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int k) const
   {
@@ -104,6 +105,7 @@ struct MeasureContact
   ToolContacts<D> contacts;
   BorrowedView<double* [D]> position;
   NodePositions<D> positions;
+  PressedNodes pressed;
   Vector<D> centre; ///< of rotation, now [m]
 
   KOKKOS_INLINE_FUNCTION void operator()(const int c) const
@@ -120,7 +122,7 @@ struct MeasureContact
     {
       const int k = contacts.particle(e);
       const double window = (1.0 + 1e-6) * std::fmax(0.5 * gaps.spacing(k), nearest);
-      if (!touchesAt(gaps, k, contacts.pressed, contacts.node(c)) || distanceFromLine(k, node) > window ||
+      if (!touchesAt(gaps, k, pressed, contacts.node(c)) || distanceFromLine(k, node) > window ||
           !isInReach(gaps, k, node))
         continue;
       const Vector<D> out = normalOf(k);
@@ -307,16 +309,15 @@ void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps
     contacts.indexOfRow = View<int*>("rhegma::contactsOfRows", rows);
     Kokkos::deep_copy(contacts.indexOfRow, -1);
   }
-  reservePressed(state, contacts);
+  const PressedNodes pressed = pressedNodes(state, tool.name());
   const NodePositions<D> positions = nodePositions(state);
   const View<int*> index = contacts.indexOfRow;
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
-                     parallelForSmall(
-                         "rhegma::markRowsAtTool", gaps.count,
-                         MarkRows<D, Connect>{connect, gaps, nodes, positions, index, contacts.pressed});
+                     parallelForSmall("rhegma::markRowsAtTool", gaps.count,
+                                      MarkRows<D, Connect>{connect, gaps, nodes, positions, index, pressed});
                    });
   numberRows(state, contacts);
   if (contacts.count == 0)
@@ -324,7 +325,7 @@ void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps
   listParticles(state, gaps, contacts);
   parallelForSmall("rhegma::measureContacts", contacts.count,
                    MeasureContact<D>{gaps, contacts, state.particles.template real<D>(fields::position),
-                                     positions, tool.placement().centre + tool.placement().moved});
+                                     positions, pressed, tool.placement().centre + tool.placement().moved});
   finishContacts(state, contacts);
 }
 

@@ -3,11 +3,6 @@
 
 #include "rigid_tools/CellsNearTool.hpp"
 
-namespace Rhegma
-{
-class Archive;
-}
-
 namespace Rhegma::rigid_tools
 {
 
@@ -45,10 +40,6 @@ struct ToolContacts
   int count = 0;           ///< number of contacts
   int cut = 0; ///< of a tool with a mass: contacts with less friction than their law has (FreeVelocity)
 
-  View<char*> pressed;    ///< of each node: not 0 where a field of it pressed on the tool in the last step
-  View<int*> pressedNode; ///< those nodes
-  int numPressed = 0;     ///< their number
-
   // Kept from step to step, to be used again.
   View<int*> indexOfRow; ///< of each row of nodal values: its contact, or -1
   View<int*> first;      ///< particles of contact k: particle(first(k)) .. particle(first(k + 1) - 1)
@@ -73,17 +64,5 @@ void measureGaps(const State<D>& state, const Tool<D>& tool, const std::vector<c
 template <int D>
 void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps<D>& gaps,
                   ToolContacts<D>& contacts);
-
-/// Makes room for the marks of nodes that pressed. They are lost where there are more nodes than before.
-template <int D>
-void reservePressed(const State<D>& state, ToolContacts<D>& contacts);
-
-/// Keeps the nodes that press on the tool in this step for the next one.
-template <int D>
-void keepPressedNodes(const State<D>& state, ToolContacts<D>& contacts);
-
-/// Saves or loads these nodes.
-template <int D>
-void serializePressedNodes(const State<D>& state, ToolContacts<D>& contacts, Archive& archive);
 
 } // namespace Rhegma::rigid_tools
