@@ -2,19 +2,17 @@
 
 #include "archive/Archive.hpp"
 #include "base/Attempts.hpp"
-#include "base/Numbers.hpp"
-#include "base/PointText.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "rigid_tools/Outline.hpp"
 #include "rigid_tools/PressedNodes.hpp"
+#include "rigid_tools/StartOverlap.hpp"
 #include "rigid_tools/ToolRecord.hpp"
 #include "rigid_tools/ToolSection.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 namespace Rhegma::rigid_tools
 {
@@ -46,51 +44,11 @@ struct ToolInRun
 template <int D>
 struct Tools
 {
-  Teuchos::ParameterList section; ///< of the scene
+  Teuchos::ParameterList section, bodies; ///< of the scene
   std::vector<ToolInRun<D>> all;
   int unsettled = 0;       ///< steps in which impulses of tools that touch the same fields did not settle
   double lastChange = 0.0; ///< largest change of an impulse in the last sweep of these steps, as a fraction
 };
-
-/// Throws std::invalid_argument where particles lie in a tool.
-template <int D>
-void refuseOverlap(const State<D>& state, const ToolInRun<D>& one)
-{
-  const auto position = onHost(state.particles.template real<D>(fields::position));
-  const auto edge = onHost(state.particles.template real<D>(fields::edge));
-  const auto body = onHost(state.particles.integer(fields::body));
-  const auto bounds = one.tool.shape().bounds();
-  double deepest = 0.0;
-  int deepestAt = -1;
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    Vector<D> x;
-    bool inside = one.touches[body(p)] != 0;
-    double least = edge(p, 0);
-    for (int d = 0; d < D; ++d)
-    {
-      x[d] = position(p, d);
-      inside = inside && x[d] > bounds.lower[d] && x[d] < bounds.upper[d];
-      least = std::min(least, edge(p, d));
-    }
-    const double depth = inside ? one.tool.shape().depth(x) : 0.0;
-    if (depth > 1e-9 * state.mesh.grid.spacing && depth + 0.5 * least > deepest)
-    {
-      deepest = depth + 0.5 * least;
-      deepestAt = p;
-    }
-  }
-  if (deepestAt < 0)
-    return;
-  Vector<D> x;
-  for (int d = 0; d < D; ++d)
-    x[d] = position(deepestAt, d);
-  throw std::invalid_argument("Rigid Tools > " + one.tool.name() + ": overlaps Bodies > " +
-                              state.bodies.info[body(deepestAt)].name + " by up to " +
-                              readableLength(deepest) + " at the start, such as at " + formatPoint<D>(x) +
-                              "; move one of them, or name in Rigid Tools > " + one.tool.name() +
-                              " > Bodies the bodies that it touches");
-}
 
 template <int D>
 double kineticEnergyOf(const Tools<D>& tools)
@@ -130,7 +88,7 @@ void start(Tools<D>& tools, State<D>& state)
       one.touches.push_back(
           named.empty() || std::find(named.begin(), named.end(), body.name) != named.end() ? 1 : 0);
     one.outline = outlineOf(one.tool.shape());
-    attempts.attempt([&] { refuseOverlap(state, one); });
+    attempts.attempt([&] { refuseOverlap(state, one.tool, one.touches, tools.bodies); });
   }
   attempts.throwIfAny();
   state.energy.tools = kineticEnergyOf(tools);
@@ -257,6 +215,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const auto tools = std::make_shared<Tools<D>>();
   tools->section = scene.sublist("Rigid Tools");
+  tools->bodies = scene.sublist("Bodies");
   Effect<D> effect;
   effect.name = "Rigid Tools";
   effect.balance = {"contact", "tools"};

@@ -5,6 +5,7 @@ Positions relative to the cells, angles, masses and friction are drawn; RHEGMA_S
 
 import math
 import os
+import re
 import sys
 import unittest
 
@@ -361,6 +362,24 @@ class Tools(DrawnScenes):
         summary, _ = self.run_scene(scene)
         self.assertIsNone(summary["rigid_tools"][0]["first_touch"])
         self.assertEqual(summary["rigid_tools"][0]["velocity"][0], 1.0)
+
+    def test_an_overlap_at_the_start_is_refused(self):
+        """Of a flat face the overlap is known exactly; a disk on a plane does not overlap it, though domains of its particles do."""
+        cell, turned = 0.0125, self.rng.uniform(-0.5, 0.5)
+        scene = self.incline(0.3, turned, 1e-3, "Frictionless", cell=cell)
+        left, low = scene["Bodies > Block > Lower Corner"]
+        for cells, refused in ((self.rng.uniform(0.05, 0.24), True), (self.rng.uniform(0.26, 1.0), True), (0.02, False)):
+            sunk = scene.copy().set("Bodies > Block > Lower Corner", [left, low - cells * cell])
+            with self.subTest(cells=cells, turned=turned):
+                if refused:
+                    answer = self.assert_refused([self.write("wrong.xml", sunk.text())], [("Rigid Tools > Plane", ["overlaps Bodies > Block", "mm"])])
+                    said = re.search(r"by up to ([\d.]+) mm", answer.messages)
+                    self.assertLess(abs(float(said.group(1)) - 1e3 * cells * cell), 0.006 * 1e3 * cells * cell)
+                else:
+                    self.run_scene(sunk)
+        disk = {"Material": "Solid", "Shape": "Ball", "Centre": [left + 0.07, low + 0.05], "Radius": 0.05}
+        self.run_scene(self.incline(0.3, 0.0, 1e-3, "Frictionless", cell=cell).set("Bodies", {"Disk": disk}).set(
+            "Rigid Tools > Plane > Upper Corner", [left + 0.5, low]))
 
     def test_wrong_sections(self):
         scene, *_ = self.struck_bar(20, 1.0)
