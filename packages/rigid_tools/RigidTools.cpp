@@ -223,9 +223,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     effect.addsNodal.push_back(pressedNodesField(name));
   effect.atStart = [tools](State<D>& state) { start(*tools, state); };
   effect.timeStepLimit = [tools](const State<D>& state) { return stepLimit(*tools, state); };
+  // Reads what it adds to: after other calls that add, such as that of bodies in contact.
   effect.call(Stage::Solve, "impulses of rigid tools",
-              {quantity::nodalMotion, quantity::stencils, ifWritten(quantity::prescribedMotion)}, {}, {},
-              [tools](State<D>& s) { press(*tools, s); });
+              {quantity::nodalMotion, quantity::stencils, ifWritten(quantity::prescribedMotion)}, {},
+              {quantity::nodalMotion}, [tools](State<D>& s) { press(*tools, s); });
   effect.call(Stage::AfterProjection, "strain velocity at rigid tools", {quantity::nodalMotion}, {},
               {quantity::projection}, [tools](State<D>& s) { move(*tools, s); });
   effect.call(Stage::Observe, "forces of rigid tools", {quantity::energyBalance}, {}, {},

@@ -262,6 +262,12 @@ class Tools(DrawnScenes):
         summary, _ = self.run_scene(scene.set("Time > Final Time", 0.0075))
         self.assertTrue(any("sweeps over the tools" in warning for warning in summary["warnings"]), summary["warnings"])
 
+    def test_bodies_touch_before_tools(self):
+        scene = self.incline(0.3, 0.0, 0.1, "Frictionless").set("Body Contact", {})
+        plan = rhegma(self.write("plan.xml", scene.text()), "--print-plan")
+        lines = [line.strip() for line in plan.output.splitlines() if "adds to nodal motion" in line]
+        self.assertEqual([line.split(":")[0] for line in lines], ["impulses between bodies", "impulses of rigid tools"], plan)
+
     def test_a_belt_drives_a_block(self):
         """A tool that moves along its face drags a block at mu g until both move alike. Half of its work is then motion, half friction. The block
         shakes, so that its speed is off by a few mm/s at any time."""
