@@ -107,26 +107,33 @@ class Tools(DrawnScenes):
         )
 
     def test_a_block_slides(self):
-        """The block shakes when its weight is applied at once, so that its speed is off by a few mm/s at any time."""
-        time = 0.1
+        """The weight grows in ten periods of the block (4 ms), so that it does not shake: the speed is that of a rigid block within the error of the
+        acceleration (docs/how-to/rigid-tools.md), and the heat is that of its path. With a friction of 0.5 sliding makes the block shake by itself
+        with up to a tenth of the heat. The rule for its weight in a step has an error of dt^2."""
+        time, rising = 0.1, 0.04
+        acting = time - 0.5 * rising  # the integral of the history
         for turned in (0.0, self.rng.uniform(0.05, 0.7), self.rng.uniform(-0.7, -0.05)):
             angle, friction = self.rng.uniform(0.6, 0.9), self.rng.choice([0.0, 0.2, 0.5])
-            summary, _ = self.run_scene(self.incline(angle, turned, time, "Coulomb", friction))
+            scene = self.incline(angle, turned, time, "Coulomb", friction)
+            scene.set("Boundaries > Weight > History", f"t < {rising} ? sin(pi*t/{2.0 * rising})^2 : 1")
+            summary, _ = self.run_scene(scene)
             with self.subTest(turned=turned, angle=angle, friction=friction):
                 block, tool, energy = summary["bodies"][0], summary["rigid_tools"][0], summary["energy"]
                 v = block["velocity"]
-                exact = GRAVITY * (math.sin(angle) - friction * math.cos(angle)) * time
-                self.assertLess(abs(math.cos(turned) * v[0] + math.sin(turned) * v[1] - exact), 0.01)
-                heat = friction * block["mass"] * GRAVITY * math.cos(angle) * 0.5 * exact * time
-                self.assertLess(abs(energy["friction"] - heat), 0.05 * (heat + energy["kinetic"]))
+                exact = GRAVITY * (math.sin(angle) - friction * math.cos(angle)) * acting
+                self.assertLess(abs(math.cos(turned) * v[0] + math.sin(turned) * v[1] - exact), 0.01 * exact)
+                heat = friction * block["mass"] * GRAVITY * math.cos(angle) * 0.5 * exact * acting
+                shaking = energy["kinetic"] - 0.5 * block["mass"] * (v[0] ** 2 + v[1] ** 2) + energy["strain"]
+                self.assertLess(abs(energy["contact"] + shaking - heat), 0.02 * heat + 1e-3 * energy["kinetic"])
+                self.assertLess(abs(energy["friction"] - heat), (0.2 if friction > 0.2 else 0.01) * heat + ROUNDING)
                 self.assertLess(abs(energy["residual"]), 0.01 * energy["kinetic"])
                 # The tool is at rest: it does no work, and its impulse and that of gravity are the momentum.
                 self.assertEqual(tool["work"], 0.0)
-                weight = [block["mass"] * time * x for x in (
+                weight = [block["mass"] * acting * x for x in (
                     GRAVITY * (math.cos(turned) * math.sin(angle) + math.sin(turned) * math.cos(angle)),
                     GRAVITY * (math.sin(turned) * math.sin(angle) - math.cos(turned) * math.cos(angle)))]
                 for d in range(2):
-                    self.assertLess(abs(weight[d] + tool["impulse"][d] - summary["momentum"][d]), 1e-11 * block["mass"] * GRAVITY * time)
+                    self.assertLess(abs(weight[d] + tool["impulse"][d] - summary["momentum"][d]), 1e-8 * block["mass"] * GRAVITY * time)
 
     def test_a_block_sticks(self):
         turned = self.rng.uniform(-0.5, 0.5)
