@@ -60,24 +60,27 @@ class Tools(DrawnScenes):
         return scene, mass, gap / speed, DENSITY * speed_of_sound * area * speed, rate
 
     def test_a_mass_strikes_a_bar(self):
-        """Until waves are back the tool is slowed by the force rho c A v: v = v0 exp(-rho c A t / M). The nodes at the tool are stopped at once,
-        which takes their momentum from the tool: that of up to two cells of the bar, as a fraction of M."""
+        """Until waves are back the tool is slowed by the force rho c A v: v = v0 exp(-rho c A t / M). The row of nodes at the tool is stopped at once,
+        and not as waves pass it, which changes the momentum of the tool by that of two cells of the bar at most: a row has up to one and a half,
+        and touch begins with a step. `row` is one cell as a fraction of M. This error decays as the velocity; a tenth of a row is left for waves of a
+        few cells. Contact takes the kinetic energy of the row, half a cell to one
+        and a half. The residual is due to the length of the step, 0.4 h / c, and as large as this part of that energy."""
         for dimension, cells in ((2, 100), (3, 40)):
             ratio = self.rng.uniform(0.3, 3.0)
             scene, mass, touch, force, rate = self.struck_bar(cells, ratio, dimension=dimension)
             summary, history = self.run_scene(scene)
             with self.subTest(dimension=dimension, ratio=ratio):
-                tool, start = summary["rigid_tools"][0], 0.5 * mass
+                tool, start, row = summary["rigid_tools"][0], 0.5 * mass, 1.0 / (cells * ratio)
                 step = summary["time"] / summary["steps"]
                 self.assertLess(abs(tool["first_touch"] - touch), 1.01 * step)
                 for time, speed in zip(history["time"], history["Striker.velocity_x"]):
                     exact = math.exp(-rate * max(time - touch, 0.0))
-                    self.assertLess(abs(speed - exact), 2.0 / (cells * ratio) + rate * step)
+                    self.assertLess(abs(speed - exact), row * (2.0 * exact + 0.1))
                 total = [a + mass * v for a, v in zip(history["momentum_x"], history["Striker.velocity_x"])]
                 self.assertLess(max(abs(p / mass - 1.0) for p in total), ROUNDING)
-                self.assertLess(max(abs(r) for r in history["residual"]), 0.02 * start)
-                self.assertGreater(history["contact"][-1], 0.0)
-                self.assertLess(history["contact"][-1], 2.0 / (cells * ratio) * start)
+                self.assertLess(max(abs(r) for r in history["residual"]), 0.4 * row * start)
+                self.assertGreater(history["contact"][-1], 0.5 * row * start)
+                self.assertLess(history["contact"][-1], 1.5 * row * start)
                 kinetic = [0.5 * mass * v**2 for v in history["Striker.velocity_x"]]
                 self.assertLess(max(abs(a - b) for a, b in zip(kinetic, history["tools"])), ROUNDING * start)
 
