@@ -5,6 +5,9 @@
 #include "rigid_tools/PressedNodes.hpp"
 #include "transfer/ParticleViews.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace Rhegma::rigid_tools
 {
 
@@ -52,6 +55,8 @@ struct MarkRows
   Nodes<D> nodes;
   NodePositions<D> positions;
   View<int*> indexOfRow;
+  View<int*> marked; ///< marked rows, in no order
+  View<int> numMarked;
   PressedNodes pressed;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int k) const
@@ -64,8 +69,14 @@ struct MarkRows
                     const int node = latticeNode(nodes, row);
                     if (weight > leastWeight && touchesAt(gaps, k, pressed, node) &&
                         isInReach(gaps, k, positions(node)))
-                      Kokkos::atomic_exchange(&indexOfRow(row), 0);
+                      mark(row);
                   });
+  }
+
+  KOKKOS_INLINE_FUNCTION void mark(int row) const
+  {
+    if (Kokkos::atomic_exchange(&indexOfRow(row), 0) < 0)
+      marked(Kokkos::atomic_fetch_add(&numMarked(), 1)) = row;
   }
 };
 
@@ -203,32 +214,25 @@ void reserve(ToolContacts<D>& contacts, int count)
   contacts.first = View<int*>("rhegma::firstParticleAtTool", rows + 1);
 }
 
-/// Numbers the marked rows. The marks of all other rows are -1, as they were.
+/// Numbers the marked rows in their order, so that sums do not depend on the threads.
 template <int D>
-void numberRows(const State<D>& state, ToolContacts<D>& contacts)
+void numberRows(const State<D>& state, ToolContacts<D>& contacts, int count)
 {
+  contacts.count = count;
+  reserve(contacts, count);
+  if (count == 0)
+    return;
+  const auto range = std::make_pair(0, count);
+  const auto listed = Kokkos::subview(contacts.marked, range);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, listed);
+  std::sort(host.data(), host.data() + count);
+  Kokkos::deep_copy(Kokkos::subview(contacts.row, range), host);
   const Nodes<D> nodes = state.mesh.nodes;
-  const View<int*> index = contacts.indexOfRow;
-  Kokkos::parallel_scan(
-      "rhegma::numberRowsAtTool", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
-        const int row = activeNode(nodes, i);
-        const int marked = index(row) >= 0 ? 1 : 0;
-        if (final && marked != 0)
-          index(row) = at;
-        at += marked;
-      },
-      contacts.count);
-  reserve(contacts, contacts.count);
-  const View<int*> rowOf = contacts.row, nodeOf = contacts.node;
-  Kokkos::parallel_for(
-      "rhegma::listRowsAtTool", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i) {
-        const int row = activeNode(nodes, i), at = index(row);
-        if (at < 0)
-          return;
-        rowOf(at) = row;
-        nodeOf(at) = latticeNode(nodes, row);
+  const View<int*> index = contacts.indexOfRow, rowOf = contacts.row, nodeOf = contacts.node;
+  parallelForSmall(
+      "rhegma::numberRowsAtTool", count, KOKKOS_LAMBDA(const int c) {
+        index(rowOf(c)) = c;
+        nodeOf(c) = latticeNode(nodes, rowOf(c));
       });
 }
 
@@ -307,19 +311,22 @@ void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps
   if (static_cast<int>(contacts.indexOfRow.extent(0)) < rows)
   {
     contacts.indexOfRow = View<int*>("rhegma::contactsOfRows", rows);
+    contacts.marked = View<int*>("rhegma::markedRowsAtTool", rows);
     Kokkos::deep_copy(contacts.indexOfRow, -1);
   }
   const PressedNodes pressed = pressedNodes(state, tool.name());
   const NodePositions<D> positions = nodePositions(state);
-  const View<int*> index = contacts.indexOfRow;
+  const View<int*> index = contacts.indexOfRow, marked = contacts.marked;
+  const View<int> numMarked("rhegma::numMarkedRowsAtTool");
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
                      parallelForSmall("rhegma::markRowsAtTool", gaps.count,
-                                      MarkRows<D, Connect>{connect, gaps, nodes, positions, index, pressed});
+                                      MarkRows<D, Connect>{connect, gaps, nodes, positions, index, marked,
+                                                           numMarked, pressed});
                    });
-  numberRows(state, contacts);
+  numberRows(state, contacts, onHost(numMarked)());
   if (contacts.count == 0)
     return;
   listParticles(state, gaps, contacts);

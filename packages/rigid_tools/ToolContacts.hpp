@@ -42,6 +42,7 @@ struct ToolContacts
 
   // Kept from step to step, to be used again.
   View<int*> indexOfRow; ///< of each row of nodal values: its contact, or -1
+  View<int*> marked;     ///< rows at which particles touch the tool, before they are sorted
   View<int*> first;      ///< particles of contact k: particle(first(k)) .. particle(first(k + 1) - 1)
   View<int*> particle;   ///< numbers in ParticleGaps
   View<double*> weight;  ///< of each of these at the node
