@@ -159,7 +159,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.call(Stage::BetweenSteps, "bodies near each other", {quantity::particleOrder}, {}, {},
               [parts](State<D>& s) { watch(parts, s); });
   effect.call(Stage::Solve, "impulses between bodies",
-              {quantity::nodalMotion, quantity::stencils, ifWritten(quantity::prescribedMotion)}, {}, {},
+              {quantity::stencils, ifWritten(quantity::prescribedMotion)}, {}, {quantity::nodalMotion},
               [parts](State<D>& s) { touch(*parts, s); });
   effect.call(Stage::AfterProjection, "strain velocity of bodies that touch", {quantity::nodalMotion}, {},
               {quantity::projection},

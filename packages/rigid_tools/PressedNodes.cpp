@@ -1,86 +1,43 @@
-/// Nodes that pressed on a tool in the last step.
+#include "rigid_tools/PressedNodes.hpp"
 
-#include "archive/Archive.hpp"
 #include "base/SmallLoops.hpp"
-#include "rigid_tools/ToolContacts.hpp"
 
 namespace Rhegma::rigid_tools
 {
 
-namespace
+NodalField pressedNodesField(const std::string& tool)
 {
-
-/// Sets the marks of the listed nodes.
-template <int D>
-void markPressed(const ToolContacts<D>& contacts, char mark)
-{
-  const View<char*> pressed = contacts.pressed;
-  const View<int*> node = contacts.pressedNode;
-  parallelForSmall(
-      "rhegma::markNodesThatPressOnTool", contacts.numPressed,
-      KOKKOS_LAMBDA(const int k) { pressed(node(k)) = mark; });
-}
-
-} // namespace
-
-template <int D>
-void reservePressed(const State<D>& state, ToolContacts<D>& contacts)
-{
-  const int nodes = state.mesh.nodes.numLattice;
-  if (static_cast<int>(contacts.pressed.extent(0)) >= nodes)
-    return;
-  contacts.pressed = View<char*>("rhegma::nodesThatPressOnTool", nodes);
-  contacts.numPressed = 0;
+  return {{"last step of pressing on " + tool, 1, "", "number of the step, from 1 on"}, OnRemesh::Keep};
 }
 
 template <int D>
-void keepPressedNodes(const State<D>& state, ToolContacts<D>& contacts)
+PressedNodes pressedNodes(const State<D>& state, const std::string& tool)
 {
-  if (contacts.count == 0 && contacts.numPressed == 0)
-    return;
-  reservePressed(state, contacts);
-  markPressed(contacts, 0);
-  if (static_cast<int>(contacts.pressedNode.extent(0)) < contacts.count)
-    contacts.pressedNode = View<int*>("rhegma::listOfNodesThatPress", 2 * contacts.count);
-  contacts.numPressed = 0;
+  return {state.mesh.nodalFields.scalar(pressedNodesField(tool).field.name),
+          static_cast<double>(state.clock.step)};
+}
+
+template <int D>
+void keepPressedNodes(const State<D>& state, const std::string& tool, const ToolContacts<D>& contacts)
+{
   if (contacts.count == 0)
     return;
+  const BorrowedView<double*> lastStep = pressedNodes(state, tool).lastStep;
+  const auto now = static_cast<double>(state.clock.step + 1);
   const ToolContacts<D> at = contacts;
-  parallelScanSmall(
-      "rhegma::listNodesThatPressOnTool", 0, contacts.count,
-      KOKKOS_LAMBDA(const int c, int& place, const bool final) {
+  parallelForSmall(
+      "rhegma::keepNodesThatPressOnTool", contacts.count, KOKKOS_LAMBDA(const int c) {
         bool presses = false;
         for (int d = 0; d < D; ++d)
           presses = presses || at.impulse(c, d) != 0.0;
-        if (final && presses)
-          at.pressedNode(place) = at.node(c);
-        place += presses ? 1 : 0;
-      },
-      contacts.numPressed);
-  markPressed(contacts, 1);
+        if (presses)
+          lastStep(at.node(c)) = now;
+      });
 }
 
-template <int D>
-void serializePressedNodes(const State<D>& state, ToolContacts<D>& contacts, Archive& archive)
-{
-  View<int*> nodes("rhegma::listOfNodesThatPress", contacts.numPressed);
-  if (!archive.loads() && contacts.numPressed > 0)
-    Kokkos::deep_copy(nodes, Kokkos::subview(contacts.pressedNode, std::make_pair(0, contacts.numPressed)));
-  archive("pressed_nodes", nodes);
-  if (!archive.loads())
-    return;
-  reservePressed(state, contacts);
-  markPressed(contacts, 0);
-  contacts.pressedNode = nodes;
-  contacts.numPressed = static_cast<int>(nodes.extent(0));
-  markPressed(contacts, 1);
-}
-
-template void reservePressed(const State<2>&, ToolContacts<2>&);
-template void reservePressed(const State<3>&, ToolContacts<3>&);
-template void keepPressedNodes(const State<2>&, ToolContacts<2>&);
-template void keepPressedNodes(const State<3>&, ToolContacts<3>&);
-template void serializePressedNodes(const State<2>&, ToolContacts<2>&, Archive&);
-template void serializePressedNodes(const State<3>&, ToolContacts<3>&, Archive&);
+template PressedNodes pressedNodes(const State<2>&, const std::string&);
+template PressedNodes pressedNodes(const State<3>&, const std::string&);
+template void keepPressedNodes(const State<2>&, const std::string&, const ToolContacts<2>&);
+template void keepPressedNodes(const State<3>&, const std::string&, const ToolContacts<3>&);
 
 } // namespace Rhegma::rigid_tools

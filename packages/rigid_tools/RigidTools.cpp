@@ -2,23 +2,30 @@
 
 #include "archive/Archive.hpp"
 #include "base/Attempts.hpp"
-#include "base/Numbers.hpp"
-#include "base/PointText.hpp"
 #include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
 #include "rigid_tools/Outline.hpp"
+#include "rigid_tools/PressedNodes.hpp"
+#include "rigid_tools/StartOverlap.hpp"
 #include "rigid_tools/ToolRecord.hpp"
 #include "rigid_tools/ToolSection.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 namespace Rhegma::rigid_tools
 {
 
 namespace
 {
+
+/// Most sweeps over tools that touch the same fields.
+constexpr int mostSweeps = 1000;
+
+/// Sweeps end when no impulse changes by more than this fraction of the largest one, and no velocity by more
+/// than this fraction of the largest change of the first sweep.
+constexpr double settledChange = 1e-9;
 
 /// A tool and what it touches.
 template <int D>
@@ -37,49 +44,11 @@ struct ToolInRun
 template <int D>
 struct Tools
 {
-  Teuchos::ParameterList section; ///< of the scene
+  Teuchos::ParameterList section, bodies; ///< of the scene
   std::vector<ToolInRun<D>> all;
+  int unsettled = 0;       ///< steps in which impulses of tools that touch the same fields did not settle
+  double lastChange = 0.0; ///< largest change of an impulse in the last sweep of these steps, as a fraction
 };
-
-/// Throws std::invalid_argument where particles lie in a tool.
-template <int D>
-void refuseOverlap(const State<D>& state, const ToolInRun<D>& one)
-{
-  const auto position = onHost(state.particles.template real<D>(fields::position));
-  const auto edge = onHost(state.particles.template real<D>(fields::edge));
-  const auto body = onHost(state.particles.integer(fields::body));
-  const auto bounds = one.tool.shape().bounds();
-  double deepest = 0.0;
-  int deepestAt = -1;
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    Vector<D> x;
-    bool inside = one.touches[body(p)] != 0;
-    double least = edge(p, 0);
-    for (int d = 0; d < D; ++d)
-    {
-      x[d] = position(p, d);
-      inside = inside && x[d] > bounds.lower[d] && x[d] < bounds.upper[d];
-      least = std::min(least, edge(p, d));
-    }
-    const double depth = inside ? one.tool.shape().depth(x) : 0.0;
-    if (depth > 1e-9 * state.mesh.grid.spacing && depth + 0.5 * least > deepest)
-    {
-      deepest = depth + 0.5 * least;
-      deepestAt = p;
-    }
-  }
-  if (deepestAt < 0)
-    return;
-  Vector<D> x;
-  for (int d = 0; d < D; ++d)
-    x[d] = position(deepestAt, d);
-  throw std::invalid_argument("Rigid Tools > " + one.tool.name() + ": overlaps Bodies > " +
-                              state.bodies.info[body(deepestAt)].name + " by up to " +
-                              readableLength(deepest) + " at the start, such as at " + formatPoint<D>(x) +
-                              "; move one of them, or name in Rigid Tools > " + one.tool.name() +
-                              " > Bodies the bodies that it touches");
-}
 
 template <int D>
 double kineticEnergyOf(const Tools<D>& tools)
@@ -119,7 +88,7 @@ void start(Tools<D>& tools, State<D>& state)
       one.touches.push_back(
           named.empty() || std::find(named.begin(), named.end(), body.name) != named.end() ? 1 : 0);
     one.outline = outlineOf(one.tool.shape());
-    attempts.attempt([&] { refuseOverlap(state, one); });
+    attempts.attempt([&] { refuseOverlap(state, one.tool, one.touches, tools.bodies); });
   }
   attempts.throwIfAny();
   state.energy.tools = kineticEnergyOf(tools);
@@ -140,8 +109,6 @@ double stepLimit(const Tools<D>& tools, const State<D>& state)
 template <int D>
 void press(Tools<D>& tools, State<D>& state)
 {
-  constexpr int mostSweeps = 100;        // over tools that touch the same fields
-  constexpr double settledChange = 1e-9; // of an impulse, as a fraction of the largest one
   int touching = 0;
   for (ToolInRun<D>& one : tools.all)
   {
@@ -152,12 +119,38 @@ void press(Tools<D>& tools, State<D>& state)
     touching += one.contacts.count > 0 ? 1 : 0;
   }
   const int sweeps = touching > 1 ? mostSweeps : std::min(touching, 1);
+  double changed = 0.0;
+  for (int k = 0; k < sweeps && (k == 0 || changed > settledChange); ++k)
+  {
+    changed = 0.0;
+    for (ToolInRun<D>& one : tools.all)
+      changed = std::max(changed, exchangeImpulses(state, one.tool, one.contacts));
+  }
+  if (touching < 2 || !(changed > settledChange))
+    return;
+  ++tools.unsettled;
+  tools.lastChange = std::max(tools.lastChange, changed);
+}
+
+/// Finds the energy of all impulses, then joins the projection in sweeps over the tools that touch something.
+template <int D>
+void join(const Tools<D>& tools, const State<D>& state)
+{
+  int touching = 0;
+  for (const ToolInRun<D>& one : tools.all)
+  {
+    countImpulses(state, one.tool, one.contacts);
+    touching += one.contacts.count > 0 ? 1 : 0;
+  }
+  const int sweeps = touching > 1 ? mostSweeps : touching;
+  double first = 0.0; // the largest change of the first sweep
   for (int k = 0; k < sweeps; ++k)
   {
     double changed = 0.0;
-    for (ToolInRun<D>& one : tools.all)
-      changed = std::max(changed, exchangeImpulses(state, one.tool, one.contacts));
-    if (!(changed > settledChange))
+    for (const ToolInRun<D>& one : tools.all)
+      changed = std::max(changed, joinProjection(state, one.tool, one.contacts));
+    first = k == 0 ? changed : first;
+    if (!(changed > settledChange * first))
       return;
   }
 }
@@ -165,22 +158,22 @@ void press(Tools<D>& tools, State<D>& state)
 template <int D>
 void move(Tools<D>& tools, State<D>& state)
 {
+  join(tools, state);
   for (ToolInRun<D>& one : tools.all)
   {
-    joinProjection(state, one.tool, one.contacts);
     const ToolSums<D> sums = sumContacts(one.contacts);
     one.record.add(state, sums);
     state.energy.contact += sums.dissipated;
     if (!one.tool.hasMass())
       state.energy.externalWork += sums.work;
     state.energy.externalWork += one.tool.endStep(state.clock.dt);
-    keepPressedNodes(state, one.contacts);
+    keepPressedNodes(state, one.tool.name(), one.contacts);
   }
   state.energy.tools = kineticEnergyOf(tools);
 }
 
 template <int D>
-void serialize(Tools<D>& tools, const State<D>& state, Archive& archive)
+void serialize(Tools<D>& tools, Archive& archive)
 {
   for (std::size_t k = 0; k < tools.all.size(); ++k)
   {
@@ -188,9 +181,10 @@ void serialize(Tools<D>& tools, const State<D>& state, Archive& archive)
     const Archive::Group group(archive, std::to_string(k));
     one.tool.serialize(archive);
     one.record.serialize(archive);
-    serializePressedNodes(state, one.contacts, archive);
     one.near = CellsNearTool<D>();
   }
+  archive("unsettled", tools.unsettled);
+  archive("last_change", tools.lastChange);
 }
 
 template <int D>
@@ -203,8 +197,17 @@ void report(const Tools<D>& tools, nlohmann::json& summary)
   {
     all += one.record.friction();
     summary["rigid_tools"].push_back(one.record.report(one.tool));
+    const std::string warning = one.record.warning(one.tool);
+    if (!warning.empty())
+      summary["warnings"].push_back(warning);
   }
   friction = all;
+  if (tools.unsettled > 0)
+    summary["warnings"].push_back(
+        "Rigid Tools: in " + std::to_string(tools.unsettled) + " step" + (tools.unsettled == 1 ? "" : "s") +
+        " the impulses of tools that press on the same nodes still changed by up to " +
+        formatShort(100.0 * tools.lastChange) + " % after " + std::to_string(mostSweeps) +
+        " sweeps over the tools; use smaller cells, so that each has nodes of its own");
 }
 
 template <int D>
@@ -212,14 +215,18 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const auto tools = std::make_shared<Tools<D>>();
   tools->section = scene.sublist("Rigid Tools");
+  tools->bodies = scene.sublist("Bodies");
   Effect<D> effect;
   effect.name = "Rigid Tools";
   effect.balance = {"contact", "tools"};
+  for (const std::string& name : sublistNames(tools->section))
+    effect.addsNodal.push_back(pressedNodesField(name));
   effect.atStart = [tools](State<D>& state) { start(*tools, state); };
   effect.timeStepLimit = [tools](const State<D>& state) { return stepLimit(*tools, state); };
+  // Reads what it adds to: after other calls that add, such as that of bodies in contact.
   effect.call(Stage::Solve, "impulses of rigid tools",
-              {quantity::nodalMotion, quantity::stencils, ifWritten(quantity::prescribedMotion)}, {}, {},
-              [tools](State<D>& s) { press(*tools, s); });
+              {quantity::nodalMotion, quantity::stencils, ifWritten(quantity::prescribedMotion)}, {},
+              {quantity::nodalMotion}, [tools](State<D>& s) { press(*tools, s); });
   effect.call(Stage::AfterProjection, "strain velocity at rigid tools", {quantity::nodalMotion}, {},
               {quantity::projection}, [tools](State<D>& s) { move(*tools, s); });
   effect.call(Stage::Observe, "forces of rigid tools", {quantity::energyBalance}, {}, {},
@@ -231,7 +238,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
               });
   effect.memory = [tools](State<D>& s, Archive& archive)
   {
-    serialize(*tools, s, archive);
+    serialize(*tools, archive);
     placeOutlines(*tools, s);
   };
   effect.report = [tools](const State<D>&, nlohmann::json& summary) { report(*tools, summary); };

@@ -2,7 +2,11 @@
 
 #include "base/SmallLoops.hpp"
 #include "boundary/HeldMarks.hpp"
+#include "rigid_tools/PressedNodes.hpp"
 #include "transfer/ParticleViews.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace Rhegma::rigid_tools
 {
@@ -36,10 +40,10 @@ KOKKOS_INLINE_FUNCTION bool isInReach(const ParticleGaps<D>& gaps, int k, const 
 
 /// Whether a particle touches the tool at a node.
 template <int D>
-KOKKOS_INLINE_FUNCTION bool touchesAt(const ParticleGaps<D>& gaps, int k, const View<char*>& pressed,
+KOKKOS_INLINE_FUNCTION bool touchesAt(const ParticleGaps<D>& gaps, int k, const PressedNodes& pressed,
                                       int node)
 {
-  return gaps.gap(k) <= (pressed(node) != 0 ? stillClosed * gaps.spacing(k) : 0.0);
+  return gaps.gap(k) <= (pressed(node) ? stillClosed * gaps.spacing(k) : 0.0);
 }
 
 /// Marks the rows to which particles that touch the tool add.
@@ -51,7 +55,9 @@ struct MarkRows
   Nodes<D> nodes;
   NodePositions<D> positions;
   View<int*> indexOfRow;
-  View<char*> pressed;
+  View<int*> marked; ///< marked rows, in no order
+  View<int> numMarked;
+  PressedNodes pressed;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int k) const
   {
@@ -63,8 +69,14 @@ struct MarkRows
                     const int node = latticeNode(nodes, row);
                     if (weight > leastWeight && touchesAt(gaps, k, pressed, node) &&
                         isInReach(gaps, k, positions(node)))
-                      Kokkos::atomic_exchange(&indexOfRow(row), 0);
+                      mark(row);
                   });
+  }
+
+  KOKKOS_INLINE_FUNCTION void mark(int row) const
+  {
+    if (Kokkos::atomic_exchange(&indexOfRow(row), 0) < 0)
+      marked(Kokkos::atomic_fetch_add(&numMarked(), 1)) = row;
   }
 };
 
@@ -104,6 +116,7 @@ struct MeasureContact
   ToolContacts<D> contacts;
   BorrowedView<double* [D]> position;
   NodePositions<D> positions;
+  PressedNodes pressed;
   Vector<D> centre; ///< of rotation, now [m]
 
   KOKKOS_INLINE_FUNCTION void operator()(const int c) const
@@ -120,7 +133,7 @@ struct MeasureContact
     {
       const int k = contacts.particle(e);
       const double window = (1.0 + 1e-6) * std::fmax(0.5 * gaps.spacing(k), nearest);
-      if (!touchesAt(gaps, k, contacts.pressed, contacts.node(c)) || distanceFromLine(k, node) > window ||
+      if (!touchesAt(gaps, k, pressed, contacts.node(c)) || distanceFromLine(k, node) > window ||
           !isInReach(gaps, k, node))
         continue;
       const Vector<D> out = normalOf(k);
@@ -194,38 +207,32 @@ void reserve(ToolContacts<D>& contacts, int count)
   contacts.gap = View<double*>("rhegma::gapsAtTool", rows);
   contacts.held = View<char* [D]>("rhegma::heldAtTool", rows);
   contacts.impulse = View<double* [D]>("rhegma::impulsesOfTool", rows);
+  contacts.wanted = View<double* [D]>("rhegma::wantedImpulsesOfTool", rows);
   contacts.sticks = View<char*>("rhegma::stickingAtTool", rows);
   contacts.taken = View<double* [2]>("rhegma::energyAtTool", rows);
   contacts.work = View<double*>("rhegma::workOfTool", rows);
   contacts.first = View<int*>("rhegma::firstParticleAtTool", rows + 1);
 }
 
-/// Numbers the marked rows. The marks of all other rows are -1, as they were.
+/// Numbers the marked rows in their order, so that sums do not depend on the threads.
 template <int D>
-void numberRows(const State<D>& state, ToolContacts<D>& contacts)
+void numberRows(const State<D>& state, ToolContacts<D>& contacts, int count)
 {
+  contacts.count = count;
+  reserve(contacts, count);
+  if (count == 0)
+    return;
+  const auto range = std::make_pair(0, count);
+  const auto listed = Kokkos::subview(contacts.marked, range);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, listed);
+  std::sort(host.data(), host.data() + count);
+  Kokkos::deep_copy(Kokkos::subview(contacts.row, range), host);
   const Nodes<D> nodes = state.mesh.nodes;
-  const View<int*> index = contacts.indexOfRow;
-  Kokkos::parallel_scan(
-      "rhegma::numberRowsAtTool", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
-        const int row = activeNode(nodes, i);
-        const int marked = index(row) >= 0 ? 1 : 0;
-        if (final && marked != 0)
-          index(row) = at;
-        at += marked;
-      },
-      contacts.count);
-  reserve(contacts, contacts.count);
-  const View<int*> rowOf = contacts.row, nodeOf = contacts.node;
-  Kokkos::parallel_for(
-      "rhegma::listRowsAtTool", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i) {
-        const int row = activeNode(nodes, i), at = index(row);
-        if (at < 0)
-          return;
-        rowOf(at) = row;
-        nodeOf(at) = latticeNode(nodes, row);
+  const View<int*> index = contacts.indexOfRow, rowOf = contacts.row, nodeOf = contacts.node;
+  parallelForSmall(
+      "rhegma::numberRowsAtTool", count, KOKKOS_LAMBDA(const int c) {
+        index(rowOf(c)) = c;
+        nodeOf(c) = latticeNode(nodes, rowOf(c));
       });
 }
 
@@ -304,26 +311,28 @@ void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps
   if (static_cast<int>(contacts.indexOfRow.extent(0)) < rows)
   {
     contacts.indexOfRow = View<int*>("rhegma::contactsOfRows", rows);
+    contacts.marked = View<int*>("rhegma::markedRowsAtTool", rows);
     Kokkos::deep_copy(contacts.indexOfRow, -1);
   }
-  reservePressed(state, contacts);
+  const PressedNodes pressed = pressedNodes(state, tool.name());
   const NodePositions<D> positions = nodePositions(state);
-  const View<int*> index = contacts.indexOfRow;
+  const View<int*> index = contacts.indexOfRow, marked = contacts.marked;
+  const View<int> numMarked("rhegma::numMarkedRowsAtTool");
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
-                     parallelForSmall(
-                         "rhegma::markRowsAtTool", gaps.count,
-                         MarkRows<D, Connect>{connect, gaps, nodes, positions, index, contacts.pressed});
+                     parallelForSmall("rhegma::markRowsAtTool", gaps.count,
+                                      MarkRows<D, Connect>{connect, gaps, nodes, positions, index, marked,
+                                                           numMarked, pressed});
                    });
-  numberRows(state, contacts);
+  numberRows(state, contacts, onHost(numMarked)());
   if (contacts.count == 0)
     return;
   listParticles(state, gaps, contacts);
   parallelForSmall("rhegma::measureContacts", contacts.count,
                    MeasureContact<D>{gaps, contacts, state.particles.template real<D>(fields::position),
-                                     positions, tool.placement().centre + tool.placement().moved});
+                                     positions, pressed, tool.placement().centre + tool.placement().moved});
   finishContacts(state, contacts);
 }
 

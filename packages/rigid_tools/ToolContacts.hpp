@@ -3,11 +3,6 @@
 
 #include "rigid_tools/CellsNearTool.hpp"
 
-namespace Rhegma
-{
-class Archive;
-}
-
 namespace Rhegma::rigid_tools
 {
 
@@ -38,17 +33,16 @@ struct ToolContacts
   View<double*> gap;         ///< between the tool and the particles at the node [m]
   View<char* [D]> held;      ///< not 0 along axes that a support holds
   View<double* [D]> impulse; ///< on the body in this step [N s]
+  View<double* [D]> wanted;  ///< the impulse that is found, before it is applied [N s]
   View<char*> sticks;        ///< not 0 where the two do not move along each other
   View<double* [2]> taken; ///< energy that contact takes in this step, and the part of it along the faces [J]
   View<double*> work;      ///< of the tool on the body in this step [J]
   int count = 0;           ///< number of contacts
-
-  View<char*> pressed;    ///< of each node: not 0 where a field of it pressed on the tool in the last step
-  View<int*> pressedNode; ///< those nodes
-  int numPressed = 0;     ///< their number
+  int cut = 0; ///< of a tool with a mass: contacts with less friction than their law has (FreeVelocity)
 
   // Kept from step to step, to be used again.
   View<int*> indexOfRow; ///< of each row of nodal values: its contact, or -1
+  View<int*> marked;     ///< rows at which particles touch the tool, before they are sorted
   View<int*> first;      ///< particles of contact k: particle(first(k)) .. particle(first(k + 1) - 1)
   View<int*> particle;   ///< numbers in ParticleGaps
   View<double*> weight;  ///< of each of these at the node
@@ -71,17 +65,5 @@ void measureGaps(const State<D>& state, const Tool<D>& tool, const std::vector<c
 template <int D>
 void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps<D>& gaps,
                   ToolContacts<D>& contacts);
-
-/// Makes room for the marks of nodes that pressed. They are lost where there are more nodes than before.
-template <int D>
-void reservePressed(const State<D>& state, ToolContacts<D>& contacts);
-
-/// Keeps the nodes that press on the tool in this step for the next one.
-template <int D>
-void keepPressedNodes(const State<D>& state, ToolContacts<D>& contacts);
-
-/// Saves or loads these nodes.
-template <int D>
-void serializePressedNodes(const State<D>& state, ToolContacts<D>& contacts, Archive& archive);
 
 } // namespace Rhegma::rigid_tools

@@ -1,6 +1,9 @@
 #include "rigid_tools/ToolImpulses.hpp"
 
 #include "base/SmallLoops.hpp"
+#include "rigid_tools/FreeVelocity.hpp"
+
+#include <vector>
 
 namespace Rhegma::rigid_tools
 {
@@ -43,116 +46,105 @@ struct ImpulseOf
   }
 };
 
-/// Sums of the impulses of a tool with a mass and of their derivatives by its velocity.
+/// Finds the impulses of a tool whose velocity is known.
 template <int D>
-struct SumImpulses
+struct FindImpulses
 {
-  using value_type = double[];
-  using size_type = int;
-
-  static constexpr int size = D + D * D;
-  int value_count = size;
   ImpulseOf<D> of;
 
-  KOKKOS_INLINE_FUNCTION void operator()(const int c, double* sum) const
+  KOKKOS_INLINE_FUNCTION void operator()(const int c) const
   {
     const ContactImpulse<D> contact = of(c);
-    if (!(contact.pressing > 0.0))
-      return;
-    const double mass = of.nodes.sums(of.contacts.row(c), Nodes<D>::massAt);
-    const Vector<D> n = vectorAt<D>(of.contacts.normal, c);
-    for (int i = 0; i < D; ++i)
-    {
-      sum[i] += contact.impulse[i];
-      for (int j = 0; j < D; ++j)
-      {
-        const double both = i == j && of.contacts.held(c, i) == 0 ? 1.0 : 0.0;
-        // Of a face that slides, friction follows the pressure.
-        const double along = contact.impulse[i] / contact.pressing * n[j];
-        sum[D + D * i + j] += mass * (contact.sticks ? both : along);
-      }
-    }
+    of.contacts.sticks(c) = contact.sticks ? 1 : 0;
+    for (int d = 0; d < D; ++d)
+      of.contacts.wanted(c, d) = contact.impulse[d];
   }
 };
 
-/// Solves a small system; axes that do not move are left out.
+/// The fields that a tool with a mass may press on, for the host, with the contacts in the order of rows.
 template <int D>
-Vector<D> solve(double (&matrix)[D][D], Vector<D> right)
+std::vector<FieldAtTool<D>> fieldsAtTool(const Nodes<D>& nodes, const ToolContacts<D>& contacts)
 {
-  for (int i = 0; i < D; ++i)
-    for (int k = i + 1; k < D; ++k)
-    {
-      const double factor = matrix[k][i] / matrix[i][i];
-      for (int j = i; j < D; ++j)
-        matrix[k][j] -= factor * matrix[i][j];
-      right[k] -= factor * right[i];
-    }
-  for (int i = D - 1; i >= 0; --i)
+  const ToolContacts<D> at = contacts;
+  const View<double * [2 * D + 1]> packed("rhegma::fieldsAtTool", contacts.count);
+  const View<char* [D]> held("rhegma::heldFieldsAtTool", contacts.count);
+  parallelForSmall(
+      "rhegma::packFieldsAtTool", contacts.count, KOKKOS_LAMBDA(const int c) {
+        const int row = at.row(c);
+        const double mass = nodes.sums(row, Nodes<D>::massAt);
+        packed(c, 2 * D) = mass;
+        for (int d = 0; d < D; ++d)
+        {
+          packed(c, d) = at.normal(c, d);
+          packed(c, D + d) = mass > 0.0 ? nodes.motion(row, d) - at.impulse(c, d) / mass : 0.0;
+          held(c, d) = at.held(c, d);
+        }
+      });
+  const auto host = onHost(packed);
+  const auto hostHeld = onHost(held);
+  std::vector<FieldAtTool<D>> fields(contacts.count);
+  for (int c = 0; c < contacts.count; ++c)
   {
-    for (int j = i + 1; j < D; ++j)
-      right[i] -= matrix[i][j] * right[j];
-    right[i] /= matrix[i][i];
+    fields[c].mass = host(c, 2 * D);
+    for (int d = 0; d < D; ++d)
+    {
+      fields[c].normal[d] = host(c, d);
+      fields[c].velocity[d] = host(c, D + d);
+      fields[c].free[d] = hostHeld(c, d) == 0;
+    }
   }
-  return right;
+  return fields;
 }
 
-/// Finds the velocity of a tool with a mass by Newton's method: its momentum, without contact, falls by the
-/// impulses at this velocity. They are piecewise linear in it, so that few iterations are exact.
-/// \param alone its velocity if it had no contact [m/s]
+/// Finds the impulses of a tool with a mass. \param alone its velocity without them [m/s] \return contacts
+/// with less friction than the law has
 template <int D>
-Vector<D> velocityWithContact(const Tool<D>& tool, ImpulseOf<D> of, const Vector<D>& alone)
+int findImpulsesOfMass(const Nodes<D>& nodes, const Tool<D>& tool, const ToolContacts<D>& contacts,
+                       const Vector<D>& alone)
 {
-  constexpr int most = 50;
-  constexpr double settled = 1e-14;
-  Vector<D> velocity = tool.velocity().ofCentre;
-  for (int k = 0; k < most; ++k)
+  MovingMass<D> mass;
+  mass.mass = tool.mass().mass;
+  mass.alone = alone;
+  mass.guess = tool.velocity().ofCentre;
+  mass.law = tool.law();
+  for (int d = 0; d < D; ++d)
+    mass.moves[d] = tool.moves(d);
+  const FreeVelocity<D> found = findFreeVelocity(mass, fieldsAtTool(nodes, contacts));
+  const auto wanted = Kokkos::create_mirror_view(contacts.wanted);
+  const auto sticks = Kokkos::create_mirror_view(contacts.sticks);
+  for (int c = 0; c < contacts.count; ++c)
   {
-    of.tool.ofCentre = velocity;
-    SumImpulses<D> add;
-    add.of = of;
-    double sum[SumImpulses<D>::size] = {};
-    parallelSumSmall("rhegma::sumImpulsesOfTool", 0, of.contacts.count, add, sum);
-    double matrix[D][D];
-    Vector<D> right;
-    for (int i = 0; i < D; ++i)
-    {
-      const bool moves = tool.moves(i);
-      right[i] = moves ? tool.mass().mass * (alone[i] - velocity[i]) - sum[i] : 0.0;
-      for (int j = 0; j < D; ++j)
-        matrix[i][j] =
-            (i == j ? tool.mass().mass : 0.0) + (moves && tool.moves(j) ? sum[D + D * i + j] : 0.0);
-    }
-    const Vector<D> change = solve<D>(matrix, right);
-    velocity = velocity + change;
-    if (!(norm(change) > settled * (norm(velocity) + norm(alone))))
-      break;
+    sticks(c) = found.contacts[c].sticks ? 1 : 0;
+    for (int d = 0; d < D; ++d)
+      wanted(c, d) = found.contacts[c].impulse[d];
   }
-  return velocity;
+  Kokkos::deep_copy(contacts.wanted, wanted);
+  Kokkos::deep_copy(contacts.sticks, sticks);
+  return found.cut;
 }
 
-/// Applies the impulses. \return the largest change of an impulse, and the largest impulse
+/// Applies the impulses that are wanted. \return the largest change of an impulse, and the largest impulse
 template <int D>
 struct ApplyImpulses
 {
-  ImpulseOf<D> of;
+  Nodes<D> nodes;
+  ToolContacts<D> contacts;
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int c, double& changed, double& largest) const
   {
-    const ContactImpulse<D> contact = of(c);
-    const int row = of.contacts.row(c);
-    const double mass = of.nodes.sums(row, Nodes<D>::massAt);
-    of.contacts.sticks(c) = contact.sticks ? 1 : 0;
+    const int row = contacts.row(c);
+    const double mass = nodes.sums(row, Nodes<D>::massAt);
     for (int d = 0; d < D; ++d)
     {
-      const double change = contact.impulse[d] - of.contacts.impulse(c, d);
+      const double change = contacts.wanted(c, d) - contacts.impulse(c, d);
       changed = std::fmax(changed, std::fabs(change));
-      largest = std::fmax(largest, std::fabs(contact.impulse[d]));
+      largest = std::fmax(largest, std::fabs(contacts.wanted(c, d)));
       if (change == 0.0)
         continue;
-      of.contacts.impulse(c, d) = contact.impulse[d];
-      of.nodes.motion(row, d) += change / mass;
-      of.nodes.motion(row, Nodes<D>::accelerationAt + d) += change / (mass * dt);
+      contacts.impulse(c, d) = contacts.wanted(c, d);
+      nodes.motion(row, d) += change / mass;
+      nodes.motion(row, Nodes<D>::accelerationAt + d) += change / (mass * dt);
     }
   }
 };
@@ -163,44 +155,65 @@ Vector<D> sumOfImpulses(const ToolContacts<D>& contacts)
   return sumContacts(contacts).impulse;
 }
 
-/// Joins the projection of a contact with the velocity of the tool.
+/// Finds the energy that the impulse of a contact takes from the particles' motion, and its work.
 template <int D>
-struct JoinProjection
+struct CountImpulse
 {
   Nodes<D> nodes;
   ToolContacts<D> contacts;
-  RigidVelocity<D> now, mean; ///< of the tool
-  double dt;
+  RigidVelocity<D> mean; ///< of the tool
 
   KOKKOS_INLINE_FUNCTION void operator()(const int c) const
   {
-    const Vector<D> impulse = vectorAt<D>(contacts.impulse, c), n = vectorAt<D>(contacts.normal, c),
-                    arm = vectorAt<D>(contacts.arm, c);
+    const Vector<D> impulse = vectorAt<D>(contacts.impulse, c), n = vectorAt<D>(contacts.normal, c);
     contacts.taken(c, 0) = contacts.taken(c, 1) = contacts.work(c) = 0.0;
     if (!(dot(impulse, impulse) > 0.0))
       return;
     const int row = contacts.row(c);
     const double mass = nodes.sums(row, Nodes<D>::massAt);
-    Vector<D> projected, force, before;
+    Vector<D> velocity; // the mean over the step
+    for (int d = 0; d < D; ++d)
+      velocity[d] = 0.5 * (nodes.sums(row, Nodes<D>::momentumAt + d) / mass + nodes.projection(row, d));
+    const Vector<D> surface = mean.at(vectorAt<D>(contacts.arm, c)), relative = velocity - surface;
+    const double all = -dot(impulse, relative), across = -dot(impulse, n) * dot(relative, n);
+    contacts.taken(c, 0) = all;
+    contacts.taken(c, 1) = all - across;
+    contacts.work(c) = dot(impulse, surface);
+  }
+};
+
+/// Joins the projection of a contact with the velocity of the tool. Finds the largest change.
+template <int D>
+struct JoinProjection
+{
+  Nodes<D> nodes;
+  ToolContacts<D> contacts;
+  RigidVelocity<D> now; ///< of the tool
+  double dt;
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int c, double& changed) const
+  {
+    const Vector<D> impulse = vectorAt<D>(contacts.impulse, c), n = vectorAt<D>(contacts.normal, c);
+    if (!(dot(impulse, impulse) > 0.0))
+      return;
+    const int row = contacts.row(c);
+    const Vector<D> surface = now.at(vectorAt<D>(contacts.arm, c));
+    Vector<D> toTool, force;
     for (int d = 0; d < D; ++d)
     {
-      projected[d] = nodes.projection(row, d);
-      before[d] = nodes.sums(row, Nodes<D>::momentumAt + d) / mass;
+      toTool[d] = contacts.held(c, d) != 0 ? 0.0 : surface[d] - nodes.projection(row, d);
       force[d] = nodes.sums(row, Nodes<D>::forceAt + d);
     }
-    const Vector<D> surface = mean.at(arm), relative = 0.5 * (before + projected) - surface;
-    const double all = -dot(impulse, relative), across = -dot(impulse, n) * dot(relative, n);
-    Vector<D> toTool = now.at(arm) - projected;
-    for (int d = 0; d < D; ++d)
-      toTool[d] = contacts.held(c, d) != 0 ? 0.0 : toTool[d];
     const Vector<D> normal = dot(toTool, n) * n;
     const Vector<D> face = contacts.sticks(c) != 0 ? toTool - normal : Vector<D>{};
     for (int d = 0; d < D; ++d)
+    {
       nodes.projection(row, d) += normal[d] + face[d];
+      changed = std::fmax(changed, std::fabs(normal[d] + face[d]));
+    }
     const double byFace = dt * dot(force, face);
-    contacts.taken(c, 0) = all + dt * dot(force, normal) + byFace;
-    contacts.taken(c, 1) = all - across + byFace;
-    contacts.work(c) = dot(impulse, surface);
+    contacts.taken(c, 0) += dt * dot(force, normal) + byFace;
+    contacts.taken(c, 1) += byFace;
   }
 };
 
@@ -252,38 +265,55 @@ struct LargestOverlap
 } // namespace
 
 template <int D>
-double exchangeImpulses(const State<D>& state, Tool<D>& tool, const ToolContacts<D>& contacts)
+double exchangeImpulses(const State<D>& state, Tool<D>& tool, ToolContacts<D>& contacts)
 {
+  contacts.cut = 0;
   if (contacts.count == 0 || !(state.clock.dt > 0.0))
     return 0.0;
-  ImpulseOf<D> of{state.mesh.nodes, contacts, tool.law(), tool.velocity()};
+  const Nodes<D> nodes = state.mesh.nodes;
   Vector<D> alone = tool.velocity().ofCentre;
   if (tool.hasMass())
   {
     // Impulses of an earlier call have changed its velocity already.
     alone = alone + (1.0 / tool.mass().mass) * tool.freePart(sumOfImpulses(contacts));
-    of.tool.ofCentre = velocityWithContact(tool, of, alone);
+    contacts.cut = findImpulsesOfMass(nodes, tool, contacts, alone);
   }
+  else
+    parallelForSmall("rhegma::findImpulsesOfTool", contacts.count,
+                     FindImpulses<D>{{nodes, contacts, tool.law(), tool.velocity()}});
   double changed = 0.0, largest = 0.0;
-  parallelSumSmall("rhegma::applyImpulsesOfTool", 0, contacts.count, ApplyImpulses<D>{of, state.clock.dt},
-                   Kokkos::Max<double>(changed), Kokkos::Max<double>(largest));
+  parallelSumSmall("rhegma::applyImpulsesOfTool", 0, contacts.count,
+                   ApplyImpulses<D>{nodes, contacts, state.clock.dt}, Kokkos::Max<double>(changed),
+                   Kokkos::Max<double>(largest));
   if (tool.hasMass())
     tool.setVelocity(alone - (1.0 / tool.mass().mass) * tool.freePart(sumOfImpulses(contacts)));
   return largest > 0.0 ? changed / largest : 0.0;
 }
 
 template <int D>
-void joinProjection(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts)
+void countImpulses(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts)
 {
-  const JoinProjection<D> join{state.mesh.nodes, contacts, tool.velocity(), tool.meanVelocity(),
-                               state.clock.dt};
-  parallelForSmall("rhegma::joinProjectionAtTool", contacts.count, join);
+  parallelForSmall("rhegma::countImpulsesOfTool", contacts.count,
+                   CountImpulse<D>{state.mesh.nodes, contacts, tool.meanVelocity()});
+}
+
+template <int D>
+double joinProjection(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts)
+{
+  if (contacts.count == 0)
+    return 0.0;
+  double changed = 0.0;
+  parallelSumSmall("rhegma::joinProjectionAtTool", 0, contacts.count,
+                   JoinProjection<D>{state.mesh.nodes, contacts, tool.velocity(), state.clock.dt},
+                   Kokkos::Max<double>(changed));
+  return std::fmax(changed, 0.0);
 }
 
 template <int D>
 ToolSums<D> sumContacts(const ToolContacts<D>& contacts)
 {
   ToolSums<D> sums;
+  sums.cut = contacts.count > 0 ? contacts.cut : 0;
   if (contacts.count == 0)
     return sums;
   AddContacts<D> add;
@@ -302,10 +332,12 @@ ToolSums<D> sumContacts(const ToolContacts<D>& contacts)
   return sums;
 }
 
-template double exchangeImpulses(const State<2>&, Tool<2>&, const ToolContacts<2>&);
-template double exchangeImpulses(const State<3>&, Tool<3>&, const ToolContacts<3>&);
-template void joinProjection(const State<2>&, const Tool<2>&, const ToolContacts<2>&);
-template void joinProjection(const State<3>&, const Tool<3>&, const ToolContacts<3>&);
+template double exchangeImpulses(const State<2>&, Tool<2>&, ToolContacts<2>&);
+template double exchangeImpulses(const State<3>&, Tool<3>&, ToolContacts<3>&);
+template void countImpulses(const State<2>&, const Tool<2>&, const ToolContacts<2>&);
+template double joinProjection(const State<2>&, const Tool<2>&, const ToolContacts<2>&);
+template void countImpulses(const State<3>&, const Tool<3>&, const ToolContacts<3>&);
+template double joinProjection(const State<3>&, const Tool<3>&, const ToolContacts<3>&);
 template ToolSums<2> sumContacts(const ToolContacts<2>&);
 template ToolSums<3> sumContacts(const ToolContacts<3>&);
 

@@ -16,26 +16,35 @@ struct ToolSums
   double work = 0.0;       ///< of the tool on the bodies [J]
   double overlap = 0.0;    ///< largest, of domains that press on the tool [m]
   int closed = 0;          ///< fields of nodes that press on it
+  int cut = 0;             ///< how many of them slide with less friction than the tool's law has
 };
 
 /// Changes the nodes' motion by impulses of a tool on the fields that touch it and would move into it, and
 /// records them. They are such that both move alike along the normal, and along the face too where friction
-/// bears it. The velocity of a tool with a mass is found with them, so that its momentum changes by exactly
-/// the opposite of their sum.
+/// bears it. The velocity of a tool with a mass is found with them (FreeVelocity.hpp), so that its momentum
+/// changes by exactly the opposite of their sum. Counts in `cut` contacts with too little friction.
 ///
 /// Called several times a step where several tools touch one field: then it finds the impulses of this tool
 /// anew, with those of the others as they are. \return the largest change of an impulse, as a fraction of the
 /// largest impulse
 template <int D>
-double exchangeImpulses(const State<D>& state, Tool<D>& tool, const ToolContacts<D>& contacts);
+double exchangeImpulses(const State<D>& state, Tool<D>& tool, ToolContacts<D>& contacts);
 
-/// Gives the fields that press on a tool its velocity along the normal in the projection that strains the
-/// particles, and along the face too where they stick. Finds the energy that contact takes and the work of
-/// the tool: the particles' kinetic energy changes by the impulse times the mean of the node's velocities
-/// before and after the step, the tool does the impulse times the mean of its velocities as work, and the
-/// other forces on the node do work by the change of the projection.
+/// Finds the energy that the impulses of a tool take and its work, before any tool has changed the projection
+/// that strains the particles: the particles' kinetic energy changes by the impulse times the mean of the
+/// node's velocities before and after the step, and the tool does the impulse times the mean of its
+/// velocities as work.
 template <int D>
-void joinProjection(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts);
+void countImpulses(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts);
+
+/// Gives the fields that press on a tool its velocity along the normal in this projection, and along the face
+/// too where they stick. Adds the work that the other forces on the node do by the change to the energy
+/// taken.
+///
+/// Called several times a step where several tools press on one field. \return the largest change of a
+/// velocity [m/s]
+template <int D>
+double joinProjection(const State<D>& state, const Tool<D>& tool, const ToolContacts<D>& contacts);
 
 /// Sums over the contacts of a tool.
 template <int D>

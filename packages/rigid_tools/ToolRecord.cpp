@@ -11,6 +11,8 @@ template <int D>
 void ToolRecord<D>::add(const State<D>& state, const ToolSums<D>& sums)
 {
   closed_ = sums.closed;
+  cutSteps_ += sums.cut > 0 ? 1 : 0;
+  mostCut_ = std::max(mostCut_, sums.cut);
   impulse_ = impulse_ + sums.impulse;
   dissipated_ += sums.dissipated;
   friction_ += sums.friction;
@@ -57,7 +59,20 @@ nlohmann::json ToolRecord<D>::report(const Tool<D>& tool) const
           {"work", work_},
           {"dissipated", dissipated_},
           {"friction", friction_},
-          {"largest_overlap", overlap_}};
+          {"largest_overlap", overlap_},
+          {"steps_with_less_friction", cutSteps_}};
+}
+
+template <int D>
+std::string ToolRecord<D>::warning(const Tool<D>& tool) const
+{
+  if (cutSteps_ == 0)
+    return "";
+  return "Rigid Tools > " + tool.name() + ": in " + std::to_string(cutSteps_) + " step" +
+         (cutSteps_ == 1 ? "" : "s") + " no velocity of the tool was found with which its law of friction " +
+         "holds at all nodes; up to " + std::to_string(mostCut_) + " of them " +
+         "slid with less friction. No energy is created, but friction is too small: give the tool a larger "
+         "Mass, or a smaller friction coefficient";
 }
 
 template <int D>
@@ -70,6 +85,8 @@ void ToolRecord<D>::serialize(Archive& archive)
   archive("overlap", overlap_);
   archive("largest_force", largestForce_);
   archive("closed", closed_);
+  archive("cut_steps", cutSteps_);
+  archive("most_cut", mostCut_);
   archive("impulse", impulse_);
   archive("at_sample", atSample_);
   archive("sampled", sampled_);

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace Rhegma
 {
 class Archive;
@@ -25,6 +27,8 @@ public:
   void sample(State<D>& state, const Tool<D>& tool);
   /// The entry of the summary.
   nlohmann::json report(const Tool<D>& tool) const;
+  /// A warning of steps with too little friction; empty if there are none.
+  std::string warning(const Tool<D>& tool) const;
   void serialize(Archive& archive); ///< saves or loads it
 
   double friction() const { return friction_; } ///< energy lost along the faces [J]
@@ -37,6 +41,8 @@ private:
   double overlap_ = 0.0;      ///< largest so far [m]
   double largestForce_ = 0.0; ///< largest mean force of an interval of the history [N]
   int closed_ = 0;            ///< fields of nodes that press on it now
+  int cutSteps_ = 0;          ///< steps in which fields slid with less friction than the law has
+  int mostCut_ = 0;           ///< largest number of these fields in a step
   Vector<D> impulse_{};       ///< on bodies so far [N s]
   Vector<D> atSample_{};      ///< the same at the last sample [N s]
   double sampled_ = 0.0;      ///< time of that sample [s]

@@ -5,6 +5,7 @@ Positions relative to the cells, angles, masses and friction are drawn; RHEGMA_S
 
 import math
 import os
+import re
 import sys
 import unittest
 
@@ -59,24 +60,27 @@ class Tools(DrawnScenes):
         return scene, mass, gap / speed, DENSITY * speed_of_sound * area * speed, rate
 
     def test_a_mass_strikes_a_bar(self):
-        """Until waves are back the tool is slowed by the force rho c A v: v = v0 exp(-rho c A t / M). The nodes at the tool are stopped at once,
-        which takes their momentum from the tool: that of up to two cells of the bar, as a fraction of M."""
+        """Until waves are back the tool is slowed by the force rho c A v: v = v0 exp(-rho c A t / M). The row of nodes at the tool is stopped at once,
+        and not as waves pass it, which changes the momentum of the tool by that of two cells of the bar at most: a row has up to one and a half,
+        and touch begins with a step. `row` is one cell as a fraction of M. This error decays as the velocity; a tenth of a row is left for waves of a
+        few cells. Contact takes the kinetic energy of the row, half a cell to one
+        and a half. The residual is due to the length of the step, 0.4 h / c, and as large as this part of that energy."""
         for dimension, cells in ((2, 100), (3, 40)):
             ratio = self.rng.uniform(0.3, 3.0)
             scene, mass, touch, force, rate = self.struck_bar(cells, ratio, dimension=dimension)
             summary, history = self.run_scene(scene)
             with self.subTest(dimension=dimension, ratio=ratio):
-                tool, start = summary["rigid_tools"][0], 0.5 * mass
+                tool, start, row = summary["rigid_tools"][0], 0.5 * mass, 1.0 / (cells * ratio)
                 step = summary["time"] / summary["steps"]
                 self.assertLess(abs(tool["first_touch"] - touch), 1.01 * step)
                 for time, speed in zip(history["time"], history["Striker.velocity_x"]):
                     exact = math.exp(-rate * max(time - touch, 0.0))
-                    self.assertLess(abs(speed - exact), 2.0 / (cells * ratio) + rate * step)
+                    self.assertLess(abs(speed - exact), row * (2.0 * exact + 0.1))
                 total = [a + mass * v for a, v in zip(history["momentum_x"], history["Striker.velocity_x"])]
                 self.assertLess(max(abs(p / mass - 1.0) for p in total), ROUNDING)
-                self.assertLess(max(abs(r) for r in history["residual"]), 0.02 * start)
-                self.assertGreater(history["contact"][-1], 0.0)
-                self.assertLess(history["contact"][-1], 2.0 / (cells * ratio) * start)
+                self.assertLess(max(abs(r) for r in history["residual"]), 0.4 * row * start)
+                self.assertGreater(history["contact"][-1], 0.5 * row * start)
+                self.assertLess(history["contact"][-1], 1.5 * row * start)
                 kinetic = [0.5 * mass * v**2 for v in history["Striker.velocity_x"]]
                 self.assertLess(max(abs(a - b) for a, b in zip(kinetic, history["tools"])), ROUNDING * start)
 
@@ -106,26 +110,33 @@ class Tools(DrawnScenes):
         )
 
     def test_a_block_slides(self):
-        """The block shakes when its weight is applied at once, so that its speed is off by a few mm/s at any time."""
-        time = 0.1
+        """The weight grows in ten periods of the block (4 ms), so that it does not shake: the speed is that of a rigid block within the error of the
+        acceleration (docs/how-to/rigid-tools.md), and the heat is that of its path. With a friction of 0.5 sliding makes the block shake by itself
+        with up to a tenth of the heat. The rule for its weight in a step has an error of dt^2."""
+        time, rising = 0.1, 0.04
+        acting = time - 0.5 * rising  # the integral of the history
         for turned in (0.0, self.rng.uniform(0.05, 0.7), self.rng.uniform(-0.7, -0.05)):
             angle, friction = self.rng.uniform(0.6, 0.9), self.rng.choice([0.0, 0.2, 0.5])
-            summary, _ = self.run_scene(self.incline(angle, turned, time, "Coulomb", friction))
+            scene = self.incline(angle, turned, time, "Coulomb", friction)
+            scene.set("Boundaries > Weight > History", f"t < {rising} ? sin(pi*t/{2.0 * rising})^2 : 1")
+            summary, _ = self.run_scene(scene)
             with self.subTest(turned=turned, angle=angle, friction=friction):
                 block, tool, energy = summary["bodies"][0], summary["rigid_tools"][0], summary["energy"]
                 v = block["velocity"]
-                exact = GRAVITY * (math.sin(angle) - friction * math.cos(angle)) * time
-                self.assertLess(abs(math.cos(turned) * v[0] + math.sin(turned) * v[1] - exact), 0.01)
-                heat = friction * block["mass"] * GRAVITY * math.cos(angle) * 0.5 * exact * time
-                self.assertLess(abs(energy["friction"] - heat), 0.05 * (heat + energy["kinetic"]))
+                exact = GRAVITY * (math.sin(angle) - friction * math.cos(angle)) * acting
+                self.assertLess(abs(math.cos(turned) * v[0] + math.sin(turned) * v[1] - exact), 0.01 * exact)
+                heat = friction * block["mass"] * GRAVITY * math.cos(angle) * 0.5 * exact * acting
+                shaking = energy["kinetic"] - 0.5 * block["mass"] * (v[0] ** 2 + v[1] ** 2) + energy["strain"]
+                self.assertLess(abs(energy["contact"] + shaking - heat), 0.02 * heat + 1e-3 * energy["kinetic"])
+                self.assertLess(abs(energy["friction"] - heat), (0.2 if friction > 0.2 else 0.01) * heat + ROUNDING)
                 self.assertLess(abs(energy["residual"]), 0.01 * energy["kinetic"])
                 # The tool is at rest: it does no work, and its impulse and that of gravity are the momentum.
                 self.assertEqual(tool["work"], 0.0)
-                weight = [block["mass"] * time * x for x in (
+                weight = [block["mass"] * acting * x for x in (
                     GRAVITY * (math.cos(turned) * math.sin(angle) + math.sin(turned) * math.cos(angle)),
                     GRAVITY * (math.sin(turned) * math.sin(angle) - math.cos(turned) * math.cos(angle)))]
                 for d in range(2):
-                    self.assertLess(abs(weight[d] + tool["impulse"][d] - summary["momentum"][d]), 1e-11 * block["mass"] * GRAVITY * time)
+                    self.assertLess(abs(weight[d] + tool["impulse"][d] - summary["momentum"][d]), 1e-8 * block["mass"] * GRAVITY * time)
 
     def test_a_block_sticks(self):
         turned = self.rng.uniform(-0.5, 0.5)
@@ -180,6 +191,93 @@ class Tools(DrawnScenes):
             self.assertLess(k + s + t, 1.02 * start + w)
         self.assertLess(max(abs(r) for r in history["residual"]), 0.02 * start)
 
+    def pressed_by_a_light_ball(self, dimension, mass, friction):
+        """A turning block that a ball meets, much lighter than a node (0.4 kg in 2D, 8 g in 3D) and pressed by a force."""
+        more, cell = dimension - 2, 0.02
+        lower = [-0.1 + self.rng.uniform(0.0, cell), -0.1] + [0.0] * more
+
+        def sideways(limit):
+            return [self.rng.uniform(-limit, limit) for _ in range(more)]
+
+        return Scene(
+            {
+                "Domain": {"Dimension": dimension, "Cell Size": cell, "Lower Corner": [-0.4, -0.3] + [-0.2] * more,
+                           "Upper Corner": [0.4, 0.6] + [0.4] * more},
+                "Time": {"Final Time": 0.01},
+                "Materials": {"Solid": solid(1e6)},
+                "Bodies": {"Block": {"Material": "Solid", "Shape": "Box", "Lower Corner": lower, "Upper Corner": [0.12, 0.1] + [0.2] * more,
+                                     "Rotation": self.rng.uniform(0.0, 90.0), "Velocity": [self.rng.uniform(-1.0, 1.0), 1.0] + sideways(1.0),
+                                     "Angular Velocity": [0.0, 0.0, 5.0] if more else [5.0]}},
+                "Rigid Tools": {"Ball": {"Shape": "Ball", "Centre": [self.rng.uniform(-0.03, 0.03), 0.262] + [0.1] * more, "Radius": 0.1,
+                                         "Law": "Coulomb", "Friction Coefficient": friction, "Mass": mass,
+                                         "Force": [20.0 * friction, -200.0] + [15.0] * more,
+                                         "Velocity": [self.rng.uniform(-2.0, 2.0), -1.0] + sideways(1.0)}},
+                "Output": {"Fields": False, "Checkpoints": False, "History Interval": 1e-4},
+            }
+        )
+
+    def test_a_light_ball_with_friction_creates_no_energy(self):
+        """The bound of the residual is that of docs/how-to/rigid-tools.md. The kinetic energy of the row of cells at the tool may return to the
+        body after a step in which contact took it: the entry of contact falls by no more than that."""
+        for dimension, masses in ((2, (0.003, 0.008)), (2, (0.003, 0.03)), (2, (0.003, 0.03)), (3, (5e-4, 2e-3))):
+            mass = math.exp(self.rng.uniform(*map(math.log, masses)))
+            friction = self.rng.uniform(0.3, 0.8)
+            summary, history = self.run_scene(self.pressed_by_a_light_ball(dimension, mass, friction))
+            with self.subTest(dimension=dimension, mass=mass, friction=friction):
+                self.assertIsNotNone(summary["rigid_tools"][0]["first_touch"])
+                self.assertEqual(summary["rigid_tools"][0]["steps_with_less_friction"], 0)
+                start, supplied = history["kinetic"][0] + history["tools"][0], max(history["external_work"])
+                for k, s, t, w in zip(*(history[name] for name in ("kinetic", "strain", "tools", "external_work"))):
+                    self.assertLess(k + s + t, 1.002 * (start + w))
+                self.assertLess(max(abs(r) for r in history["residual"]), 0.023 * (start + supplied))
+                self.assertGreater(min(b - a for a, b in zip(history["contact"], history["contact"][1:])), -2e-4 * (start + supplied))
+                impulse, own = summary["rigid_tools"][0]["impulse"], history["momentum_x"]
+                self.assertLess(abs(own[-1] - own[0] - impulse[0]), ROUNDING * summary["bodies"][0]["mass"] * 10.0)
+
+    def plate_between_tools(self, thickness, mass, speed):
+        """A plate of less than a cell, at nodes that touch a plane at rest and a tool with a mass."""
+        cell = 0.02
+        low = self.rng.uniform(0.65, 0.9 - 0.5 * thickness) * cell
+        high = low + thickness * cell
+        law = {"Law": "Coulomb", "Friction Coefficient": self.rng.uniform(0.1, 0.5)}
+        return Scene(
+            {
+                "Domain": {"Dimension": 2, "Cell Size": cell, "Lower Corner": [-0.3, -0.2], "Upper Corner": [0.3, 0.4]},
+                "Time": {"Final Time": 0.06, "CFL": self.rng.uniform(0.1, 0.4)},
+                "Materials": {"Solid": solid(1e6)},
+                "Bodies": {"Plate": {"Material": "Solid", "Shape": "Box", "Lower Corner": [-0.1, low], "Upper Corner": [0.1, high]}},
+                "Rigid Tools": {
+                    "Plane": {"Shape": "Box", "Lower Corner": [-0.25, -0.1], "Upper Corner": [0.25, low], **law},
+                    "Block": {"Shape": "Box", "Lower Corner": [-0.08, high + 0.3 * cell], "Upper Corner": [0.08, high + 0.16], **law,
+                              "Mass": mass, "Velocity": speed},
+                },
+                "Output": {"Fields": False, "Checkpoints": False, "History Interval": 1e-3},
+            }
+        )
+
+    def test_the_balance_closes_at_nodes_of_two_tools(self):
+        """Both tools press on the same nodes, which stop in one step. The energy of both impulses is that of the motion before either tool has
+        changed the strain rate; with that after the first tool 1.8 % were left."""
+        for thickness in (0.4, 0.5):
+            summary, history = self.run_scene(self.plate_between_tools(thickness, 25.0, [0.5, -1.0]))
+            with self.subTest(thickness=thickness):
+                plane, block = summary["rigid_tools"]
+                self.assertLess(abs(plane["impulse"][1] + block["impulse"][1] - summary["momentum"][1]), 1e-10 * abs(block["impulse"][1]))
+                self.assertGreater(history["contact"][-1], 0.5 * history["tools"][0])
+                self.assertLess(max(abs(r) for r in history["residual"]), 2e-3 * history["tools"][0])
+
+    def test_impulses_that_do_not_settle_are_reported(self):
+        """No velocity of a node is that of two tools which move towards each other."""
+        scene = self.plate_between_tools(0.5, 25.0, [0.0, -1.0]).remove("Rigid Tools > Block > Mass")
+        summary, _ = self.run_scene(scene.set("Time > Final Time", 0.0075))
+        self.assertTrue(any("sweeps over the tools" in warning for warning in summary["warnings"]), summary["warnings"])
+
+    def test_bodies_touch_before_tools(self):
+        scene = self.incline(0.3, 0.0, 0.1, "Frictionless").set("Body Contact", {})
+        plan = rhegma(self.write("plan.xml", scene.text()), "--print-plan")
+        lines = [line.strip() for line in plan.output.splitlines() if "adds to nodal motion" in line]
+        self.assertEqual([line.split(":")[0] for line in lines], ["impulses between bodies", "impulses of rigid tools"], plan)
+
     def test_a_belt_drives_a_block(self):
         """A tool that moves along its face drags a block at mu g until both move alike. Half of its work is then motion, half friction. The block
         shakes, so that its speed is off by a few mm/s at any time."""
@@ -207,6 +305,56 @@ class Tools(DrawnScenes):
         for column, values in whole.items():
             self.assertEqual(values[-1], rest[column][-1], column)
 
+    def block_in_fine_cells(self, velocity_change):
+        """A block slides on a plane in fine cells, at nodes that lie in no row with its surface. A soft body far from it turns, and its cells are
+        refined where the velocity changes by more than `velocity_change` in a cell."""
+        cell, young = 0.02, 1e6
+        low = self.rng.uniform(0.2, 0.95) * cell
+        return Scene(
+            {
+                "Domain": {"Dimension": 2, "Cell Size": cell, "Lower Corner": [-0.1, -0.1], "Upper Corner": [1.0, 0.5]},
+                "Time": {"Final Time": 0.12},
+                "Materials": {"Solid": solid(young), "Soft": solid(0.1 * young)},
+                "Bodies": {
+                    "Block": {"Material": "Solid", "Shape": "Box", "Lower Corner": [0.603, low], "Upper Corner": [0.763, low + 0.16]},
+                    "Far": {"Material": "Soft", "Shape": "Box", "Lower Corner": [0.103, 0.1], "Upper Corner": [0.263, 0.26], "Angular Velocity": [25.0]},
+                },
+                "Rigid Tools": {"Plane": {"Shape": "Box", "Lower Corner": [0.5, -0.08], "Upper Corner": [0.9, low], "Law": "Coulomb",
+                                          "Friction Coefficient": 0.3, "Bodies": "Block"}},
+                "Boundaries": {"Weight": {"Type": "Gravity", "Acceleration": [6.0, -10.0], "History": "t < 0.05 ? sin(pi*t/0.1)^2 : 1"}},
+                "Adaptivity": {"Maximum Level": 1, "Velocity Change": velocity_change, "Interval": 3,
+                               "Fine": {"Level": 1, "Lower Corner": [0.55, -0.05], "Upper Corner": [0.9, 0.1]}},
+                "Output": {"Fields": False, "Checkpoints": False, "History Interval": 1e-3},
+            }
+        )
+
+    def test_cells_far_from_a_tool_do_not_change_its_force(self):
+        """Nodes are numbered anew each time. Sums over particles have the same terms in another order, and strain amplifies their rounding."""
+        scene = self.block_in_fine_cells(0.3)
+        refined, changing = self.run_scene(scene)
+        coarse, fixed = self.run_scene(scene.copy().set("Adaptivity > Velocity Change", 1e6), name="fixed")
+        self.assertGreater(refined["adaptivity"]["changes_of_cells"], coarse["adaptivity"]["changes_of_cells"] + 10)
+        self.assertEqual(len(changing["time"]), len(fixed["time"]))
+        weight = 10.0 * refined["bodies"][0]["mass"]
+        for k, (one, other) in enumerate(zip(changing["Plane.force_y"], fixed["Plane.force_y"])):
+            self.assertLess(abs(one - other), 1e-10 * weight, k)
+
+    def test_continues_from_a_checkpoint_in_refined_cells(self):
+        """The run is the same. Only the force of the first row after the checkpoint is a mean since the last row of the part."""
+        scene = self.block_in_fine_cells(0.3)
+        scene.remove("Output > Checkpoints").set("Output > Checkpoint Interval", 1.0)
+        summary, whole = self.run_scene(scene, name="whole")
+        for _ in range(3):
+            steps = int(self.rng.uniform(0.3, 0.9) * summary["steps"])
+            part, _ = self.run_scene(scene, "--set", f"Time:Maximum Steps={steps}", name="part")
+            _, rest = self.run_scene(scene, "--restart", self.path("part", "checkpoint.h5"), name="rest")
+            compared = [k for k, time in enumerate(whole["time"]) if time > part["time"] + 1e-3]
+            self.assertGreater(len(compared), 5)
+            for column in ("Plane.force_x", "Plane.force_y", "Plane.friction", "contact", "kinetic", "residual"):
+                values = dict(zip(rest["time"], rest[column]))
+                with self.subTest(steps=steps, column=column):
+                    self.assertEqual([whole[column][k] for k in compared], [values.get(whole["time"][k]) for k in compared])
+
     def test_a_tool_is_held_until_its_release(self):
         scene, mass, *_ = self.struck_bar(20, 1.0)
         release = 1e-5
@@ -230,6 +378,24 @@ class Tools(DrawnScenes):
         summary, _ = self.run_scene(scene)
         self.assertIsNone(summary["rigid_tools"][0]["first_touch"])
         self.assertEqual(summary["rigid_tools"][0]["velocity"][0], 1.0)
+
+    def test_an_overlap_at_the_start_is_refused(self):
+        """Of a flat face the overlap is known exactly; a disk on a plane does not overlap it, though domains of its particles do."""
+        cell, turned = 0.0125, self.rng.uniform(-0.5, 0.5)
+        scene = self.incline(0.3, turned, 1e-3, "Frictionless", cell=cell)
+        left, low = scene["Bodies > Block > Lower Corner"]
+        for cells, refused in ((self.rng.uniform(0.05, 0.24), True), (self.rng.uniform(0.26, 1.0), True), (0.02, False)):
+            sunk = scene.copy().set("Bodies > Block > Lower Corner", [left, low - cells * cell])
+            with self.subTest(cells=cells, turned=turned):
+                if refused:
+                    answer = self.assert_refused([self.write("wrong.xml", sunk.text())], [("Rigid Tools > Plane", ["overlaps Bodies > Block", "mm"])])
+                    said = re.search(r"by up to ([\d.]+) mm", answer.messages)
+                    self.assertLess(abs(float(said.group(1)) - 1e3 * cells * cell), 0.006 * 1e3 * cells * cell)
+                else:
+                    self.run_scene(sunk)
+        disk = {"Material": "Solid", "Shape": "Ball", "Centre": [left + 0.07, low + 0.05], "Radius": 0.05}
+        self.run_scene(self.incline(0.3, 0.0, 1e-3, "Frictionless", cell=cell).set("Bodies", {"Disk": disk}).set(
+            "Rigid Tools > Plane > Upper Corner", [left + 0.5, low]))
 
     def test_wrong_sections(self):
         scene, *_ = self.struck_bar(20, 1.0)
