@@ -15,8 +15,8 @@ namespace Rhegma
 
 /// On a terminal one line that is overwritten a few times a second; elsewhere a line in the first seconds and
 /// one each tenth of the run. Percent done, time left, step, and of the last sample G of each front (of
-/// more than four the largest), over their toughness where that is known, and the residual of the energy balance. Time left is by
-/// the pace of the last quarter to half of the run so far.
+/// more than four the largest), over their toughness where that is known, and the residual of the energy
+/// balance. Time left is by the pace of the last quarter to half of the run so far.
 class Progress
 {
 public:
@@ -92,7 +92,7 @@ private:
   bool followed_ = false;
   std::optional<double> toughness_; ///< of initiation [J/m2]
   std::vector<double> releases_;    ///< of the fronts in the last sample [J/m2]
-  std::optional<double> residual_;            ///< of the last sample, over the largest energy
+  std::optional<double> residual_;  ///< of the last sample, over the largest energy
   double lastPrint_;
   double lastIteration_; ///< when an iteration was printed, or the last step was taken
   int lastTenth_ = 0;
