@@ -95,15 +95,33 @@ void start(Tools<D>& tools, State<D>& state)
   placeOutlines(tools, state);
 }
 
-/// A tool moves by a quarter of a cell in a step at most.
+/// How far a tool is from the cells, by the ball around it; zero where it may reach into them [m].
+template <int D>
+double distanceFromCells(const Tool<D>& tool, const Grid<D>& grid)
+{
+  double distance = 0.0;
+  for (int d = 0; d < D; ++d)
+    distance = std::max({distance, grid.lower[d] - tool.middle()[d] - tool.radius(),
+                         tool.middle()[d] - tool.radius() - grid.upper[d]});
+  return distance;
+}
+
+/// A tool moves by a quarter of a cell in a step at most, and to the cells if it is not there yet.
 template <int D>
 double stepLimit(const Tools<D>& tools, const State<D>& state)
 {
-  double fastest = 0.0;
+  constexpr double part = 0.25;
+  // Steps are no longer than a wave takes through a cell.
+  double longest = state.clock.fastestSpeed > 0.0 ? state.mesh.smallestSpacing() / state.clock.fastestSpeed
+                                                  : state.clock.finalTime;
+  const double most = longest;
   for (const ToolInRun<D>& one : tools.all)
-    fastest = std::max(fastest, one.tool.speed());
-  return fastest > 0.0 ? 0.25 * state.mesh.smallestSpacing() / fastest
-                       : std::numeric_limits<double>::infinity();
+  {
+    const double away = distanceFromCells(one.tool, state.mesh.grid);
+    longest = std::min(
+        longest, one.tool.longestStep(state.clock.time, part * state.mesh.smallestSpacing() + away, most));
+  }
+  return longest < most ? longest : std::numeric_limits<double>::infinity();
 }
 
 template <int D>

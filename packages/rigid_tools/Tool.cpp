@@ -97,9 +97,29 @@ double Tool<D>::distanceFrom(const Placement<D>& earlier) const
 }
 
 template <int D>
-double Tool<D>::speed() const
+double Tool<D>::longestStep(double time, double distance, double most) const
 {
-  return norm(now_.ofCentre) + radius_ * sizeOfSpin(now_);
+  if (hasMass())
+  {
+    const bool moves = released_ || time + most >= mass_.release;
+    const double speed = !moves ? 0.0 : released_ ? norm(now_.ofCentre) : norm(unit_.ofCentre);
+    const double factor = moves ? std::fabs(mass_.history.overStep(time, time + most)) : 0.0;
+    const double acceleration = norm(mass_.force) * factor / mass_.mass;
+    const double root = std::sqrt(speed * speed + 4.0 * acceleration * distance);
+    // The velocity at the end of a step moves it: speed dt + acceleration dt^2.
+    return root > 0.0 ? std::min(most, 2.0 * distance / (speed + root)) : most;
+  }
+  const double unit = norm(unit_.ofCentre) + radius_ * sizeOfSpin(unit_);
+  constexpr int mostTrials = 60;
+  double step = most;
+  for (int k = 0; k < mostTrials; ++k)
+  {
+    const double speed = unit * std::fabs(history_.overStep(time, time + step));
+    if (!(speed * step > distance))
+      return step;
+    step = std::min(0.5 * step, distance / speed);
+  }
+  return step;
 }
 
 template <int D>

@@ -63,8 +63,12 @@ public:
 
   /// Largest distance that a point of it has moved since it was at another place [m].
   double distanceFrom(const Placement<D>& earlier) const;
-  /// Largest speed of its points [m/s].
-  double speed() const;
+  /// The longest step from a time on in which none of its points moves farther than a distance without
+  /// contact, `most` at most. \param time begin of the step [s] \param distance [m] \param most [s]
+  double longestStep(double time, double distance, double most) const;
+  /// The ball around it, with all of its points: centre and radius [m].
+  Vector<D> middle() const { return placement_.centre + placement_.moved; }
+  double radius() const { return radius_; } ///< of the ball around it [m]
   /// Its kinetic energy; 0 without a mass [J].
   double kineticEnergy() const;
 

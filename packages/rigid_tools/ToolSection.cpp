@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "geometry/Shape.hpp"
+#include "geometry/SurfacePoints.hpp"
 #include "scene/BondedGroups.hpp"
 #include "scene/CoreBodies.hpp"
 #include "scene/FrictionSection.hpp"
@@ -218,12 +219,26 @@ private:
   {
     try
     {
-      insideDomain<D>(makeShape<D>(tool_).bounds());
+      const Shape<D> whole = makeShape<D>(tool_);
+      insideDomain<D>(whole.bounds());
+      if (!hasSurface(whole))
+        checks_.report(where_,
+                       "is fully cut away by its Operations, so nothing is left that could press; cut less.");
     }
     catch (const std::invalid_argument& error)
     {
       checks_.report(where_, error);
     }
+  }
+
+  template <int D>
+  static bool hasSurface(const Shape<D>& whole)
+  {
+    const double spacing = norm(whole.bounds().upper - whole.bounds().lower) / 32.0;
+    for (std::size_t part = 0; part < whole.parts().size(); ++part)
+      if (!Geometry::surfacePoints(whole, part, spacing).empty())
+        return true;
+    return false;
   }
 
   template <int D>

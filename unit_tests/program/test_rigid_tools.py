@@ -355,6 +355,23 @@ class Tools(DrawnScenes):
                 with self.subTest(steps=steps, column=column):
                     self.assertEqual([whole[column][k] for k in compared], [values.get(whole["time"][k]) for k in compared])
 
+    def test_a_tool_does_not_jump_into_a_body(self):
+        """A tool that is at 0.6 of the wave speed in its first step, or from one instant of its history on, moves by a quarter of a cell in a step."""
+        cell, young = 0.0125, 1e7
+        speed = 0.6 * math.sqrt(young / DENSITY)
+        for history in ("1", "0:0, 1e-3:0, 1.0000001e-3:1, 1:1"):
+            scene = Scene({
+                "Domain": {"Dimension": 2, "Cell Size": cell, "Lower Corner": [-0.1, -0.1], "Upper Corner": [0.4, 0.3]},
+                "Time": {"Final Time": 1.5e-3 if history != "1" else 5e-4}, "Materials": {"Solid": solid(young)},
+                "Bodies": {"Block": {"Material": "Solid", "Shape": "Box", "Lower Corner": [0.05, 0.05], "Upper Corner": [0.15, 0.15]}},
+                "Rigid Tools": {"Ram": {"Shape": "Box", "Lower Corner": [0.0, 0.03], "Upper Corner": [0.049, 0.17], "Velocity": [speed, 0.0],
+                                        "History": history}},
+                "Output": {"Fields": False, "Checkpoints": False}})
+            summary, _ = self.run_scene(scene)
+            ram = summary["rigid_tools"][0]
+            self.assertIsNotNone(ram["first_touch"], ram)
+            self.assertLess(ram["largest_overlap"], 0.5 * cell, ram)
+
     def test_a_tool_is_held_until_its_release(self):
         scene, mass, *_ = self.struck_bar(20, 1.0)
         release = 1e-5
@@ -414,6 +431,7 @@ class Tools(DrawnScenes):
             ({"Force History": "t"}, "Force History", ["without Force"]),
             ({"Mass": None, "History": "1/(t-t)"}, "History", []),
             ({"Lower Corner": [-2.0, 0.0], "Upper Corner": [-1.0, 0.01]}, "", ["outside of the domain"]),
+            ({"Operations": {"All": {"Operation": "Cut", "Shape": "Ball", "Centre": [0.0, 0.0], "Radius": 1.0}}}, "", ["fully cut away", "cut less"]),
             ({"Lower Corner": [-0.01, 0.0], "Upper Corner": [0.02, 0.01]}, "", ["overlaps Bodies > Bar", "mm"]),
         ):
             wrong = scene.copy()
