@@ -123,7 +123,10 @@ std::vector<std::string> warningsOfYield(const State<D>& state, const std::vecto
     const auto& body = state.bodies.info[b];
     std::string at;
     for (int d = 0; d < D; ++d)
-      at += (d == 0 ? "" : ", ") + formatShort(part.at[d]);
+    {
+      at += d == 0 ? "" : ", ";
+      at += formatShort(part.at[d]);
+    }
     warnings.push_back("Materials > " + state.materials.names[body.material] + " > Yield Stress is " +
                        formatShort(yield[b]) + " Pa, and " + loads + " the von Mises stress is larger in " +
                        formatShort(100.0 * part.volume / part.all) + " % of Bodies > " + body.name +

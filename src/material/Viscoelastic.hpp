@@ -63,7 +63,7 @@ struct Viscoelastic : LawDefaults
     MaxwellStep step[maxwellElements];
 
     KOKKOS_INLINE_FUNCTION Ready(const Properties& m, double dt, double temperature)
-        : count(static_cast<int>(m.own[PronyNumber::count] + 0.5))
+        : count(static_cast<int>(std::lround(m.own[PronyNumber::count])))
     {
       using namespace PronyNumber;
       const double faster =
