@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Rhegma::energy_release
 {
@@ -127,13 +128,15 @@ std::vector<std::string> warningsOfYield(const State<D>& state, const std::vecto
       at += d == 0 ? "" : ", ";
       at += formatShort(part.at[d]);
     }
-    warnings.push_back("Materials > " + state.materials.names[body.material] + " > Yield Stress is " +
-                       formatShort(yield[b]) + " Pa, and " + loads + " the von Mises stress is larger in " +
-                       formatShort(100.0 * part.volume / part.all) + " % of Bodies > " + body.name +
-                       " outside of the contours of the fronts, at most " + formatShort(part.largest) +
-                       " Pa at " + at +
-                       " m: the part yields there, which its law, Linear Elastic, leaves "
-                       "out; a smaller load, or Model = J2 Plastic");
+    std::ostringstream text;
+    text << "Materials > " << state.materials.names[body.material] << " > Yield Stress is "
+         << formatShort(yield[b]) << " Pa, and " << loads << " the von Mises stress is larger in "
+         << formatShort(100.0 * part.volume / part.all) << " % of Bodies > " << body.name
+         << " outside of the contours of the fronts, at most " << formatShort(part.largest) << " Pa at " << at
+         << " m: the part yields there, which its law, Linear Elastic, leaves out; use a smaller load, or "
+            "Model = "
+            "J2 Plastic";
+    warnings.push_back(text.str());
   }
   return warnings;
 }
