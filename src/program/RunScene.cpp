@@ -303,6 +303,7 @@ int checkAndDraw(const Options& options, const Teuchos::RCP<Teuchos::ParameterLi
                  std::ostream& out, std::ostream& err)
 {
   const int code = checkScene(options, scene, start, out, err);
+  out << std::flush; // before the output of the tool that draws
   return code == exitFinished && !options.picture.empty() ? drawScene(options, Ranks(world()), err) : code;
 }
 

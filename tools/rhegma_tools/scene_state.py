@@ -1,6 +1,7 @@
 """What the program understands of a scene: its messages, and its fields after one step, from a run in a folder of its own."""
 
 import os
+import re
 import tempfile
 
 from rhegma.fields import read_fields
@@ -32,6 +33,14 @@ def check(scene, program):
     return forces_of(report), [line for line in lines_of(messages) if line.startswith("warning: ")]
 
 
+def type_of(path, program):
+    """The type of a parameter, such as "Time:Load Steps", as the program describes it; None where it does not know it."""
+    status, text, _ = capture([program, "--describe", path])
+    name = path.rpartition(":")[2]
+    found = re.search(rf"^ +{re.escape(name)} +([A-Za-z]+(?:\([a-z]+\))?)", text, re.MULTILINE) if status == 0 else None
+    return found and found.group(1)
+
+
 def attempts(scene):
     """Copies of the scene, the cheapest first: some sections belong to an analysis of equilibrium only."""
     yield scene.still()
@@ -56,6 +65,7 @@ def first_step(scene, program, folder):
 def state_of(scene, program):
     """The State of a scene before any motion."""
     forces, warnings = check(scene, program)
+    scene.ask_types(lambda path: type_of(path, program))
     with tempfile.TemporaryDirectory(prefix="rhegma-scene-") as folder:
         results = first_step(scene, program, folder)
         fields = read_fields(results)

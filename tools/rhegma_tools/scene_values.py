@@ -50,14 +50,16 @@ def find_or_add(element, name):
 
 
 def write_value(root, path, value, kind="string"):
-    """Sets a parameter. path: names from the outermost list inwards; kind: its type where the scene lacks it"""
+    """Sets a parameter. path: names from the outermost list inwards; kind: its type where the scene lacks it. \\return whether it does"""
     for name in path[:-1]:
         root = find_or_add(root, name)
     found = next((entry for entry in root if entry.tag == "Parameter" and entry.get("name") == path[-1]), None)
-    if found is None:
+    lacks = found is None
+    if lacks:
         found = ElementTree.SubElement(root, "Parameter", name=path[-1], type=kind)
     found.set("value", value)
     found.attrib.pop("unit", None)  # that of the value before
+    return lacks
 
 
 def remove(root, *path):
@@ -76,15 +78,27 @@ class Scene:
     def __init__(self, path, settings=()):
         self.path, self.settings = path, list(settings)
         self.root = read_scene(path)
+        self.added = []  # parameters that the scene lacks, as lists of names: of what type they are the program knows
         for setting in settings:
             name, equals, value = setting.partition("=")
             names = [part.strip() for part in name.split(":")]
             if not equals or len(names) < 2:
                 raise Problem(f'--set is "{setting}"; write it as Section:Parameter=value.')
-            write_value(self.root, names, value.strip())
+            if write_value(self.root, names, value.strip()):
+                self.added.append(names)
         folder = os.path.dirname(os.path.abspath(path))
         move_files(self.root, lambda file: os.path.join(folder, file))  # a copy of the scene is elsewhere
         self.values = as_values(self.root)
+
+    def ask_types(self, type_of):
+        """Gives the parameters of --set that the scene lacks their types. type_of: (path such as "Time:Load Steps") -> such as "int", or None"""
+        for names in self.added:
+            kind = type_of(":".join(names))
+            entry = self.root
+            for name in names:
+                entry = next(child for child in entry if child.get("name") == name)
+            if kind:
+                entry.set("type", kind)
 
     @property
     def dimension(self):

@@ -72,6 +72,15 @@ class SceneDrawn(ToolTest):
         """{label: (points, directions)} in the unit of the picture, of the arrows in the order of the symbols."""
         return [(np.asarray(q.XY), np.stack([q.U, q.V], axis=1), q) for q in axes.collections if isinstance(q, Quiver)]
 
+    def test_settings_that_the_scene_lacks(self):
+        """Parameters of --set that the scene does not have get the types that the program knows: a number, a text, an array, a flag."""
+        path = self.write("scene.xml", xml(plate(0.03, 0.02, 1e-3, [0.0, 0.01, 0.008, 0.01], {}, **{"Energy Release": {}})))
+        scene = Scene(path, ["Energy Release:Toughness=5000", "Time:Retries=1", "Bodies:Plate:Velocity={0, 2}", "Output:Principal Stress=true",
+                             "Domain:Shape Functions=Linear"])
+        self.assertEqual(len(scene.added), 5)
+        drawing = Drawing(scene, state_of(scene, PROGRAM))
+        self.assertTrue(any(symbol.label == "starts at 2 m/s" for symbol in drawing.symbols))
+
     def test_rigid_tools(self):
         """Each tool has its outline, a line in the list and, if it moves, an arrow; all are in the picture."""
         tools = {"Punch": {"Shape": "Box", "Lower Corner": [0.004, 0.0201], "Upper Corner": [0.012, 0.026], "Velocity": [0.0, -2.0]},
