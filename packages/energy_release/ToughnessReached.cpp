@@ -34,8 +34,8 @@ std::string reachedAsText(double release, double intensity, double toughness)
   return text;
 }
 
-} // namespace
-
+/// Whether G is proportional to the square of all loads: one static solution of linear bodies without contact
+/// and heat.
 template <int D>
 bool isProportional(const State<D>& state, const RunOptions& run)
 {
@@ -45,6 +45,8 @@ bool isProportional(const State<D>& state, const RunOptions& run)
                      [&](const auto& body)
                      { return state.materials.properties[body.material].law == lawIndex<LinearElastic>; });
 }
+
+} // namespace
 
 template <int D>
 void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<D>>& samples)
@@ -113,8 +115,6 @@ void ToughnessReached::serialize(Archive& archive)
     reached_[{static_cast<int>(rows[k]), static_cast<int>(rows[k + 1])}] = {rows[k + 2], rows[k + 3]};
 }
 
-template bool isProportional(const State<2>&, const RunOptions&);
-template bool isProportional(const State<3>&, const RunOptions&);
 template void ToughnessReached::add(const State<2>&, const std::vector<FrontSample<2>>&);
 template void ToughnessReached::add(const State<3>&, const std::vector<FrontSample<3>>&);
 template double ToughnessReached::report(const State<2>&, const RunOptions&, nlohmann::json&) const;

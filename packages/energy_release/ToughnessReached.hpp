@@ -45,9 +45,4 @@ private:
   std::map<std::pair<int, int>, Reached> reached_; ///< by crack and number of the front
 };
 
-/// Whether G is proportional to the square of all loads: one static solution of linear bodies without contact
-/// and heat.
-template <int D>
-bool isProportional(const State<D>& state, const RunOptions& run);
-
 } // namespace Rhegma::energy_release

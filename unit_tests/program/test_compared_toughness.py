@@ -16,25 +16,22 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
 from program import ProgramTest, rhegma  # noqa: E402
-from scenes import Scene  # noqa: E402
+from test_shear_at_rest import PULL, WIDTH  # noqa: E402
+from test_shear_at_rest import strip as growing_strip  # noqa: E402
 
 SEED = int(os.environ.get("RHEGMA_SEED", "11"))
-WIDTH, HEIGHT, CELL, PULL = 0.06, 0.09, 0.002, 5e6
 LINE = r"cracks would start at ([\d.e+-]+) times the loads"
 
 
 def strip(crack, release=None, pull=PULL, material=None, **time):
-    """A strip of 60 mm by 90 mm under tension at both ends, in plane stress. crack: its points"""
-    load = {"Type": "Traction", "Body": "Strip"}
-    return Scene({
-        "Domain": {"Dimension": 2, "Plane": "Stress", "Thickness": 0.003, "Cell Size": CELL,
-                   "Lower Corner": [-0.01, -0.01], "Upper Corner": [WIDTH + 0.01, HEIGHT + 0.01]},
-        "Time": {"Final Time": 1.0, "Rigid Modes": "Remove", "Analysis": "Static", **time},
-        "Materials": {"Polymer": {"Model": "Linear Elastic", "Density": 1190.0, "Young Modulus": 3e9, "Poisson Ratio": 0.35, **(material or {})}},
-        "Bodies": {"Strip": {"Material": "Polymer", "Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [WIDTH, HEIGHT]}},
-        "Boundaries": {"Top": {**load, "From": [WIDTH, HEIGHT], "To": [0.0, HEIGHT], "Stress": [0.0, pull]},
-                       "Bottom": {**load, "From": [0.0, 0.0], "To": [WIDTH, 0.0], "Stress": [0.0, -pull]}},
-        "Cracks": {"Notch": {"Points": crack}}, "Energy Release": release or {}, "Output": {"Fields": False}})
+    """The strip of test_shear_at_rest.py without growth. crack: its points"""
+    scene = growing_strip({"Analysis": "Static", **time}, "1", {"Notch": {"Points": crack}}).remove("Propagation")
+    scene.set("Energy Release", release or {})
+    for name, sign in (("Top", 1.0), ("Bottom", -1.0)):
+        scene.set(f"Boundaries > {name} > Stress", [0.0, sign * pull])
+    for name, value in (material or {}).items():
+        scene.set(f"Materials > Polymer > {name}", value)
+    return scene
 
 
 class ComparedToughness(ProgramTest):
