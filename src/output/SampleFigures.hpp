@@ -9,8 +9,8 @@
 namespace Rhegma
 {
 
-/// The energy release rates of the fronts in a row that have one, in their order: of the J integral, in 3D the
-/// largest of the nodes [J/m2]. \param row names and values
+/// The energy release rates of the fronts in a row that have one, in their order: of the J integral, in 3D
+/// the largest of the nodes [J/m2]. \param row names and values
 std::vector<double> releasesOf(const std::vector<std::pair<std::string, double>>& row);
 
 /// The residual of the energy balance over the largest of its entries; none where all are zero or the row has

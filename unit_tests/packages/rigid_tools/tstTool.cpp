@@ -43,8 +43,8 @@ Tool<2> mass(double kilograms, double force)
 
 } // namespace
 
-/// No step takes a prescribed tool farther than it may go: from rest at time zero, at a jump of its history, and
-/// by rotation about its middle (the ball around the square about a disk has the radius sqrt 2).
+/// No step takes a prescribed tool farther than it may go: from rest at time zero, at a jump of its history,
+/// and by rotation about its middle (the ball around the square about a disk has the radius sqrt 2).
 TEST(Tool, StepsAreAsShortAsItsMotionAsks)
 {
   EXPECT_EQ(disk("1", 10.0).longestStep(0.0, 0.25, 1.0), 0.025);

@@ -196,7 +196,8 @@ TEST(SampleFigures, TheLargestReleaseIsThatOfAllFronts)
   using Releases = std::vector<double>;
   EXPECT_EQ(releasesOf({{"strain", 3.0}}), Releases());
   EXPECT_EQ(releasesOf({{"A.0.G_J", std::nan("")}}), Releases());
-  EXPECT_EQ(releasesOf({{"A.0.G_J", 2.0}, {"B.0.G_J", 5.0}, {"A.1.G_J", std::nan("")}}), Releases({2.0, 5.0}));
+  EXPECT_EQ(releasesOf({{"A.0.G_J", 2.0}, {"B.0.G_J", 5.0}, {"A.1.G_J", std::nan("")}}),
+            Releases({2.0, 5.0}));
   EXPECT_EQ(releasesOf({{"A.0.G_J", 2.0}, {"A.0.G_J_min", 1.0}, {"A.0.G_J_max", 3.0}}), Releases({3.0}));
   EXPECT_EQ(releasesOf({{"A.0.G_J", -2.0}}), Releases({-2.0}));
 }
