@@ -133,19 +133,23 @@ class Judged(ProgramTest):
                 self.assertEqual(len(unstable), modes, summary["warnings"])
 
     def test_columns_that_buckle_by_conjugate_gradients(self):
-        """They meet a displacement of negative energy where there is one, and count none elsewhere."""
+        """They meet a displacement of negative energy where there is one, and count none elsewhere. Without multigrid they may fail beyond
+        Euler's load; the factorisation that takes their place counts the same mode."""
         width, cell = 4e-3, 1e-3
         euler = math.pi**2 * STEEL["Young Modulus"] * width**2 / 12.0 / (2.0 * HEIGHT) ** 2
-        for part, found in ((0.8, None), (1.6, 1)):
+        for part, found in ((0.8, 0), (1.6, 1)):
             with self.subTest(part=part):
                 load = {"Type": "Traction", "Body": "Plate", "From": [width, HEIGHT], "To": [0.0, HEIGHT], "Stress": [0.01 * euler, -part * euler]}
                 scene = plate({"Foot": FOOT, "Load": load}).set("Domain > Cell Size", cell).set("Time > Linear Solver", "Iterative")
                 scene.set("Bodies > Plate > Upper Corner", [width, HEIGHT])
                 summary = self.summary(scene)
-                self.assertIn("conjugate gradients", summary["equilibrium"]["solver"])
-                self.assertEqual(summary["equilibrium"]["negative_eigenvalues"], found)
-                unstable = [line for line in summary["warnings"] if "is unstable: the stiffness has at least 1 negative eigenvalue;" in line]
-                self.assertEqual(len(unstable), found or 0, summary["warnings"])
+                solver = summary["equilibrium"]["solver"]
+                iterated = "conjugate gradients" in solver
+                self.assertTrue(iterated or (found and solver == "direct (MUMPS)"), solver)
+                self.assertEqual(summary["equilibrium"]["negative_eigenvalues"], found or (None if iterated else 0))
+                text = "is unstable: the stiffness has " + ("at least " if iterated else "") + "1 negative eigenvalue;"
+                unstable = [line for line in summary["warnings"] if text in line]
+                self.assertEqual(len(unstable), found, summary["warnings"])
 
     def test_largest_release_of_loads_that_fall(self):
         """A load that rises to its whole at half of the time and falls to a fifth: G is 25 times that of the end."""
