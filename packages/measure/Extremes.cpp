@@ -46,6 +46,12 @@ struct DisplacementOf
   }
 };
 
+struct TemperatureOf
+{
+  BorrowedView<double*> temperature;
+  KOKKOS_INLINE_FUNCTION double operator()(int p) const { return temperature(p); }
+};
+
 /// The position of a particle that one or several ranks found: that of the first of these ranks.
 template <int D>
 Vector<D> positionOf(const State<D>& state, int particle, bool here)
@@ -114,8 +120,8 @@ Extremes<D> extremesWith(const State<D>& state, int body, const Value& value)
 
 const std::vector<std::string>& measurableFields()
 {
-  static const std::vector<std::string> names = {"Principal Stress", "Von Mises Stress", "Energy Density",
-                                                 "Speed", "Displacement"};
+  static const std::vector<std::string> names = {
+      "Principal Stress", "Von Mises Stress", "Energy Density", "Speed", "Displacement", "Temperature"};
   return names;
 }
 
@@ -133,6 +139,8 @@ Extremes<D> extremesOf(const State<D>& state, const std::string& field, int body
     return extremesWith(state, body, LengthOf<D>{particles.template real<D>(fields::velocity)});
   if (field == "Displacement")
     return extremesWith(state, body, DisplacementOf<D>{ParticlePlace<D>(particles)});
+  if (field == "Temperature")
+    return extremesWith(state, body, TemperatureOf{particles.scalar(fields::temperature)});
   throw std::invalid_argument("no field \"" + field + "\" can be measured");
 }
 

@@ -1,8 +1,10 @@
 #include "measure/Measure.hpp"
 
 #include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
 #include "measure/Extremes.hpp"
 #include "measure/FrontShape.hpp"
+#include "measure/Pieces.hpp"
 #include "measure/SideEnergy.hpp"
 #include "measure/StressAlternation.hpp"
 #include "scene/Compatibility.hpp"
@@ -24,7 +26,7 @@ Section extremes()
       .meaning(
           "Principal Stress: the largest principal Cauchy stress, in 2D including that across the plane "
           "[Pa]. Von Mises Stress [Pa]. Energy Density: elastic energy per undeformed volume [J/m3]. Speed "
-          "[m/s]. Displacement: its magnitude [m].");
+          "[m/s]. Displacement: its magnitude [m]. Temperature [K].");
   entry.text("Body").notEmpty().optional().meaning(
       "Only the particles of this body count. Default: all bodies.");
   Section s("Extremes",
@@ -52,12 +54,18 @@ Section section()
                  "Part of the stress of each body that changes from particle to particle within the cells.");
   s.subsection(stress);
   s.subsection(extremes());
+  s.subsection(
+      {"Pieces",
+       "Into how many pieces cracks have divided the bodies. Bonded bodies are one piece. history.csv gets "
+       "the number of pieces and the mass of the largest one, summary.json mass and centre of each, and "
+       "fields.h5 the number of each particle's piece, 0 for the largest; -1 before the first step."});
   for (const char* const ofCracks : {"Measure > Side Energy", "Measure > Front Shape"})
     s.refuse({when::present(ofCracks), when::absent("Cracks")},
              "there is no crack to measure at; add a section Cracks or remove this section");
-  for (const char* const ofStress : {"Measure > Stress Alternation", "Measure > Extremes"})
-    s.refuse({when::present(ofStress), when::is("Thermal", "Mechanics", {"false"})},
-             "without mechanics there is no stress; remove one of the two");
+  s.refuse({when::present("Measure > Stress Alternation"), when::is("Thermal", "Mechanics", {"false"})},
+           "without mechanics there is no stress; remove one of the two");
+  s.refuse({when::present("Measure > Pieces"), when::is("Thermal", "Mechanics", {"false"})},
+           "without mechanics no body comes apart; remove one of the two");
   return s;
 }
 
@@ -149,7 +157,18 @@ struct Watched
   int body = -1; ///< -1: all
 };
 
-/// Reads the requests. Throws std::invalid_argument where a body does not exist.
+/// Why a run has no such field; empty if it has.
+template <int D>
+std::string whyNot(const State<D>& state, const std::string& field)
+{
+  if (field == "Temperature")
+    return state.particles.has(fields::temperature)
+               ? ""
+               : "the scene has no temperature; add a section Thermal or choose another field";
+  return state.method.mechanics ? "" : "without mechanics only Temperature changes; write that";
+}
+
+/// Reads the requests. Throws std::invalid_argument where a body or a field does not exist.
 template <int D>
 std::vector<Watched> readExtremes(const State<D>& state, const Teuchos::ParameterList& list)
 {
@@ -158,6 +177,9 @@ std::vector<Watched> readExtremes(const State<D>& state, const Teuchos::Paramete
   {
     const Teuchos::ParameterList& entry = list.sublist(name);
     Watched watched{name, entry.get<std::string>("Field"), -1};
+    if (const std::string why = whyNot(state, watched.field); !why.empty())
+      throw std::invalid_argument("Measure > Extremes > " + name + " > Field = " + watched.field + ": " +
+                                  why);
     if (entry.isParameter("Body"))
     {
       const std::string body = entry.get<std::string>("Body");
@@ -215,6 +237,59 @@ void reportExtremes(const State<D>& state, const std::vector<Watched>& watched, 
   }
 }
 
+/// Pieces of the last sample.
+template <int D>
+using Pieces = std::vector<Piece<D>>;
+
+/// Finds the pieces and adds their columns to the sample.
+template <int D>
+void samplePieces(State<D>& state, Pieces<D>& pieces)
+{
+  if (!state.clock.observing)
+    return;
+  pieces = findPieces(state);
+  state.sample.row.emplace_back("pieces", static_cast<double>(pieces.size()));
+  state.sample.row.emplace_back("largest_piece", pieces.empty() ? 0.0 : pieces.front().mass);
+}
+
+/// At most so many pieces are listed.
+constexpr std::size_t mostPieces = 20;
+
+template <int D>
+void reportPieces(const State<D>& state, const Pieces<D>& pieces, nlohmann::json& summary)
+{
+  double all = 0.0;
+  for (const Piece<D>& piece : pieces)
+    all += piece.mass;
+  nlohmann::json& entry = summary["pieces"];
+  entry["number"] = pieces.size();
+  entry["largest"] = nlohmann::json::array();
+  for (std::size_t k = 0; k < std::min(pieces.size(), mostPieces); ++k)
+  {
+    nlohmann::json one{{"mass", pieces[k].mass},
+                       {"fraction", pieces[k].mass / all},
+                       {"centre", std::vector<double>(pieces[k].centre.c, pieces[k].centre.c + D)},
+                       {"bodies", nlohmann::json::array()}};
+    for (const int body : pieces[k].bodies)
+      one["bodies"].push_back(state.bodies.info[body].name);
+    entry["largest"].push_back(one);
+  }
+  const std::string number = pieces.size() == 1 ? "1 piece" : std::to_string(pieces.size()) + " pieces";
+  summary["answers"].push_back(
+      "pieces: at the end there " + std::string(pieces.size() == 1 ? "is " : "are ") + number +
+      "; the largest has " + formatShort(100.0 * pieces.front().mass / all) + " % of the mass");
+}
+
+/// Adds what finds pieces.
+template <int D>
+void addPieces(Effect<D>& effect, const std::shared_ptr<Pieces<D>>& pieces)
+{
+  effect.adds.push_back(
+      {pieceField, 1, "", "number of the piece, 0 for the largest; -1: not known yet", true});
+  effect.call(Stage::Observe, "pieces of bodies", {quantity::particleStress}, {}, {},
+              [pieces](State<D>& state) { samplePieces(state, *pieces); });
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -228,15 +303,23 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto sides = std::make_shared<Sides<D>>();
   const auto circles = std::make_shared<std::vector<Circle>>();
   const auto watched = std::make_shared<std::vector<Watched>>();
+  const auto pieces = std::make_shared<Pieces<D>>();
+  const bool findsPieces = list.isSublist("Pieces");
   Effect<D> effect;
   effect.name = "Measure";
+  if (findsPieces)
+    addPieces(effect, pieces);
   if (list.isSublist("Extremes"))
-    effect.call(Stage::Observe, "extremes of fields", {quantity::particleStress, quantity::particleVelocity},
+    effect.call(Stage::Observe, "extremes of fields",
+                {ifWritten(quantity::particleStress), ifWritten(quantity::particleVelocity),
+                 ifWritten(quantity::temperature)},
                 {}, {}, [watched](State<D>& state) { sampleExtremes(state, *watched); });
   effect.atStart = [=, requests = list.isSublist("Extremes") ? list.sublist("Extremes")
                                                              : Teuchos::ParameterList()](State<D>& state)
   {
     *watched = readExtremes(state, requests);
+    if (findsPieces)
+      Kokkos::deep_copy(state.particles.integer(pieceField), -1);
     if (measuresSides)
       begin(state, part, *sides);
     if constexpr (D == 3)
@@ -247,6 +330,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     reportSides(state, *sides, summary);
     reportExtremes(state, *watched, summary);
+    if (!pieces->empty())
+      reportPieces(state, *pieces, summary);
     if (measuresStress && state.clock.step > 0) // before, particles have no nodes
       reportStress(state, summary);
     if constexpr (D == 3)

@@ -10,7 +10,7 @@ _OF_RUN = {
     **{name: "J" for name in ("kinetic", "strain", "tools", "thermal", "heat", "external_work", "damped", "contact", "fracture", "merged",
                               "stabilised", "combustion", "plastic", "filtered", "residual")},
     "momentum_x": "kg m/s", "momentum_y": "kg m/s", "momentum_z": "kg m/s",
-    "temperature_highest": "K", "temperature_lowest": "K", "load_factor": "",
+    "temperature_highest": "K", "temperature_lowest": "K", "load_factor": "", "pieces": "", "largest_piece": "kg",
 }
 # Last parts of the names of other columns, such as G_J of Notch.0.G_J. NAME.largest and NAME.smallest depend on the scene.
 _OF_PARTS = {

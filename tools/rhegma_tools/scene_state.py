@@ -42,9 +42,13 @@ def type_of(path, program):
 
 
 def attempts(scene):
-    """Copies of the scene, the cheapest first: some sections belong to an analysis of equilibrium only."""
+    """Copies of the scene, the cheapest first: some sections belong to an analysis of equilibrium only, and Domain > Accuracy chooses other
+    cells for it than for motion."""
+    equilibrium = scene.values.get("Time", {}).get("Analysis", "Dynamic") != "Dynamic"
+    if equilibrium and "Accuracy" in scene.values.get("Domain", {}):
+        yield scene.still(dynamic=False)
     yield scene.still()
-    if scene.values.get("Time", {}).get("Analysis", "Dynamic") != "Dynamic":
+    if equilibrium:
         yield scene.still(without=("Propagation",))
         yield scene.still(dynamic=False)
 

@@ -95,9 +95,30 @@ class RequestedFields(RestartTest):
 
     def test_without_stress(self):
         scene = pulled().remove("Cracks").remove("Energy Release").remove("Boundaries").set("Thermal", {"Mechanics": False, "Initial Temperature": 300.0})
+        scene.set("Materials > Polymer > Specific Heat", 1400.0).set("Materials > Polymer > Conductivity", 0.2)
         answer = rhegma(self.write("scene.xml", scene.text()), "--check")
         self.assertEqual(answer.status, 1, answer)
-        self.assertIn("without mechanics there is no stress", answer.messages)
+        self.assertIn("Measure > Extremes > Peak > Field = Principal Stress: without mechanics only Temperature changes", answer.messages)
+
+    def test_temperature(self):
+        """Of a bar between 300 and 400 K, with motion and without; refused where the scene has none."""
+        hot = pulled().remove("Cracks").remove("Energy Release").set("Measure > Extremes", {"Hot": {"Field": "Temperature", "Body": "Plate"}})
+        self.assert_refused((self.write("scene.xml", hot.text()),), [("Measure > Extremes > Hot > Field = Temperature", ["section Thermal"])])
+        hot.set("Materials > Polymer > Specific Heat", 1400.0).set("Materials > Polymer > Conductivity", 2e6)  # through a cell in the time of the run
+        edge = {"Type": "Temperature", "Lower Corner": [-1.0, -1.0], "Upper Corner": [0.01, 2.0], "Temperature": 400.0}
+        for mechanics in (True, False):
+            scene = hot.set("Thermal", {"Mechanics": mechanics, "Initial Temperature": 300.0}).set("Boundaries > Edge", edge)
+            if not mechanics:
+                scene.remove("Boundaries > Pull")
+            scene.set("Output", {"Field Interval": 2.5e-4})
+            folder = self.path(f"mechanics_{mechanics}")
+            answer = rhegma(self.write("scene.xml", scene.text()), "--output", folder)  # with a warning: no solid conducts so well
+            self.assertEqual(answer.status, 0, answer)
+            history = self.history(folder)
+            for time, particles in self.frames(folder)[1:]:
+                values = particles["temperature"].ravel()
+                self.assertEqual((history[time]["Hot.largest"], history[time]["Hot.smallest"]), (values.max(), values.min()))
+                self.assertLess(history[time]["Hot.largest_x"], 0.1)
 
 
 if __name__ == "__main__":
