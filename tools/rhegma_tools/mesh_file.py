@@ -3,6 +3,8 @@
 import os
 import shutil
 
+import numpy as np
+
 from rhegma.problem import Problem
 from rhegma.program import capture
 
@@ -42,3 +44,29 @@ def convert_step(path, output, size=None):
         errors = [line for line in (text + messages).splitlines() if "Error" in line]
         raise Problem(f"gmsh can't convert {path}: " + (errors[0].partition(":")[2].strip() if errors else f"exit status {status}."))
     os.replace(temporary, output)
+
+
+def triangles_of(path):
+    """(n, 3, 3) corners of the triangles of a binary STL file; None of another file."""
+    row = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])
+    with open(path, "rb") as file:
+        data = file.read()
+    count = int.from_bytes(data[80:84], "little")
+    if len(data) < 84 or len(data) != 84 + count * row.itemsize:
+        return None
+    return np.frombuffer(data, row, count, 84)["corners"].astype(float)
+
+
+def volume_of(triangles):
+    """Of the body that they enclose, where their corners run counter-clockwise seen from outside."""
+    first, second, third = (triangles[:, k] for k in range(3))
+    return float((first * np.cross(second, third)).sum() / 6.0)
+
+
+def describe(path):
+    """What an STL file holds, so that a wrong unit shows: "1,234 triangles from (0, 0, 0) m to (0.1, 0.02, 0.02) m, volume 4e-05 m3"."""
+    triangles = triangles_of(path)
+    if triangles is None or len(triangles) == 0:
+        return "triangles in metres"
+    low, high = (", ".join(f"{x:.6g}" for x in end) for end in (triangles.min((0, 1)), triangles.max((0, 1))))
+    return f"{len(triangles):,} triangles from ({low}) m to ({high}) m, volume {volume_of(triangles):.6g} m3"

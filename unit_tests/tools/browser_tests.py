@@ -63,12 +63,15 @@ class Browser(ToolTest):
     def body(self, text):
         """Attributes of the body of a page once its scripts have run."""
         page = self.write("in_browser.html", text)
-        command = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1000,900", f"--user-data-dir={self.path('profile')}",
-                   "--dump-dom", "file://" + os.path.abspath(page)]
-        answer = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", timeout=120)
+        answer = self.browse(page, "--window-size=1000,900", "--dump-dom")
         found = re.search(r"<body([^>]*)>", answer.stdout)
         self.assertTrue(found, answer.stderr[-2000:])
         return {name: html.unescape(value) for name, value in re.findall(r'data-(\w+)="([^"]*)"', found[1])}
+
+    def browse(self, page, *options):
+        command = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", f"--user-data-dir={self.path('profile')}",
+                   *options, "file://" + os.path.abspath(page)]
+        return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", timeout=300)
 
     def page(self):
         status, _, messages = run("rhegma-report", self.folder)
@@ -87,6 +90,17 @@ class Browser(ToolTest):
         os.remove(self.path("history.csv"))
         os.remove(self.path("fields.h5"))
         self.assertEqual(self.body(self.page()), {"script": "ready"})
+
+    def test_it_prints(self):
+        """To PDF, on several pages with its pictures."""
+        made_up_run.beam(self.folder)
+        page = self.write("to_print.html", self.page())
+        answer = self.browse(page, f"--print-to-pdf={self.path('report.pdf')}")
+        with open(self.path("report.pdf"), "rb") as file:
+            data = file.read()
+        self.assertTrue(data.startswith(b"%PDF-") and data.rstrip().endswith(b"%%EOF"), answer.stderr[-2000:])
+        self.assertGreaterEqual(len(re.findall(rb"/Type ?/Page\b", data)), 2)
+        self.assertGreaterEqual(len(re.findall(rb"/Subtype ?/Image\b", data)), 2)
 
     def test_reader_zooms_chooses_and_plays(self):
         made_up_run.beam(self.folder)

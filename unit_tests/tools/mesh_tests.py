@@ -2,12 +2,16 @@
 
 import math
 import os
+import shutil
 import stat
+import subprocess
+import unittest
 
 import numpy as np
 from tool import ToolTest, run
 
 from rhegma.problem import Problem
+from rhegma_tools.mesh_file import triangles_of, volume_of
 from rhegma_tools.svg_file import read_drawing
 from rhegma_tools.svg_outlines import area, extent_of, net_area, outlines_of
 from rhegma_tools.svg_path import read_path
@@ -174,3 +178,21 @@ class StepFiles(ToolTest):
         self.assertEqual(arguments[arguments.index("-clmax") + 1], "0.002")
         self.write("gmsh", "#!/bin/sh\necho 'Error   : Unknown shape' >&2\nexit 1\n")
         self.assert_fails(run("rhegma-mesh", step, PATH=f"{self.folder}:{os.environ['PATH']}"), "gmsh can't convert", "Unknown shape")
+
+    @unittest.skipUnless(shutil.which("gmsh"), "there is no gmsh")
+    def test_a_part_from_gmsh_itself(self):
+        """A block of 12 x 10 x 8 mm with a hole of radius 2.5 mm, as STEP in millimetres. The hole is a regular polygon of at least 40 corners, so that the
+        volume is larger by less than that of the segments outside of it, and numbers of a file have 24 bits."""
+        geometry = self.write("part.geo", f"""SetFactory("OpenCASCADE");
+            Box(1) = {{0, 0, 0, 12, 10, 8}}; Cylinder(2) = {{6, 5, -1, 0, 0, 10, 2.5}};
+            BooleanDifference(3) = {{ Volume{{1}}; Delete; }}{{ Volume{{2}}; Delete; }};
+            Save "{self.path('part.step')}";""")
+        subprocess.run(["gmsh", geometry, "-", "-v", "1"], check=True, timeout=120)
+        status, output, messages = run("rhegma-mesh", self.path("part.step"), "-o", self.path("part.stl"))
+        self.assertEqual((status, messages), (0, ""))
+        triangles = triangles_of(self.path("part.stl"))
+        self.assertIn(f"{len(triangles):,} triangles from (0, 0, 0) m to (0.012, 0.01, 0.008) m", output)
+        segments = math.pi - 20.0 * math.sin(2.0 * math.pi / 40.0)  # of the unit circle
+        exact = 8e-9 * (120.0 - math.pi * 2.5**2)
+        self.assertGreater(volume_of(triangles), exact * (1.0 - 1e-6))
+        self.assertLess(volume_of(triangles), exact * (1.0 + 1e-6) + 8e-9 * 2.5**2 * segments)
