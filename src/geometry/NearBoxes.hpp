@@ -46,8 +46,8 @@ private:
     int first, end;  ///< of the list
     int left, right; ///< nodes below, or -1
   };
-  std::vector<Bounds<D>> boxes_;
-  std::vector<int> list_;
+  std::vector<Bounds<D>> boxes_; ///< in the order of the list
+  std::vector<int> list_;        ///< their numbers
   std::vector<Node> nodes_;
   static constexpr int deepest = 64; ///< more than the levels of a tree of as many boxes as an int can count
 };
@@ -65,7 +65,7 @@ void NearBoxes<D>::forEach(const IsWanted& isWanted, const Visit& visit) const
     if (node.left < 0)
     {
       for (int k = node.first; k < node.end; ++k)
-        if (isWanted(boxes_[list_[k]]))
+        if (isWanted(boxes_[k]))
           visit(list_[k]);
       continue;
     }
@@ -97,7 +97,7 @@ void NearBoxes<D>::forNearest(const Distance& distance, const double& limit, con
     if (node.left < 0)
     {
       for (int k = node.first; k < node.end; ++k)
-        if (distance(boxes_[list_[k]]) <= limit)
+        if (distance(boxes_[k]) <= limit)
           visit(list_[k]);
       continue;
     }

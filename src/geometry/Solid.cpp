@@ -77,6 +77,40 @@ private:
   std::vector<Entry> entries_{size};
 };
 
+/// Balls about points of known depth, which the surface does not enter: all points in them are on the side of
+/// the middle.
+template <int D>
+class ClearBalls
+{
+public:
+  /// The depth of the middle of a ball that holds all points within a distance of x; 0 if there is none.
+  double sideOf(std::uint64_t solid, const Vector<D>& x, double within) const
+  {
+    constexpr double rounding = 1e-12;
+    for (const Ball& ball : balls_)
+      if (const double room = (1.0 - rounding) * std::abs(ball.depth) - within;
+          room > 0.0 && ball.solid == solid && dot(x - ball.centre, x - ball.centre) < room * room)
+        return ball.depth;
+    return 0.0;
+  }
+
+  void keep(std::uint64_t solid, const Vector<D>& centre, double depth)
+  {
+    balls_[next_++ % number] = {solid, centre, depth};
+  }
+
+private:
+  struct Ball
+  {
+    std::uint64_t solid = 0; ///< 0: none
+    Vector<D> centre{};
+    double depth = 0.0; ///< of the centre
+  };
+  static constexpr std::size_t number = 16; ///< the corners of a box, and those of one before it
+  Ball balls_[number];
+  std::size_t next_ = 0;
+};
+
 std::uint64_t nextNumber()
 {
   static std::atomic<std::uint64_t> last{0};
@@ -151,18 +185,8 @@ bool Solid<D>::isInside(const Vector<D>& x) const
 }
 
 template <int D>
-double Solid<D>::depth(const Vector<D>& x, double within) const
+double Solid<D>::depthFrom(const Vector<D>& x, const NearestItem<D>& nearest) const
 {
-  static thread_local RecentDepths<D> recent;
-  if (const double* const known = recent.find(number_, x))
-    return std::clamp(*known, -within, within);
-  // The item that was found last, of whatever solid: near where points are near each other.
-  static thread_local int last = 0;
-  const int guess = last < static_cast<int>(surface_.items.size()) ? last : -1;
-  const NearestItem<D> nearest = tree_.nearest(x, within, guess);
-  if (nearest.item < 0)
-    return isInside(x) ? within : -within;
-  last = nearest.item;
   const double distance = std::sqrt(nearest.squaredDistance);
   Vector<D> corner[D];
   surface_.corners(nearest.item, corner);
@@ -170,9 +194,38 @@ double Solid<D>::depth(const Vector<D>& x, double within) const
   const double along = dot(away, normal);
   constexpr double certain = 1e-6; // cosine
   const bool sees = std::abs(along) > certain * distance * norm(normal);
-  const double depth = (sees ? along < 0.0 : isInside(x)) ? distance : -distance;
-  recent.keep(number_, x, depth);
-  return depth;
+  return (sees ? along < 0.0 : isInside(x)) ? distance : -distance;
+}
+
+template <int D>
+double Solid<D>::depth(const Vector<D>& x, double within) const
+{
+  static thread_local RecentDepths<D> recent;
+  if (const double* const known = recent.find(number_, x))
+    return std::clamp(*known, -within, within);
+  // Most cells of a lattice are far from the surface, and so are their neighbours.
+  static thread_local ClearBalls<D> clear;
+  if (const double side = clear.sideOf(number_, x, within); side != 0.0)
+    return std::copysign(within, side);
+  // The item that was found last, of whatever solid: near where points are near each other.
+  static thread_local int last = 0;
+  const int guess = last < static_cast<int>(surface_.items.size()) ? last : -1;
+  // Up to a few cells away, for the sake of the neighbours; beyond, many items may be equally near.
+  constexpr double farther = 4.0;
+  NearestItem<D> nearest = tree_.nearest(x, within, guess);
+  if (nearest.item < 0)
+    nearest = tree_.nearest(x, farther * within, guess);
+  double depth = 0.0;
+  if (nearest.item >= 0)
+  {
+    last = nearest.item;
+    depth = depthFrom(x, nearest);
+    recent.keep(number_, x, depth);
+  }
+  else
+    depth = isInside(x) ? farther * within : -farther * within;
+  clear.keep(number_, x, depth);
+  return std::clamp(depth, -within, within);
 }
 
 template <int D>

@@ -33,6 +33,8 @@ public:
 
 private:
   bool isInside(const Vector<D>& x) const;
+  /// The depth of a point whose nearest item is known.
+  double depthFrom(const Vector<D>& x, const NearestItem<D>& nearest) const;
   /// Out of the solid at the nearest point; zero where it is not certain.
   Vector<D> normalAt(const NearestItem<D>& nearest) const;
   void addNormals(double resolution);
