@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <set>
+#include <map>
 #include <sstream>
 
 namespace Rhegma
@@ -22,6 +22,7 @@ namespace Rhegma
 namespace
 {
 
+constexpr const char* ended = "The run has ended.";
 constexpr double secondsBetweenPages = 2.0;
 constexpr int secondsToReload = 3;
 
@@ -51,16 +52,23 @@ std::vector<std::string> fieldsOf(const std::string& row)
   return all;
 }
 
-/// Columns of the table of last values: of fronts and the energy balance.
-bool isShown(const std::string& name)
+/// Unit of a column of the table of last values, which has those of fronts and the energy balance; empty for
+/// all others.
+std::string unitOf(const std::string& name)
 {
-  static const std::set<std::string> quantities = {"G_J",  "G_J_max", "G_closure", "K_I",
-                                                   "K_II", "K_III",   "length",    "speed"};
+  static const std::map<std::string, std::string> ofFronts = {
+      {"G_J", "J/m\u00b2"},  {"G_J_max", "J/m\u00b2"}, {"G_closure", "J/m\u00b2"},
+      {"K_I", "Pa \u221am"}, {"K_II", "Pa \u221am"},   {"K_III", "Pa \u221am"},
+      {"length", "m"},       {"speed", "m/s"}};
   const std::vector<std::string>& energies = energyNames();
+  if (name == "residual" || std::find(energies.begin(), energies.end(), name) != energies.end())
+    return "J";
   const std::size_t point = name.rfind('.');
-  return name == "residual" || std::find(energies.begin(), energies.end(), name) != energies.end() ||
-         (point != std::string::npos && quantities.count(name.substr(point + 1)) > 0);
+  const auto found = point == std::string::npos ? ofFronts.end() : ofFronts.find(name.substr(point + 1));
+  return found == ofFronts.end() ? std::string() : found->second;
 }
+
+bool isShown(const std::string& name) { return !unitOf(name).empty(); }
 
 constexpr const char* styleOfPage =
     "<style>body{font:15px/1.4 sans-serif;color:#222;max-width:720px;margin:1em auto;padding:0 1em}"
@@ -146,10 +154,7 @@ void WatchPage::update()
   write("The run goes on.", true);
 }
 
-void WatchPage::finish(const std::string& failure)
-{
-  write(failure.empty() ? "The run has ended." : failure, false);
-}
+void WatchPage::finish(const std::string& failure) { write(failure.empty() ? ended : failure, false); }
 
 void WatchPage::write(const std::string& status, bool goesOn)
 {
@@ -173,7 +178,9 @@ std::string WatchPage::table() const
   std::string text = "<table><caption>Last sample, t = " + readableTime(time_) + "</caption>";
   for (std::size_t k = 0; k < std::min(last_.size(), most); ++k)
     text += "<tr><td>" + escapedForHtml(last_[k].first) + "</td><td>" +
-            (std::isfinite(last_[k].second) ? formatShort(last_[k].second) : std::string("-")) + "</td></tr>";
+            (std::isfinite(last_[k].second) ? formatShort(last_[k].second) + " " + unitOf(last_[k].first)
+                                            : std::string("-")) +
+            "</td></tr>";
   text += "</table>";
   if (last_.size() > most)
     text += "<p>" + std::to_string(last_.size() - most) + " more values are in history.csv.</p>";
@@ -182,16 +189,18 @@ std::string WatchPage::table() const
 
 std::string WatchPage::page(const std::string& status, bool goesOn) const
 {
-  const std::string percent = std::to_string(static_cast<int>(100.0 * std::min(progress_.done(), 1.0)));
+  // One that is at rest, or has done all of its steps, is complete before Final Time.
+  const double done = status == ended ? 1.0 : std::min(progress_.done(), 1.0);
+  const std::string percent = std::to_string(static_cast<int>(100.0 * done));
   std::string text =
       "<!DOCTYPE html>\n<!-- a run of rhegma -->\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
   if (goesOn)
     text += "<meta http-equiv=\"refresh\" content=\"" + std::to_string(secondsToReload) + "\">";
   text += "<title>" + percent + " % " + escapedForHtml(scene_) + "</title>" + styleOfPage +
           "</head><body>\n<h1>" + escapedForHtml(scene_) + "</h1>\n<p" +
-          (goesOn || status == "The run has ended." ? "" : " class=\"fault\"") + ">" +
-          escapedForHtml(status) + "</p>\n<div class=\"bar\"><div style=\"width:" + percent +
-          "%\"></div></div>\n<p>" + escapedForHtml(progress_.text(goesOn)) + "</p>\n";
+          (goesOn || status == ended ? "" : " class=\"fault\"") + ">" + escapedForHtml(status) +
+          "</p>\n<div class=\"bar\"><div style=\"width:" + percent + "%\"></div></div>\n<p>" +
+          escapedForHtml(progress_.text(goesOn)) + "</p>\n";
   const double end = std::max(progress_.finalTime(), time_);
   text += releases_.svg(end) + "\n" + energies_.svg(end) + "\n" + table() + "\n</body></html>\n";
   return text;

@@ -84,8 +84,8 @@ TEST(WatchPage, HasLastValuesAndPlots)
   run.now += 2.0;
   page.update();
   const std::string text = run.text();
-  EXPECT_NE(text.find("<td>A&lt;b.0.G_J</td><td>2.5</td>"), std::string::npos);
-  EXPECT_NE(text.find("<td>external_work</td><td>4</td>"), std::string::npos);
+  EXPECT_NE(text.find("<td>A&lt;b.0.G_J</td><td>2.5 J/m\u00b2</td>"), std::string::npos);
+  EXPECT_NE(text.find("<td>external_work</td><td>4 J</td>"), std::string::npos);
   EXPECT_EQ(text.find("Other.x"), std::string::npos);
   EXPECT_EQ(occurrences(text, "<svg"), 2u);
   // G from 0 to 2.5 in half of the width: from the lower left to the middle of the top.
@@ -120,8 +120,10 @@ TEST(WatchPage, EndsWithTheRun)
   page.finish("");
   EXPECT_EQ(run.text().find("refresh"), std::string::npos);
   EXPECT_NE(run.text().find("The run has ended."), std::string::npos);
+  EXPECT_NE(run.text().find("width:100%"), std::string::npos) << "ended at half of Final Time";
   page.finish("an unstable step: v > c");
   EXPECT_NE(run.text().find("class=\"fault\">an unstable step: v &gt; c"), std::string::npos);
+  EXPECT_NE(run.text().find("width:50%"), std::string::npos);
 }
 
 /// A run that continues has the history up to its checkpoint.
@@ -134,7 +136,7 @@ TEST(WatchPage, BeginsWithTheHistoryOfARunThatContinues)
       history.write(k, rowOf(k));
   }
   const WatchPage page(run.folder.path(), "scene.xml", run.progress, run.clock());
-  EXPECT_NE(run.text().find("<td>A&lt;b.0.G_J</td><td>3</td>"), std::string::npos);
+  EXPECT_NE(run.text().find("<td>A&lt;b.0.G_J</td><td>3 J/m\u00b2</td>"), std::string::npos);
   EXPECT_EQ(occurrences(run.text(), "<svg"), 2u);
 }
 
