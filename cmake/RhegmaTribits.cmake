@@ -18,7 +18,7 @@ tribits_include_directories(${RHEGMA_ROOT}/src ${RHEGMA_ROOT}/packages)
 tribits_add_library(rhegma SOURCES ${RHEGMA_SOURCES} NOINSTALLHEADERS
   IMPORTEDLIBS hdf5::hdf5 ZLIB::ZLIB nlohmann_json::nlohmann_json muparser::muparser Rhegma::Udunits
   ${RHEGMA_MUMPS_TARGET})
-tribits_add_executable(rhegma_program NOEXEPREFIX NOEXESUFFIX SOURCES ${RHEGMA_ROOT}/src/main.cpp INSTALLABLE)
+tribits_add_executable(rhegma_program NOEXEPREFIX NOEXESUFFIX SOURCES ${RHEGMA_PROGRAM_SOURCES} INSTALLABLE)
 if(TARGET rhegma_program) # Trilinos leaves it out where it is told to make no executables
   set_target_properties(rhegma_program PROPERTIES OUTPUT_NAME rhegma)
   rhegma_compile_options(rhegma_program)

@@ -30,7 +30,7 @@ def folder_of(path):
     if parts[0] == "packages":
         return EFFECT + parts[1]
     if len(parts) == 2:
-        return "program" if parts[1] == "main.cpp" else "library"
+        return "program" if parts[1] in ("main.cpp", "LargeAllocations.cpp") else "library"
     return parts[1]
 
 
