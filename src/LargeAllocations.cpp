@@ -14,10 +14,11 @@
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
 
+#include <malloc.h>
 #include <sys/mman.h>
 
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" void* __libc_memalign(std::size_t alignment, std::size_t size);
+// The name under which the C library has its malloc for those that replace it.
+extern "C" void* __libc_malloc(std::size_t size); // NOLINT(bugprone-reserved-identifier)
 
 namespace
 {
@@ -42,7 +43,7 @@ extern "C" void* malloc(std::size_t size) noexcept
 {
   if (size < large || !isOn())
     return __libc_malloc(size);
-  void* const memory = __libc_memalign(hugePage, size);
+  void* const memory = memalign(hugePage, size);
   const int error = errno;
   if (memory != nullptr)
     (void)madvise(memory, size, MADV_HUGEPAGE); // an older kernel has none: the memory is as good
