@@ -178,8 +178,12 @@ std::vector<Watched> readExtremes(const State<D>& state, const Teuchos::Paramete
     const Teuchos::ParameterList& entry = list.sublist(name);
     Watched watched{name, entry.get<std::string>("Field"), -1};
     if (const std::string why = whyNot(state, watched.field); !why.empty())
-      throw std::invalid_argument("Measure > Extremes > " + name + " > Field = " + watched.field + ": " +
-                                  why);
+      throw std::invalid_argument(std::string("Measure > Extremes > ")
+                                      .append(name)
+                                      .append(" > Field = ")
+                                      .append(watched.field)
+                                      .append(": ")
+                                      .append(why));
     if (entry.isParameter("Body"))
     {
       const std::string body = entry.get<std::string>("Body");
