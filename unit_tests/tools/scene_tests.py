@@ -1,7 +1,9 @@
 """Tests of rhegma-plot --scene: what the picture of a scene shows before any run, by the program's own state of it."""
 
+import json
 import os
 import random
+import subprocess
 import unittest
 
 from tool import ToolTest, picture_size, run  # first, as it finds the Python for all others
@@ -15,7 +17,7 @@ from rhegma_tools import scene_panel, style
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.scene_outlines import outlines_of
 from rhegma_tools.scene_picture import Drawing, flat_figure, list_lines, spatial_figure, summary_line
-from rhegma_tools.scene_state import state_of
+from rhegma_tools.scene_state import attempts, state_of
 from rhegma_tools.scene_symbols import Arrows, Nodes, Plane, peak
 from rhegma_tools.scene_values import Scene
 
@@ -300,6 +302,21 @@ class SceneDrawn(ToolTest):
         values["Reference"] = {"Load": {"Quantity": "propagation.initiation.load_factor", "Value": 1.0, "Tolerance": 0.1, "Source": "made up"}}
         drawing = self.drawing(values)
         np.testing.assert_allclose(drawing.fronts[0], [0.01, 0.015, 0.0], atol=1e-9)
+
+    def test_cells_that_accuracy_chooses_are_those_of_the_analysis(self):
+        """The copy of the scene that is drawn has its analysis, not that of motion, for which Accuracy may choose other cells."""
+        values = plate(0.06, 0.012, 1e-3, [0, 0.006, 0.03, 0.006],
+                       {"Up": {"Type": "Traction", "Body": "Plate", "From": [0.005, 0.012], "To": [0, 0.012], "Stress": [0, 1e5]},
+                        "Down": {"Type": "Traction", "Body": "Plate", "From": [0, 0], "To": [0.005, 0], "Stress": [0, -1e5]}}, **{"Energy Release": {}})
+        values["Time"].update({"Analysis": "Static", "Rigid Modes": "Remove"})
+        self.assertNotIn("Static", next(attempts(Scene(self.write("given.xml", xml(values))))))
+        del values["Domain"]["Cell Size"]
+        values["Domain"]["Accuracy"] = "3 %"
+        scene = Scene(self.write("chosen.xml", xml(values)))
+        self.assertIn("Static", next(attempts(scene)))
+        subprocess.run([PROGRAM, scene.path, "--output", self.path("out"), "--quiet"], check=True)
+        with open(self.path("out", "summary.json"), encoding="utf-8") as file:
+            self.assertEqual(state_of(scene, PROGRAM).summary["cells"], json.load(file)["cells"])
 
     def test_a_wrong_scene_gives_the_message_of_the_program(self):
         values = plate(0.03, 0.03, 1e-3, [0, 0.015, 0.01, 0.015], {"Top": {"Type": "Gravity", "Acceleration": [0, -9.81]}})
