@@ -330,7 +330,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   const Options options = readOptions(scene, run);
   const auto samples = std::make_shared<Samples<D>>();
   samples->loads = readLoads(scene);
-  samples->reached = ToughnessReached(options.toughness);
+  samples->reached = ToughnessReached(options.toughness, mirrorPlanes(scene));
   const auto driving = std::make_shared<DrivingForces<D>>();
   const auto work = std::make_shared<SampleWork<D>>();
   Effect<D> effect;
@@ -368,14 +368,14 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     reportSamples(state, options, *samples, summary);
-    const double factor = samples->reached.report(state, run, summary);
+    const ToughnessReached::Factors start = samples->reached.report(state, run, summary);
+    reportYield(state, samples->last, start, summary);
     addAnswersOfHeldFronts(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);
     for (const auto& warnings :
          {warningsOfNegativeRelease(state, samples->last, samples->time, samples->largest.ever()),
-          warningsOfDisagreement(state, samples->last, samples->time),
-          warningsOfYield(state, samples->last, factor)})
+          warningsOfDisagreement(state, samples->last, samples->time)})
       for (const std::string& warning : warnings)
         summary["warnings"].push_back(warning);
   };

@@ -23,15 +23,25 @@ double hoopIntensity(double release, double modeI, double modeII)
   return std::sqrt(std::max(release, 0.0)) / hoopStressLoad(hoopStressAngle(std::max(modeI, 0.0), modeII));
 }
 
+constexpr double leastEffect = 1.005; ///< on a load that is worth a word
+
 /// How close a front came to its start, as text.
 std::string reachedAsText(double release, double intensity, double toughness)
 {
-  constexpr double leastEffect = 1.005; // of shear that is worth a word
   std::string text =
       "G reached " + formatShort(release) + " of the toughness of " + formatShort(toughness) + " J/m2";
   if (intensity > leastEffect * std::sqrt(release))
     text += ", and K of the largest hoop stress " + formatShort(intensity) + " of that of the toughness";
   return text;
+}
+
+/// What nodes at the surface have, where it is more; else nothing.
+std::string surfaceAsText(double release, double atSurface)
+{
+  if (!(atSurface > leastEffect * leastEffect * release))
+    return {};
+  return ", without the nodes less than two cells from the surface, where G depends on the cells (" +
+         formatShort(atSurface) + ")";
 }
 
 /// Whether G is proportional to the square of all loads: one static solution of linear bodies without contact
@@ -55,6 +65,7 @@ void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<
   {
     if (!(toughness_ > 0.0) || sample.front.ended)
       continue;
+    const std::vector<char> atSurface = nodesAtSurface(state, sample.front, mirrors_);
     const Elasticity e = elasticity(state.materials.properties[materialAt(state, sample.front.position)]);
     for (std::size_t k = 0; k < sample.J.size(); ++k)
     {
@@ -64,7 +75,8 @@ void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<
       Reached& reached = reached_[{sample.front.crack, sample.front.number}];
       const double release =
           openingRelease(sample.J[k], sample.modeI[k], sample.modeII[k], modeIII, e) / toughness_;
-      reached.release = std::max(reached.release, release);
+      double& largest = atSurface[k] != 0 ? reached.atSurface : reached.release;
+      largest = std::max(largest, release);
       if (D == 2)
         reached.intensity =
             std::max(reached.intensity, hoopIntensity(release, sample.modeI[k], sample.modeII[k]));
@@ -73,10 +85,12 @@ void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<
 }
 
 template <int D>
-double ToughnessReached::report(const State<D>& state, const RunOptions& run, nlohmann::json& summary) const
+ToughnessReached::Factors ToughnessReached::report(const State<D>& state, const RunOptions& run,
+                                                   nlohmann::json& summary) const
 {
   if (!(toughness_ > 0.0))
-    return 1.0;
+    return {};
+  double mostAtSurface = 0.0;
   double most = 0.0; // largest root of G or K, over what the toughness allows
   for (const CrackFront<D>& front : state.cracks.fronts)
   {
@@ -86,38 +100,56 @@ double ToughnessReached::report(const State<D>& state, const RunOptions& run, nl
     entry["closest_to_initiation"] = known ? found->second.release : FrontSample<D>::notYet;
     if (D == 2)
       entry["closest_by_hoop_stress"] = known ? found->second.intensity : FrontSample<D>::notYet;
+    else
+      entry["closest_at_surface"] = known ? found->second.atSurface : FrontSample<D>::notYet;
     if (!known)
       continue;
-    const auto& [release, intensity] = found->second;
+    const auto& [release, atSurface, intensity] = found->second;
     most = std::max({most, std::sqrt(release), intensity});
+    mostAtSurface = std::max(mostAtSurface, std::sqrt(atSurface));
     summary["answers"].push_back(frontName(state.cracks, front) + ": " +
-                                 reachedAsText(release, intensity, toughness_));
+                                 reachedAsText(release, intensity, toughness_) +
+                                 surfaceAsText(release, atSurface));
   }
   const bool scales = isProportional(state, run) && most > 0.0;
+  // Static loads rise in proportion to the time.
+  const double part = state.clock.finalTime > 0.0 ? state.clock.time / state.clock.finalTime : 1.0;
   summary["start_of_growth"] = {{"toughness", toughness_},
-                                {"load_factor", scales ? 1.0 / most : FrontSample<D>::notYet}};
+                                {"load_factor", scales ? part / most : FrontSample<D>::notYet}};
   if (!scales)
-    return 1.0;
-  summary["answers"].push_back("cracks would start at " + formatShort(1.0 / most) +
-                               " times the loads and prescribed displacements of this scene");
-  return 1.0 / most;
+    return {};
+  if (D == 3)
+    summary["start_of_growth"]["load_factor_at_surface"] =
+        mostAtSurface > 0.0 ? part / mostAtSurface : FrontSample<D>::notYet;
+  summary["answers"].push_back(
+      "cracks would start at " + formatShort(part / most) +
+      " times the loads and prescribed displacements of this scene" +
+      (mostAtSurface > leastEffect * most ? " (at " + formatShort(part / mostAtSurface) +
+                                                " times them by the nodes at the surface, which are left out)"
+                                          : "") +
+      (part < 1.0 ? ", of which it applied " + formatShort(100.0 * part) + " %" : ""));
+  return {1.0 / most, part / most};
 }
 
 void ToughnessReached::serialize(Archive& archive)
 {
-  constexpr std::size_t width = 4;
+  constexpr std::size_t width = 5;
   std::vector<double> rows;
   for (const auto& [front, reached] : reached_)
-    rows.insert(rows.end(), {double(front.first), double(front.second), reached.release, reached.intensity});
+    rows.insert(rows.end(), {double(front.first), double(front.second), reached.release, reached.atSurface,
+                             reached.intensity});
   archive("closest_to_toughness", rows, width);
   reached_.clear();
   for (std::size_t k = 0; k + width <= rows.size(); k += width)
-    reached_[{static_cast<int>(rows[k]), static_cast<int>(rows[k + 1])}] = {rows[k + 2], rows[k + 3]};
+    reached_[{static_cast<int>(rows[k]), static_cast<int>(rows[k + 1])}] = {rows[k + 2], rows[k + 3],
+                                                                            rows[k + 4]};
 }
 
 template void ToughnessReached::add(const State<2>&, const std::vector<FrontSample<2>>&);
 template void ToughnessReached::add(const State<3>&, const std::vector<FrontSample<3>>&);
-template double ToughnessReached::report(const State<2>&, const RunOptions&, nlohmann::json&) const;
-template double ToughnessReached::report(const State<3>&, const RunOptions&, nlohmann::json&) const;
+template ToughnessReached::Factors ToughnessReached::report(const State<2>&, const RunOptions&,
+                                                            nlohmann::json&) const;
+template ToughnessReached::Factors ToughnessReached::report(const State<3>&, const RunOptions&,
+                                                            nlohmann::json&) const;
 
 } // namespace Rhegma::energy_release

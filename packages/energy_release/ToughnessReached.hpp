@@ -2,6 +2,7 @@
 /// How close cracks that do not grow come to a toughness.
 
 #include "energy_release/FrontSample.hpp"
+#include "energy_release/SurfaceNodes.hpp"
 #include "plan/RunOptions.hpp"
 #include "state/State.hpp"
 
@@ -14,23 +15,35 @@ namespace Rhegma::energy_release
 
 /// Compares the energy release rate of all samples with a toughness, node by node along fronts, and in 2D K
 /// of the largest hoop stress with that of the toughness, sqrt(E' Gc) (Erdogan and Sih, J. Basic Eng. 85
-/// (1963) 519). A mode I that closes faces drives no crack. Values at nodes without G are left out.
+/// (1963) 519). A mode I that closes faces drives no crack. Values at nodes without G are left out, and those
+/// of nodes at the surface of the body are kept apart.
 class ToughnessReached
 {
 public:
   ToughnessReached() = default;
   /// \param toughness [J/m2]; 0: there is none
-  explicit ToughnessReached(double toughness) : toughness_(toughness) {}
+  ToughnessReached(double toughness, std::vector<MirrorPlane> mirrors)
+      : toughness_(toughness), mirrors_(std::move(mirrors))
+  {
+  }
 
   /// \param samples of all fronts at one time
   template <int D>
   void add(const State<D>& state, const std::vector<FrontSample<D>>& samples);
 
-  /// Adds `closest_to_initiation` to the entries of fronts, in 2D also `closest_by_hoop_stress`, an answer
-  /// for each front, and the entry `start_of_growth`. \return the factor on all loads at which the first
-  /// crack starts; 1 where loads and G are in no fixed proportion, or no front has G
+  /// The factors at which the first crack starts; 1 where loads and G are in no fixed proportion, or no front
+  /// has G.
+  struct Factors
+  {
+    double ofNow = 1.0;   ///< on what acts at the end of the run
+    double ofScene = 1.0; ///< on the loads of the scene: a static run that ends early has a part of them
+  };
+
+  /// Adds `closest_to_initiation` to the entries of fronts, in 2D also `closest_by_hoop_stress`, in 3D
+  /// `closest_at_surface`, an answer for each front, and the entry `start_of_growth`, its `load_factor`
+  /// without nodes at the surface.
   template <int D>
-  double report(const State<D>& state, const RunOptions& run, nlohmann::json& summary) const;
+  Factors report(const State<D>& state, const RunOptions& run, nlohmann::json& summary) const;
 
   /// Saves or loads what was reached.
   void serialize(Archive& archive);
@@ -39,9 +52,11 @@ private:
   struct Reached
   {
     double release = 0.0;   ///< largest G over the toughness
+    double atSurface = 0.0; ///< the same of nodes at the surface of the body
     double intensity = 0.0; ///< largest K of the largest hoop stress over that of the toughness; 0 in 3D
   };
   double toughness_ = 0.0;
+  std::vector<MirrorPlane> mirrors_;
   std::map<std::pair<int, int>, Reached> reached_; ///< by crack and number of the front
 };
 

@@ -68,9 +68,10 @@ std::vector<YieldedPart<D>> yieldedHere(const State<D>& state, const std::vector
     Vector<D> at;
     for (int d = 0; d < D; ++d)
       at[d] = x(p, d);
-    if (!(stress > yield[body(p)]) || isAtFront(samples, at))
+    const bool yields = stress > yield[body(p)];
+    if (!(yields || stress > part.largest) || isAtFront(samples, at))
       continue;
-    part.volume += volume(p);
+    part.volume += yields ? volume(p) : 0.0;
     if (stress > part.largest)
     {
       part.largest = stress;
@@ -95,55 +96,88 @@ YieldedPart<D> onAllRanks(const State<D>& state, YieldedPart<D> part)
   return part;
 }
 
-} // namespace
-
 template <int D>
-std::vector<std::string> warningsOfYield(const State<D>& state, const std::vector<FrontSample<D>>& samples,
-                                         double factor)
+std::string positionAsText(const Vector<D>& x)
 {
-  const std::string loads =
-      factor == 1.0 ? "at the end"
-                    : "at " + formatShort(factor) + " times the loads, at which the cracks start,";
-  constexpr double least = 1e-3; // of the volume
-  std::vector<std::string> warnings;
+  std::string text;
+  for (int d = 0; d < D; ++d)
+  {
+    text += d == 0 ? "" : ", ";
+    text += formatShort(x[d]);
+  }
+  return text + " m";
+}
+
+/// Yield stresses of the bodies with a linear law; 0 where there is none.
+template <int D>
+std::vector<double> yieldOfBodies(const State<D>& state)
+{
   std::vector<double> yield;
   for (const auto& body : state.bodies.info)
   {
     const Properties& material = state.materials.properties[body.material];
     yield.push_back(material.law == lawIndex<LinearElastic> ? firstYield(material) : 0.0);
   }
+  return yield;
+}
+
+/// Where a body begins to yield. \param loads for which the stresses are, as text
+template <int D>
+std::string beginAsText(const std::string& body, const YieldedPart<D>& part, double yield,
+                        const ToughnessReached::Factors& start, const std::string& loads)
+{
+  const bool scales = start.ofNow != 1.0 || start.ofScene != 1.0;
+  return "Bodies > " + body + ": the largest von Mises stress outside of the contours of the fronts is " +
+         formatShort(part.largest) + " Pa " + loads + ", at " + positionAsText<D>(part.at) + ": " +
+         (scales
+              ? "yield (" + formatShort(yield) + " Pa) begins there at " +
+                    formatShort(start.ofScene * yield / part.largest) + " times the loads"
+              : formatShort(part.largest / yield) + " of the yield stress of " + formatShort(yield) + " Pa");
+}
+
+} // namespace
+
+template <int D>
+void reportYield(const State<D>& state, const std::vector<FrontSample<D>>& samples,
+                 const ToughnessReached::Factors& start, nlohmann::json& summary)
+{
+  const bool scales = start.ofNow != 1.0 || start.ofScene != 1.0;
+  const std::string loads =
+      scales ? "at " + formatShort(start.ofScene) + " times the loads, at which the cracks start"
+             : "at the end";
+  constexpr double least = 1e-3; // of the volume
+  const std::vector<double> yield = yieldOfBodies(state);
   if (!state.method.mechanics || state.clock.step == 0 ||
       std::none_of(yield.begin(), yield.end(), [](double y) { return y > 0.0; }))
-    return warnings;
-  const std::vector<YieldedPart<D>> here = yieldedHere(state, samples, factor, yield);
+    return;
+  const std::vector<YieldedPart<D>> here = yieldedHere(state, samples, start.ofNow, yield);
   for (std::size_t b = 0; b < yield.size(); ++b)
   {
     const YieldedPart<D> part = onAllRanks(state, here[b]);
-    if (!(part.volume > least * part.all))
-      continue;
     const auto& body = state.bodies.info[b];
-    std::string at;
-    for (int d = 0; d < D; ++d)
+    if (!(part.largest > 0.0))
+      continue;
+    if (!(part.volume > least * part.all))
     {
-      at += d == 0 ? "" : ", ";
-      at += formatShort(part.at[d]);
+      summary["answers"].push_back(beginAsText(body.name, part, yield[b], start, loads));
+      continue;
     }
     std::ostringstream text;
     text << "Materials > " << state.materials.names[body.material] << " > Yield Stress is "
-         << formatShort(yield[b]) << " Pa, and " << loads << " the von Mises stress is larger in "
+         << formatShort(yield[b]) << " Pa, and " << loads << ", the von Mises stress is larger in "
          << formatShort(100.0 * part.volume / part.all) << " % of Bodies > " << body.name
-         << " outside of the contours of the fronts, at most " << formatShort(part.largest) << " Pa at " << at
-         << " m: the part yields there, which its law, Linear Elastic, leaves out; use a smaller load, or "
+         << " outside of the contours of the fronts, at most " << formatShort(part.largest) << " Pa at "
+         << positionAsText<D>(part.at)
+         << ": the part yields there, which its law, Linear Elastic, leaves out; use a smaller load, or "
             "Model = "
             "J2 Plastic";
-    warnings.push_back(text.str());
+    summary["warnings"].push_back(text.str());
   }
-  return warnings;
 }
 
-template std::vector<std::string> warningsOfYield(const State<2>&, const std::vector<FrontSample<2>>&,
-                                                  double);
-template std::vector<std::string> warningsOfYield(const State<3>&, const std::vector<FrontSample<3>>&,
-                                                  double);
+template void reportYield(const State<2>&, const std::vector<FrontSample<2>>&,
+                          const ToughnessReached::Factors&, nlohmann::json&);
+template void reportYield(const State<3>&, const std::vector<FrontSample<3>>&,
+                          const ToughnessReached::Factors&, nlohmann::json&);
 
 } // namespace Rhegma::energy_release

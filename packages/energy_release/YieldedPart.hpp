@@ -2,19 +2,21 @@
 /// Where a linear law does not see that its material yields.
 
 #include "energy_release/FrontSample.hpp"
+#include "energy_release/ToughnessReached.hpp"
 #include "state/State.hpp"
 
-#include <string>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace Rhegma::energy_release
 {
 
-/// A warning for each body with a linear law and a known yield stress, of which more than a thousandth has a
-/// larger von Mises stress. Particles within the contours of the fronts are left out: there the stress of any
-/// crack is singular. Collective. \param factor on all loads and stresses; 1: as they are at the end
+/// For each body with a linear law and a known yield stress, the largest von Mises stress as an answer, or as
+/// a warning where more than a thousandth of the body has more than the yield stress. Particles within the
+/// contours of the fronts are left out: there the stress of any crack is singular. Collective.
+/// \param start at which stresses are judged
 template <int D>
-std::vector<std::string> warningsOfYield(const State<D>& state, const std::vector<FrontSample<D>>& samples,
-                                         double factor);
+void reportYield(const State<D>& state, const std::vector<FrontSample<D>>& samples,
+                 const ToughnessReached::Factors& start, nlohmann::json& summary);
 
 } // namespace Rhegma::energy_release

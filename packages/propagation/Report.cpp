@@ -249,6 +249,12 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
       summary["ended_by"] = name + (D == 2 ? " " : ": ") + fateAsText(front, own, end) + adviceAtStop;
   }
   reportEnergy(state, required, summary);
+  const auto& all = state.cracks.fronts;
+  if (options.equilibrium && state.clock.time < state.clock.finalTime && !all.empty() &&
+      std::all_of(all.begin(), all.end(),
+                  [](const CrackFront<D>& front) { return front.ended || front.stopped(); }))
+    summary["answers"].push_back("no front is left that can advance: the analysis ends at t = " +
+                                 readableTime(state.clock.time) + ", before Time > Final Time");
 }
 
 void reportToughness(const Options& options, nlohmann::json& summary)

@@ -22,6 +22,11 @@ constexpr double roundingOfSums = 16.0 * std::numeric_limits<double>::epsilon();
 
 constexpr int mostHalvings = 6;
 
+/// Fraction of the slope of the energy along a change, in its place, below which the change is as good as one
+/// that lowers the residual. A part that bends stretches at first, by forces that are far larger than those
+/// that bend it: a limit for them allows a tenth of the change in each iteration.
+constexpr double leastFall = 0.5;
+
 /// The first iteration of a body on its yield surface takes it as elastic, and may increase the residual. So
 /// may those of a free body under compression, until secants are known.
 constexpr double mostRiseAtFirst = 4.0;
@@ -242,10 +247,22 @@ double NewtonStep<D>::norm(const Values& r, bool held) const
 }
 
 template <int D>
+double NewtonStep<D>::slopeAlong(const Values& change) const
+{
+  double sum = 0.0;
+  for (int k = 0; k < D * graph_.rows; ++k)
+    if (held_.is[k] == 0 && owners_.owns(k / D))
+      sum += residual_(k) * change(k);
+  return owners_.ranks().sum(sum);
+}
+
+template <int D>
 bool NewtonStep<D>::search(const State<D>& state, const Values& change, double before, double enough)
 {
   const Values start("rhegma::equilibrium::start", displacement_.extent(0));
   Kokkos::deep_copy(start, displacement_);
+  const bool hasEnergy = !resistances_.haveBranches() && !state.particles.has(fields::history);
+  const double slope = hasEnergy && std::isfinite(before) ? slopeAlong(change) : 0.0;
   double fraction = 1.0;
   for (int k = 0; k <= mostHalvings; ++k, fraction *= 0.5)
   {
@@ -254,7 +271,7 @@ bool NewtonStep<D>::search(const State<D>& state, const Values& change, double b
     if (!residual(state, displacement_, residual_))
       continue;
     const double now = norm(residual_, false);
-    if (now < before || now <= enough)
+    if (now < before || now <= enough || (slope > 0.0 && std::fabs(slopeAlong(change)) < leastFall * slope))
       return true;
   }
   Kokkos::deep_copy(displacement_, start);

@@ -168,7 +168,10 @@ private:
   double norm(const Values& r, bool held) const;
   /// The change of all unknowns for the present residual. \param keeps the stiffness of the last call
   LinearAnswer solveLinear(const State<D>& state, const LinearGoal& goal, bool keeps, const Values& change);
-  /// Moves along the change, halving it until the residual falls. \return false where it does not
+  /// Minus the slope of the energy along a change of what is free [J]: the work of the residual.
+  double slopeAlong(const Values& change) const;
+  /// Moves along the change, halving it until the residual falls or, where the forces have an energy, its
+  /// slope does. \return false where neither does
   bool search(const State<D>& state, const Values& change, double before, double enough);
   /// The same with secants, unless `mixing` is null; along the change itself where they lead nowhere.
   bool searchWith(SecantMixing* mixing, const State<D>& state, const Values& change, double before,

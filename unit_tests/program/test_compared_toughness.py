@@ -104,6 +104,11 @@ class ComparedToughness(ProgramTest):
             _, summary = self.run_scene(scene)
             said = [warning for warning in summary["warnings"] if "the part yields there" in warning]
             self.assertEqual(len(said), int(warns), summary["warnings"])
+            begin = re.search(r"largest von Mises stress outside of the contours of the fronts is ([\d.e+-]+) Pa at .* begins there at ([\d.e+-]+) times",
+                              " ".join(summary["answers"]))
+            self.assertEqual(begin is None, warns, summary["answers"])
+            if begin:
+                self.assertAlmostEqual(float(begin.group(2)) * float(begin.group(1)) / (20.0 * factor * PULL * factor), 1.0, delta=2e-3)
             self.assertAlmostEqual(summary["start_of_growth"]["load_factor"], factor, delta=1e-12 * factor)
         # Far from the crack the stress is that of the load.
         scene = strip(self.crack, {"Toughness": 500.0}, material={"Yield Stress": 0.8 * factor * PULL})
@@ -123,6 +128,58 @@ class ComparedToughness(ProgramTest):
         self.assertGreater(front["G_J_max"], 1.0001 * front["G_J"])
         self.assertAlmostEqual(0.5 * front["closest_to_initiation"], front["G_J_max"], delta=1e-9 * front["G_J_max"])
         self.assertAlmostEqual(summary["start_of_growth"]["load_factor"], math.sqrt(0.5 / front["G_J_max"]), delta=1e-9)
+
+    def test_front_that_meets_the_surface(self):
+        """A half-round flaw in a face of a block: nodes less than two cells from the face are left out and named; at a plane of symmetry, through the
+        middle of the flaw, nodes stay."""
+        cell, radius = 1e-3, 4e-3
+        middle = [self.draw.uniform(-0.3, 0.3) * cell for _ in range(2)]
+        block = {"Material": "Polymer", "Shape": "Box", "Lower Corner": [-0.012, 0.0, -0.012], "Upper Corner": [0.012, 0.012, 0.012]}
+        pull = {name: {"Type": "Traction", "Body": "Block", "Corner": [-0.012, 0.0, z], "Edge 1": [0.024, 0.0, 0.0], "Edge 2": [0.0, 0.012, 0.0],
+                       "Stress": [0.0, 0.0, sign * 1e6]} for name, z, sign in (("Top", 0.012, 1.0), ("Bottom", -0.012, -1.0))}
+        for halved in (False, True):
+            scene = strip(self.crack, {"Toughness": 30.0}).set("Bodies", {"Block": block}).set("Boundaries", pull)
+            scene.set("Domain", {"Dimension": 3, "Lower Corner": [-0.015] * 3, "Upper Corner": [0.015] * 3, "Cell Size": cell})
+            scene.set("Cracks", {"Flaw": {"Centre": [middle[0], 0.0, middle[1]], "Normal": [0.0, 0.0, 1.0], "Radius": radius}})
+            if halved:
+                scene.set("Domain > Lower Corner", [middle[0], -0.015, -0.015]).set("Bodies > Block > Lower Corner", [middle[0], 0.0, -0.012])
+                scene.set("Domain > Upper Corner", [middle[0] + 0.03, 0.015, 0.015])
+                scene.set("Boundaries > Middle", {"Type": "Symmetry", "Axis": "x", "Position": middle[0]})
+                for name in pull:
+                    scene.set(f"Boundaries > {name} > Corner", [middle[0], 0.0, pull[name]["Corner"][2]])
+                    scene.set(f"Boundaries > {name} > Edge 1", [0.012 - middle[0], 0.0, 0.0])
+            _, summary = self.run_scene(scene, out=f"halved_{halved}")
+            front = summary["cracks"][0]["fronts"][0]
+            nodes = front["front_nodes"]
+            length = max(nodes["arc_length"])
+            depths = [point[1] for point in nodes["position"]]
+            self.assertLess(min(depths), 0.5 * cell)
+            surfaces = [arc for arc, depth in zip(nodes["arc_length"], depths) if depth < 0.6 * cell]  # ends that are not at the plane
+            near = [min(abs(arc - end) for end in surfaces) < 2.0 * cell for arc in nodes["arc_length"]]
+            self.assertTrue(any(near) and not all(near))
+            self.assertFalse(halved and near[depths.index(max(depths))], "the deepest node is at the plane of symmetry")
+            inside, at_surface = (max(J for J, is_near in zip(nodes["G_J"], near) if is_near == which and J is not None) for which in (False, True))
+            print(f"halved {halved}: {len(near)} nodes on {1e3 * length:.2f} mm, G {inside:.3f} inside, {at_surface:.3f} at the surface")
+            start = summary["start_of_growth"]
+            # Modes II and III are rounding here, mode I opens: G is that which drives the crack.
+            self.assertAlmostEqual(30.0 * front["closest_to_initiation"], inside, delta=1e-3 * inside)
+            self.assertAlmostEqual(30.0 * front["closest_at_surface"], at_surface, delta=1e-3 * at_surface)
+            self.assertAlmostEqual(start["load_factor"], math.sqrt(30.0 / inside), delta=1e-3 * start["load_factor"])
+            self.assertAlmostEqual(start["load_factor_at_surface"], math.sqrt(30.0 / at_surface), delta=1e-3 * start["load_factor"])
+            named = any("nodes at the surface, which are left out" in answer for answer in summary["answers"])
+            self.assertEqual(named, math.sqrt(at_surface / inside) > 1.005)
+
+    def test_a_run_that_stops_early(self):
+        """At half of the loads, or all of them: the factor is that on the loads of the scene."""
+        scene = strip(self.crack, {"Toughness": 500.0}).set("Time > Load Steps", 4).set("Materials > Polymer > Yield Stress", 20.0 * PULL)
+        _, whole = self.run_scene(scene)
+        _, part = self.run_scene(scene.set("Time > Maximum Steps", 2), out="part")
+        self.assertEqual((part["time"], whole["time"]), (0.5 * whole["time"], 2.0 * part["time"]))
+        factors = [summary["start_of_growth"]["load_factor"] for summary in (whole, part)]
+        self.assertAlmostEqual(factors[1] / factors[0], 1.0, delta=10.0 * PULL / 3e9)  # strains
+        self.assertTrue(any("of which it applied 50 %" in answer for answer in part["answers"]), part["answers"])
+        begin = [re.search(r"begins there at ([\d.e+-]+) times the loads", " ".join(summary["answers"])) for summary in (whole, part)]
+        self.assertAlmostEqual(float(begin[1].group(1)) / float(begin[0].group(1)), 1.0, delta=2e-3)  # four digits
 
     def test_wrong_sections(self):
         scene = strip(self.crack, {"Toughness": 500.0}, Analysis="Quasi-Static")
