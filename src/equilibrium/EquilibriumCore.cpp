@@ -221,6 +221,24 @@ void reportToLoop(const StepReport& report, const NewtonStep<D>& step, LastStep&
   last.reason = report.reason;
 }
 
+/// Whether a part bends by so much in one step that its work, taken as if forces rose in proportion to the
+/// displacement, and the directions in which its particles move are wrong by more than some thousandths: a
+/// bar of four cells whose end moves by a tenth of its length, 10 cells, in one step stores 0.5 % too much
+/// energy, with the error in proportion to the square of the step.
+template <int D>
+bool bendsTooFar(const StepReport& report, const NewtonStep<D>& step, const State<D>& state, LastStep& last)
+{
+  constexpr double mostCells = 2.0, leastPart = 1.0 / 64.0;
+  last.shorter = 0.5;
+  if (!report.bends || last.trial || last.inPlace || state.method.analysis == Analysis::LoadFactor)
+    return false;
+  const double motion = largestMotion(step, state);
+  if (!(motion > mostCells))
+    return false;
+  last.shorter = std::clamp(0.9 * mostCells / motion, leastPart, 0.5);
+  return true;
+}
+
 template <int D>
 void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 {
@@ -232,6 +250,8 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
       (solved->hasClippedStiffness() || (solved->hasClippedBoxes() && !report.unsolvable.empty())))
     report = solveOnce(state, account, last, Boxes::AsTheyAre, solved);
   const NewtonStep<D>& step = *solved;
+  // The loop tries again with a part of the loads.
+  report.converged = report.converged && !bendsTooFar(report, step, state, last);
   reportToLoop(report, step, last);
   account.iterations += last.iterations;
   account.linearIterations += report.linearIterations;

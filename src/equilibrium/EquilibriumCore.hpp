@@ -37,6 +37,7 @@ struct LastStep
   double matrixBytes = 0.0;
   double workOfSupports = 0.0; ///< over the step, this rank's part [J]
   double motion = 0.0;         ///< largest displacement of a node over the step [smallest cells]
+  double shorter = 0.5;        ///< part of a step that was not solved with which to try again
 };
 
 /// The calls of a step of equilibrium: the nodes' displacement over the step is solved for by Newton's method

@@ -407,6 +407,7 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int
       break;
     }
     const double left = norm(residual_, false);
+    report.bends = report.bends || left > std::max(bound, forceTolerance * forces);
     ofStiffness = std::min(mostLinearFraction, linearFractionOfStiffness * left / (moved ? forces : now));
     keeps = keepsStiffness(moved ? forces : now, left, forces);
     moved = !supportsAreInPlace();

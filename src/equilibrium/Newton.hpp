@@ -32,6 +32,7 @@ constexpr double roundingOfForces = 1e-6;
 struct StepReport
 {
   bool converged = false;
+  bool bends = false;            ///< whether the residual rose on the way, as that of a part that bends does
   std::vector<double> residuals; ///< before each iteration and after the last, as fractions of the forces
   int linearIterations = 0;      ///< of all linear solves
   std::optional<int> negativeEigenvalues{}; ///< of the last matrix (LinearAnswer)

@@ -123,7 +123,7 @@ void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& 
 template <int D>
 void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
 {
-  for (double dt = steps_.next;; dt = 0.5 * std::min(dt, left))
+  for (double dt = steps_.next;; dt = last_->shorter * std::min(dt, left))
   {
     state.clock.dt = dt >= left ? left : 2.0 * dt > left ? 0.5 * left : dt;
     runStages(plan, state, {Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
