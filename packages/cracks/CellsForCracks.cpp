@@ -137,6 +137,10 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
   return found;
 }
 
+/// Part of the radius of a crack that breaks the surface: where its rim is less deep, the nearest surface is
+/// the one that it breaks.
+constexpr double clearDepth = 0.3;
+
 /// Some positions in order round a crack, of a polygon all corners.
 struct Rim
 {
@@ -188,12 +192,21 @@ Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
 {
   Lengths found;
   found.inside = bodies.contain(rim.middle);
+  const bool breaks = std::any_of(rim.points.begin(), rim.points.end(),
+                                  [&](const Vector<3>& x) { return !bodies.contain(x); });
+  const Vector<3> across = cross(rim.points[0] - rim.middle, rim.points[rim.points.size() / 4] - rim.middle);
   const auto probe = [&](const Vector<3>& position)
   {
     const double depth = bodies.depth(position);
     found.inside = found.inside || depth > 0.0;
-    if (depth > breakingDepth * rim.radius)
+    if (!breaks && depth > breakingDepth * rim.radius)
       found.front(depth);
+    if (!breaks || !(depth > clearDepth * rim.radius))
+      return;
+    const Vector<3> out = position - rim.middle;
+    for (const Vector<3>& to : {out, across, -1.0 * across})
+      if (const double size = norm(to); size > 0.0)
+        found.front(bodies.reach(position, (1.0 / size) * to, bodies.extent()));
   };
   for (const Vector<3>& position : rim.points)
     probe(position);

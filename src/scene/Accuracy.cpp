@@ -212,7 +212,7 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   const double atFront = cellAtFronts(needs, rule);
   const double around = needs.ahead < CellNeeds::none && !needs.running ? rule.aroundFront : 3.0;
   const bool mayRefine =
-      atRest && !needs.equal && (moves || needs.ahead < CellNeeds::none) &&
+      atRest && !needs.equal && (moves || needs.ahead < CellNeeds::none || dimensionOf(read) == 3) &&
       std::any_of(schema.effects().begin(), schema.effects().end(),
                   [](const auto& entry) { return static_cast<bool>(entry.second.cells.refine); });
   double least = atRest ? atFront : cell; // of the smallest cells
