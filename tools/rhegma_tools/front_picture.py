@@ -6,7 +6,8 @@ from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 from . import style
 from .answers import is_number
 from .deformation import crack_normals
-from .history_picture import finite_maximum, initiation_toughness, legend, widen
+from .history_picture import initiation_toughness
+from .panel_lines import finite_maximum, legend, widen
 from .report_facts import all_fronts
 from .style import plt
 

@@ -5,33 +5,14 @@ import re
 import numpy as np
 
 from rhegma.problem import Problem
-from rhegma.summary import stopped_part
 
 from . import style
+from .growth_panels import draw_growth, draw_speed, growth
+from .heat_panels import ENERGIES, draw_energies, draw_temperatures, temperatures
+from .panel_lines import FEW, draw_ends, ends, finite_maximum, legend, widen, width
 from .style import plt
 
 METHODS = [("G_J", "J integral", "-"), ("G_closure", "crack closure", (0, (5, 1.5)))]
-ENERGIES = [
-    # Order of the energy balance; external work first, as the sum of the others.
-    ("external_work", "external work", "#000000"),
-    ("strain", "strain", "#0072B2"),
-    ("kinetic", "kinetic", "#D55E00"),
-    ("tools", "rigid tools", "#332288"),
-    ("damped", "damped", "#009E73"),
-    ("fracture", "fracture", "#CC79A7"),
-    ("contact", "contact", "#E69F00"),
-    ("plastic", "plastic", "#117733"),
-    ("heat", "heat supplied", "#CC3311"),
-    ("thermal", "thermal", "#882255"),
-    ("combustion", "combustion", "#56B4E9"),
-    ("merged", "merged", "#999933"),
-    ("stabilised", "stabilised", "#AA7755"),
-    ("filtered", "filtered", "#44AA99"),
-    ("residual", "residual", "#888888"),
-]
-SMALLEST_RANGE = 0.02  # of an axis of values, over their size
-SMALLEST_WARMING = 1.0e-4  # the same for temperatures, which are absolute: rises of a tenth of a kelvin are results
-FEW = 4  # fronts that can be distinguished in one panel; of more, the range and the mean are drawn
 
 
 def references(summary):
@@ -63,30 +44,6 @@ def release_rates(history):
     return found
 
 
-def finite_maximum(arrays):
-    values = np.concatenate([np.abs(np.asarray(a, dtype=float)).ravel() for a in arrays]) if arrays else np.zeros(1)
-    values = values[np.isfinite(values)]
-    return float(values.max()) if values.size else 0.0
-
-
-def width(i, count, thinnest=1.6):
-    """Of the i-th of some lines: the later the thinner, so that of lines on each other all can be seen."""
-    return thinnest + 1.6 * (count - 1 - i) / max(count - 1, 1)
-
-
-def legend(axes):
-    if axes.get_legend_handles_labels()[0]:  # of values that are all zero no line is drawn
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, handlelength=2.6)
-
-
-def widen(axes, fraction=SMALLEST_RANGE):
-    """Gives the axis of values a range of at least this fraction of their size, so that rounding is not drawn as a change."""
-    low, high = axes.get_ylim()
-    least = fraction * max(abs(low), abs(high))
-    if high - low < least:
-        axes.set_ylim(0.5 * (low + high - least), 0.5 * (low + high + least))
-
-
 def draw_references(axes, drawn, factor, unit):
     """One line for each value, with its tolerance as a band; several references may share a value."""
     for value, tolerance in sorted({(value, tolerance) for _, _, _, value, tolerance in drawn}):
@@ -96,32 +53,6 @@ def draw_references(axes, drawn, factor, unit):
             spread = abs(value) * tolerance * factor
             axes.axhspan(value * factor - spread, value * factor + spread, color="#000000", alpha=0.10, lw=0)
         axes.axhline(value * factor, color=style.INK, lw=1.0, ls=":", label=label)
-
-
-def ends(summary):
-    """[(crack's name, front, time [s], what became of it)] of the fronts that have run and run no more."""
-    found = []
-    for i, crack in enumerate((summary or {}).get("cracks", [])):
-        for j, front in enumerate(crack.get("fronts", [])):
-            time, how = front.get("last_advance"), [name for name in ("ended", "stopped") if front.get(name)]
-            if how[-1:] == ["stopped"]:
-                time, how = (front.get("stop") or {}).get("time", time), [stopped_part(front) + "stopped"]
-            if how and isinstance(time, (int, float)):
-                found.append((crack.get("name", str(i)), j, float(time), how[-1]))
-    return found
-
-
-def draw_ends(axes, found, factor):
-    """A line across the panel where a front met its end, red where it stopped numerically; of many fronts that ended the lines
-    have one name."""
-    for k, (crack, front, time, how) in enumerate(found):
-        stopped = how.endswith("stopped")
-        between = ":\n" if " nodes " in how else " "
-        name = f"{crack}, front {front}{between}{how}" + (" numerically" if stopped else "")
-        if len(found) > FEW and not stopped:
-            name = None if k else f"{len(found)} fronts ended"
-        colour, width_, dashes = (style.ALARM, 1.6, "-") if stopped else (style.INK, 1.0, (0, (1, 3)))
-        axes.axvline(time * factor, color=colour, lw=width_, ls=dashes, label=name)
 
 
 def initiation_toughness(summary):
@@ -247,45 +178,6 @@ def draw_pressures(axes, cracks, time):
         axes.plot(time, samples * factor, color=colour, label=name + (": mean" if along else ""))
     axes.set_title("Pressure in cracks")
     axes.set_ylabel(f"pressure [{unit}]")
-    widen(axes)
-    axes.margins(x=0)
-    legend(axes)
-
-
-def temperatures(history):
-    """[(what it is called, samples [K])] of probes and of fronts."""
-    found = []
-    for name, samples in history.column.items():
-        if name.endswith(".temperature") and np.isfinite(samples).any():
-            column = name[: -len(".temperature")]
-            crack, _, number = column.rpartition(".")
-            found.append((f"{crack}, front {number}" if (crack, number) in
-                          [(front[0], str(front[1])) for front in history.fronts] else column, samples))
-    return found
-
-
-def draw_temperatures(axes, columns, time):
-    for (name, samples), colour in zip(columns, style.COLOURS):
-        axes.plot(time, samples, color=colour, label=name)
-    axes.set_title("Temperature")
-    axes.set_ylabel("temperature [K]")
-    axes.ticklabel_format(axis="y", useOffset=False)
-    widen(axes, SMALLEST_WARMING)
-    axes.margins(x=0)
-    legend(axes)
-
-
-def draw_energies(axes, history, time):
-    present = [(name, label, colour) for name, label, colour in ENERGIES if name in history.column]
-    largest = finite_maximum([history.column[name] for name, _, _ in present])
-    factor, unit = style.scale(largest, "J")
-    for name, label, colour in present:
-        samples = history.column[name]
-        if finite_maximum([samples]) > 1.0e-6 * largest or name == "residual":  # what no eye can see is left out
-            axes.plot(time, samples * factor, color=colour, label=label,
-                      ls="-" if name != "residual" else ":", lw=1.6 if name != "residual" else 1.2)
-    axes.set_title("Energy")
-    axes.set_ylabel(f"energy [{unit}]")
     widen(axes)
     axes.margins(x=0)
     legend(axes)

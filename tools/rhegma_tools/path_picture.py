@@ -5,7 +5,8 @@ import re
 import numpy as np
 
 from . import style
-from .history_picture import finite_maximum, growth, legend, width
+from .growth_panels import growth
+from .panel_lines import finite_maximum, legend, width
 from .style import plt
 
 

@@ -2,7 +2,7 @@
 
 from . import style
 from .answers import is_number
-from .history_picture import areas, growth
+from .growth_panels import areas, growth
 from .report_facts import all_fronts, grown_by, largest_release, readable, short
 from .whole_folder import went_to_its_end
 

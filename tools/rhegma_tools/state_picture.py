@@ -3,8 +3,10 @@
 import numpy as np
 
 from . import style
-from .history_picture import ENERGIES, FEW, METHODS, error_estimate, finite_maximum, initiation_toughness, intensities, pressures
-from .history_picture import references, release_rates, temperatures
+from .heat_panels import ENERGIES, temperatures
+from .history_picture import METHODS, error_estimate, initiation_toughness, intensities, pressures
+from .history_picture import references, release_rates
+from .panel_lines import FEW, finite_maximum
 from .style import plt
 
 MOST = 40  # rows of the table, so that the picture stays readable

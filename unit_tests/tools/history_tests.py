@@ -9,8 +9,11 @@ import numpy as np
 
 from rhegma_tools import style
 from rhegma.history import read_history
-from rhegma_tools.history_picture import draw_energies, draw_growth, draw_history, draw_pressures, draw_release, draw_temperatures
-from rhegma_tools.history_picture import ends, error_estimate, growth, pressures, references, temperatures, widen
+from rhegma_tools.growth_panels import draw_growth, growth
+from rhegma_tools.heat_panels import draw_energies, draw_temperatures, temperatures
+from rhegma_tools.history_picture import draw_history, draw_pressures, draw_release
+from rhegma_tools.history_picture import error_estimate, pressures, references
+from rhegma_tools.panel_lines import ends, widen
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.state_picture import draw_group, draw_state, draw_table, groups_of
 from rhegma_tools.style import plt, scale
