@@ -5,6 +5,8 @@ import numpy as np
 from . import style
 from .panel_lines import draw_ends, ends, finite_maximum, legend, width
 
+STRETCHED = 0.01  # of its size: more than the strain of a body enlarges a crack that doesn't grow
+
 
 
 def growth(history, running=True):
@@ -21,6 +23,32 @@ def growth(history, running=True):
             if finite_maximum([length - start]) > 1.0e-9 * max(abs(start), 1.0e-12):
                 moved.append((front, length - start))
     return moved
+
+
+def grown_in_equilibrium(history):
+    """[(front, growth [m])] of the cracks that have grown where no front has a speed: new faces have taken fracture energy, and the crack's area
+    (3D) or its length (2D) has risen by more than a stretched crack's; of cracks that rose less, the one that rose the most."""
+    fracture = history.column.get("fracture")
+    if fracture is None or finite_maximum([fracture]) <= 0.0 or growth(history):
+        return []
+    rises = {}
+    for front in history.fronts:
+        size = history.column.get(f"{front[0]}.area", history.of_front(front, "length"))
+        known = np.zeros(0) if size is None else size[np.isfinite(size)]
+        if known.size and known[0] > 0.0 and known.max() > known[0]:
+            rises[front] = known.max() / known[0] - 1.0
+    chosen = [front for front, rise in rises.items() if rise > STRETCHED] or sorted(rises, key=rises.get)[-1:]
+    lengths = [(front, history.of_front(front, "length")) for front in chosen]
+    return [(front, np.full(len(history.time), np.nan) if length is None else length - length[np.isfinite(length)][:1].sum()) for front, length in lengths]
+
+
+def first_growth(history):
+    """(last time without, first time with) fracture energy of new faces [s] among the samples; None where there is none."""
+    fracture = history.column.get("fracture", np.zeros(len(history.time)))
+    found = np.flatnonzero(fracture > 0.0)
+    if not found.size:
+        return None
+    return (float(history.time[found[0] - 1]) if found[0] else None), float(history.time[found[0]])
 
 
 def areas(history, moved):

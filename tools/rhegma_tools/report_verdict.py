@@ -1,8 +1,10 @@
 """Whether a crack of a run has grown, as a line of text."""
 
+import numpy as np
+
 from . import style
 from .answers import is_number
-from .growth_panels import areas, growth
+from .growth_panels import areas, first_growth, grown_in_equilibrium, growth
 from .report_facts import all_fronts, grown_by, largest_release, readable, short
 from .whole_folder import went_to_its_end
 
@@ -38,14 +40,43 @@ def how_fast(front):
     return ""
 
 
-def growth_of(grown, count, in_equilibrium):
-    """By how much fronts grew and from when on. grown: [(crack, number, entry)]; count: of all fronts"""
+def motion_from(summary):
+    """The time at which an analysis of equilibrium went on as motion; None where it did not."""
+    found = (summary.get("propagation") or {}).get("motion_from")
+    return found["time"] if isinstance(found, dict) and is_number(found.get("time")) else None
+
+
+def since(entry, summary, first):
+    """From when on a front grew, as text. first: whether this front is the first"""
+    motion = motion_from(summary)
+    if "equilibrium" not in summary or (motion is not None and entry["initiated"] >= motion):
+        return f" from t = {readable(entry['initiated'], 's')} on{how_fast(entry)}"
+    start = (summary.get("propagation") or {}).get("initiation") or {}
+    if not first or not is_number(start.get("time")):
+        return f" from the load step to t = {readable(entry['initiated'], 's')} on"
+    step = f" (in the load step from {readable(start['from'], 's')} to {readable(start['to'], 's')})" if is_number(start.get("from")) and is_number(start.get("to")) else ""
+    return f" from about t = {readable(start['time'], 's')} on{step}"
+
+
+def unstable(summary):
+    """From when on growth under given loads in equilibrium is unstable, as text; empty where it is not."""
+    found = (summary.get("propagation") or {}).get("unstable_from")
+    if "equilibrium" not in summary or not isinstance(found, dict) or "load_factor" in found or not is_number(found.get("time")):
+        return ""
+    if motion_from(summary) is not None:
+        return f" The growth is unstable from t = {readable(motion_from(summary), 's')} on; from there on the run is dynamic."
+    return (f" The growth is unstable from the load step to t = {readable(found['time'], 's')} on: G rises as the crack grows under the same loads, "
+            "so in a real body it runs.")
+
+
+def growth_of(grown, count, summary=None):
+    """By how much fronts grew and from when on. grown: [(crack, number, entry)]; count: of all fronts; summary: None where times say nothing"""
     grown = sorted(grown, key=lambda entry: entry[2]["initiated"])
     texts = []
     for entry in grown[:NAMED]:
         length = grown_by(entry[2])
         text = f"{name_of(entry)}, grew" + ("" if length is None else f" by {readable(length, 'm')}") + where_to(entry[2])
-        texts.append(text if in_equilibrium else text + f" from t = {readable(entry[2]['initiated'], 's')} on{how_fast(entry[2])}")
+        texts.append(text if summary is None else text + since(entry[2], summary, entry is grown[0]))
     more = f"; {len(grown) - NAMED} more" if len(grown) > NAMED else ""
     return "; ".join(texts) + more + (f" ({len(grown)} of {count} fronts grew)" if count > 1 else "")
 
@@ -75,7 +106,7 @@ def of_load_factor(fronts, start, grown):
     why = f"near 1, and its error is not known (less than {100.0 * UNKNOWN:g} % counts as near)" if error is None else "1 within its error"
     decided = f"Not certain, as the factor is {why}" if near else "Yes" if factor < 1.0 else "No"
     estimate = "" if error is None else f" ± {100.0 * error:.2g} %"
-    followed = f" The run then followed the growth: {growth_of(grown, len(fronts), True)}." if grown else ""
+    followed = f" The run then followed the growth: {growth_of(grown, len(fronts))}." if grown else ""
     return f"{decided}, at the given loads: cracks start at {short(factor)}{estimate} times these loads{how}.{followed}"
 
 
@@ -156,7 +187,7 @@ def verdict(summary):
     elif "start_of_growth" in summary:
         text = of_comparison(summary, fronts)
     elif grown:
-        text = f"Yes: {growth_of(grown, len(fronts), 'equilibrium' in summary)}."
+        text = f"Yes: {growth_of(grown, len(fronts), summary)}.{unstable(summary)}"
     else:
         text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts)
     stopped = [entry for entry in fronts if entry[2].get("stopped")]
@@ -167,16 +198,32 @@ def so_far(history):
     """Of a run without a summary: which fronts have grown up to the last sample; None where the history has no fronts."""
     if not history.fronts:
         return None
-    moved = growth(history)
+    moved, resting = growth(history), grown_in_equilibrium(history)
     time = readable(float(history.time[-1]), "s")
     if moved and "load_factor" in history.column:  # it starts with the load at which cracks start
         return f"Up to the last sample: {of_load_factor([], float(history.column['load_factor'][0]), [])}"
+    if first_growth(history) and not moved:
+        return of_samples(history, resting, time)
     if not moved and all(history.of_front(front, "stopped") is None for front in history.fronts):  # a column of Propagation alone
         return f"Not decided up to t = {time}, the last sample: the scene has no toughness (section Propagation); compare G with it."
     if not moved:
         return f"Not up to t = {time}, the last sample: no front has grown."
-    larger = areas(history, moved)
-    texts = [f"{name}, new area {short(float(area[-1]) * 1e6)} mm²" for name, area in larger]
-    texts = texts or [f"{name_of(front)}, crack extension {readable(float(samples[-1]), 'm')}" for front, samples in moved]
+    return of_samples(history, moved, time)
+
+
+def of_samples(history, moved, time):
+    """The growth of fronts up to the last sample, at a time in words."""
+    larger = [(name, finite(area)) for name, area in areas(history, moved)]
+    texts = [f"{name}, new area {short(float(area[-1]) * 1e6)} mm²" for name, area in larger if area.size]
+    texts = texts or [f"{name_of(front)}, crack extension {readable(float(finite(samples)[-1]), 'm')}" for front, samples in moved if finite(samples).size]
+    texts = texts or [f"{readable(float(finite(history.column['fracture'])[-1]), 'J')} of fracture energy of new crack faces"]
     more = f"; {len(texts) - NAMED} more" if len(texts) > NAMED else ""
-    return f"Yes, up to t = {time}, the last sample: {'; '.join(texts[:NAMED])}{more}."
+    seen = first_growth(history)
+    start = "" if seen is None else f" Growth is first seen at t = {readable(seen[1], 's')}" + (
+        "." if seen[0] is None else f"; at t = {readable(seen[0], 's')} there was none.")
+    return f"Yes, up to t = {time}, the last sample: {'; '.join(texts[:NAMED])}{more}.{start}"
+
+
+def finite(samples):
+    """The samples that are numbers; all of a run that lost a row may be none."""
+    return samples[np.isfinite(samples)]

@@ -104,6 +104,38 @@ class Verdict(ToolTest):
         self.assertTrue(of(1.9, 0.8, 0.5).startswith("Up to the last sample: No, at the given loads: cracks start at 1.9 times"), of(1.9, 0.8, 0.5))
         self.assertTrue(of(0.7, 0.5, 0.4).startswith("Up to the last sample: Yes, at the given loads"))
 
+    def test_growth_under_given_loads_in_equilibrium(self):
+        """The time at which the first front starts is found within its load step; other fronts have that of their load step."""
+        propagation = {"initiation": {"time": 0.3561, "from": 0.3, "to": 0.6}, "unstable_from": {"new_area": 1.9e-7, "time": 0.6}}
+        fronts = {"initiated": 0.6, "mean_advance": 7.354e-3}, {"initiated": 0.9, "mean_advance": 1e-3}
+        text = verdict(summary_of(fronts[0], propagation=propagation, equilibrium={}))
+        self.assertEqual(text, "Yes: A, front 0, grew by 7.354 mm from about t = 356.1 ms on (in the load step from 300 ms to 600 ms). The growth is unstable from "
+                               "the load step to t = 600 ms on: G rises as the crack grows under the same loads, so in a real body it runs.")
+        stable = dict(propagation, unstable_from={"new_area": None, "time": None})
+        self.assertEqual(verdict(summary_of(*fronts, propagation=stable, equilibrium={})),
+                         "Yes: A, front 0, grew by 7.354 mm from about t = 356.1 ms on (in the load step from 300 ms to 600 ms); "
+                         "A, front 1, grew by 1 mm from the load step to t = 900 ms on (2 of 2 fronts grew).")
+        moving = dict(propagation, unstable_from={"new_area": 0.0, "time": 0.5}, motion_from={"new_area": 0.0, "time": 0.5})
+        text = verdict(summary_of(dict(fronts[0], mean_speed=40.0), propagation=moving, equilibrium={}))
+        self.assertEqual(text, "Yes: A, front 0, grew by 7.354 mm from t = 600 ms on, on average at 40 m/s. The growth is unstable from t = 500 ms on; "
+                               "from there on the run is dynamic.")
+
+    def test_growth_in_equilibrium_without_a_summary(self):
+        """Fronts have no speed there; fracture energy and the area of the crack (3D) or its length (2D) show growth, not a stretched crack's size."""
+        def of(fracture, **columns):
+            count = len(fracture)
+            return so_far(History({"time": 0.3 * np.arange(1.0, count + 1.0), "fracture": np.array(fracture), **{f"{crack}.0.{name}": np.full(count, value)
+                                   for crack in "AB" for name, value in (("stopped", 0.0), ("speed", 0.0), ("length", 7e-3))},
+                                   **{name.replace("_", "."): np.array(value) for name, value in columns.items()}}))
+
+        since = " Growth is first seen at t = 600 ms; at t = 300 ms there was none."
+        self.assertEqual(of([0.0, 7e-5, 4e-4], A_area=[9.04e-6, 18.99e-6, 66.43e-6], B_area=[9e-6, 9.01e-6, 9.02e-6], A_0_length=[7.6e-3, 9.6e-3, 0.0]),
+                         f"Yes, up to t = 900 ms, the last sample: A, new area 57.39 mm².{since}")
+        self.assertEqual(of([0.0, 7e-5], A_0_length=[0.01, 0.012]), f"Yes, up to t = 600 ms, the last sample: A, front 0, crack extension 2 mm.{since}")
+        self.assertTrue(of([0.0, 7e-5], A_area=[9e-6, 9.02e-6], B_area=[9e-6, 9.01e-6]).startswith("Yes, up to t = 600 ms, the last sample: A, new area 0.02"))
+        self.assertIn("70 µJ of fracture energy", of([0.0, 7e-5]))
+        self.assertEqual(of([0.0, 0.0], A_area=[9e-6, 9.02e-6]), "Not up to t = 600 ms, the last sample: no front has grown.")
+
 
 class Facts(ToolTest):
     def test_numbers(self):
