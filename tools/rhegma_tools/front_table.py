@@ -62,9 +62,20 @@ def state_of(front):
     return "closed" if front.get("closed") else "growth not computed"
 
 
+def no_longer_exists(front):
+    """Whether a front has ended, and its G and K are zero because it has no nodes any more."""
+    values = [front[key] for key in ("G_J", "G_closure", *MODES) if is_number(front.get(key))]
+    return bool(front.get("ended")) and bool(values) and not any(values)
+
+
+def without_values(front):
+    """A front without the values at the end of the run; the largest ones stay."""
+    return {key: value for key, value in front.items() if not key.startswith(("G_J", "G_closure", "K_"))}
+
+
 def columns_of(fronts, in_equilibrium):
     """Columns of numbers of fronts [(crack, number, entry)]. in_equilibrium: times are those of load steps and are left out"""
-    entries = [front for _, _, front in fronts]
+    entries = [without_values(front) if no_longer_exists(front) else front for _, _, front in fronts]
 
     def values(key):
         return [front.get(key) for front in entries]

@@ -7,9 +7,9 @@ import numpy as np
 from rhegma.problem import Problem
 
 from . import style
-from .growth_panels import draw_growth, draw_speed, growth
+from .growth_panels import draw_growth, draw_speed, grown_in_equilibrium, growth
 from .heat_panels import ENERGIES, draw_energies, draw_temperatures, temperatures
-from .panel_lines import FEW, draw_ends, ends, finite_maximum, legend, widen, width
+from .panel_lines import FEW, draw_ends, ends, finite_maximum, legend, widen, width, without_ended
 from .style import plt
 
 METHODS = [("G_J", "J integral", "-"), ("G_closure", "crack closure", (0, (5, 1.5)))]
@@ -255,7 +255,9 @@ def draw_speed(axes, history, moved, summary, time, per_second=1.0):
 
 def panels_of(history, summary):
     """(functions that each draw a panel on axes, unit of time): a panel for each kind of quantity that the history has."""
-    moved, stressed, inside, warm = growth(history), intensities(history), pressures(history), temperatures(history)
+    history = without_ended(history, summary)
+    moved = growth(history) or ([] if "load_factor" in history.column else grown_in_equilibrium(history))
+    stressed, inside, warm = intensities(history), pressures(history), temperatures(history)
     panels = []
     factor, unit = style.scale(finite_maximum([history.time]), "s")
     time = history.time * factor
@@ -271,7 +273,7 @@ def panels_of(history, summary):
         panels.append(lambda axes: draw_energies(axes, history, time))
     if moved:
         panels.append(lambda axes: draw_growth(axes, history, moved, time, summary, factor))
-        if any(history.of_front(front, "speed") is not None for front, _ in moved):
+        if any(finite_maximum([history.of_front(front, "speed")]) > 0.0 for front, _ in moved if history.of_front(front, "speed") is not None):
             panels.append(lambda axes: draw_speed(axes, history, moved, summary, time, factor))
     return panels, unit
 

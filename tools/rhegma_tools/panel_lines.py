@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from rhegma.history import History
 from rhegma.summary import stopped_part
 
 from . import style
@@ -58,3 +59,30 @@ def draw_ends(axes, found, factor):
             name = None if k else f"{len(found)} fronts ended"
         colour, width_, dashes = (style.ALARM, 1.6, "-") if stopped else (style.INK, 1.0, (0, (1, 3)))
         axes.axvline(time * factor, color=colour, lw=width_, ls=dashes, label=name)
+
+
+def gone(history, front, ended):
+    """Samples (n) at the end of a history at which a front no longer exists: its energy release rates and stress intensities are exactly zero. ended:
+    whether the summary says that it has ended; None, where there is no summary: then its length must be zero, too"""
+    names = [name for name in ("G_J", "G_closure", "K_I", "K_II", "K_III", *([] if ended else ["length"])) if history.of_front(front, name) is not None]
+    if ended is False or not {"G_J", "G_closure"}.intersection(names) or (ended is None and "length" not in names):
+        return np.zeros(len(history.time), dtype=bool)
+    zero = np.all([history.of_front(front, name) == 0.0 for name in names], axis=0)
+    return np.logical_and.accumulate(zero[::-1])[::-1]
+
+
+def without_ended(history, summary):
+    """A history in which fronts that no longer exist have no values, so that their curves end where the fronts did."""
+    known = {(str(crack.get("name", i)), j): bool(front.get("ended")) for i, crack in enumerate((summary or {}).get("cracks", []))
+             for j, front in enumerate(crack.get("fronts", []))}
+    column = dict(history.column)
+    for front in history.fronts:
+        missing = gone(history, front, known.get(front, None if not summary else False))
+        if missing.any():
+            start = f"{front[0]}.{front[1]}."
+            column.update({name: np.where(missing, np.nan, values) for name, values in column.items()
+                           if name.startswith((start + "G_", start + "K_")) or name == start + "temperature"})
+            length = column.get(start + "length")
+            if length is not None:  # in 2D it is that of the whole crack, which stays
+                column[start + "length"] = np.where(missing & (length == 0.0), np.nan, length)
+    return History(column)

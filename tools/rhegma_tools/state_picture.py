@@ -6,7 +6,7 @@ from . import style
 from .heat_panels import ENERGIES, temperatures
 from .history_picture import METHODS, error_estimate, initiation_toughness, intensities, pressures
 from .history_picture import references, release_rates
-from .panel_lines import FEW, finite_maximum
+from .panel_lines import FEW, finite_maximum, without_ended
 from .style import plt
 
 MOST = 40  # rows of the table, so that the picture stays readable
@@ -71,6 +71,7 @@ def energy_group(history):
 
 def groups_of(history, summary):
     """All Groups that the sample has values of."""
+    history = without_ended(history, summary)
     inside = [(name, float(samples[-1]), style.COLOURS[0], None) for name, samples, _ in pressures(history)]
     warm = [(name, float(samples[-1]), style.COLOURS[1], None) for name, samples in temperatures(history)]
     found = [release_group(history, summary), intensity_group(history, summary),

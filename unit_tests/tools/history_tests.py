@@ -8,12 +8,12 @@ import made_up_run
 import numpy as np
 
 from rhegma_tools import style
-from rhegma.history import read_history
-from rhegma_tools.growth_panels import draw_growth, growth
+from rhegma.history import History as Samples, read_history
+from rhegma_tools.growth_panels import draw_growth, grown_in_equilibrium, growth
 from rhegma_tools.heat_panels import draw_energies, draw_temperatures, temperatures
-from rhegma_tools.history_picture import draw_history, draw_pressures, draw_release
+from rhegma_tools.history_picture import draw_history, draw_pressures, draw_release, panels_of
 from rhegma_tools.history_picture import error_estimate, pressures, references
-from rhegma_tools.panel_lines import ends, widen
+from rhegma_tools.panel_lines import ends, widen, without_ended
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.state_picture import draw_group, draw_state, draw_table, groups_of
 from rhegma_tools.style import plt, scale
@@ -176,6 +176,33 @@ class History(ToolTest):
         for (_, position), time in zip(marks, (0.4, 0.6)):
             self.assertAlmostEqual(position, time)
         plt.close(figure)
+
+    def test_curves_end_where_their_front_ended(self):
+        """A front that no longer exists has zeros; one whose G is zero for another reason keeps them."""
+        columns = {"time": [1.0, 2.0, 3.0, 4.0], "A.0.G_J": [0.0, 5.0, 0.0, 0.0], "A.0.K_I": [0.0, 6.0, 0.0, 0.0], "A.0.length": [7.0, 8.0, 0.0, 0.0],
+                   "A.0.temperature": [300.0] * 4, "fracture": [0.0, 1.0, 2.0, 2.0], "A.area": [9.0, 19.0, 66.0, 66.0], "A.0.speed": [0.0] * 4}
+        history = Samples({name: np.array(values) for name, values in columns.items()})
+        for summary in ({"cracks": [{"name": "A", "fronts": [{"ended": True}]}]}, None):
+            left = without_ended(history, summary).column
+            for name in ("A.0.G_J", "A.0.K_I", "A.0.length", "A.0.temperature"):
+                np.testing.assert_array_equal(np.isfinite(left[name]), [True, True, False, False], name)
+            np.testing.assert_array_equal(left["A.area"], columns["A.area"])
+        self.assertTrue(np.isfinite(without_ended(history, {"cracks": [{"name": "A", "fronts": [{"ended": False}]}]}).column["A.0.G_J"]).all())
+        # In 2D the length is that of the whole crack, and says of no front that it has ended.
+        flat = Samples({**history.column, "A.0.length": np.array([7.0, 8.0, 9.0, 9.0])})
+        self.assertTrue(np.isfinite(without_ended(flat, None).column["A.0.G_J"]).all())
+        self.assertTrue(np.isfinite(without_ended(flat, {"cracks": [{"name": "A", "fronts": [{"ended": True}]}]}).column["A.0.length"]).all())
+        # Growth without a speed, in equilibrium: new area, and no panel of speeds.
+        self.assertEqual([front for front, _ in grown_in_equilibrium(history)], [("A", 0)])
+        titles = []
+        for draw in panels_of(history, None)[0]:
+            figure, axes = plt.subplots()
+            draw(axes)
+            titles.append(axes.get_title(loc="left"))
+            if titles[-1] == "Crack growth":
+                np.testing.assert_allclose(axes.lines[0].get_ydata(), [0.0, 10.0, 57.0, 57.0])
+            plt.close(figure)
+        self.assertEqual(titles, ["Energy release rate", "Stress intensity", "Temperature", "Energy", "Crack growth"])
 
     def test_rounding_does_not_fill_an_axis(self):
         """Values that differ by 1e-9 get an axis of 2 % of their size around them; those that differ by more are drawn as they

@@ -219,6 +219,16 @@ class FrontTable(ToolTest):
         self.assertEqual(rows[1], ["A, 0", "not initiated", "0.09 ± 0.005", "0.09", "2", "0", "50, 100"])
         self.assertEqual(list(numbers), [2, 3, 4, 5])
 
+    def test_a_front_that_has_ended_has_no_values(self):
+        ended = {"ended": True, "status": "ended", "arrival": {"what": "reached the surface of its body"}, "G_J": 0.0, "G_J_min": 0.0, "G_J_max": 0.0,
+                 "K_I": 0.0, "K_II": 0.0, "largest_G_J": 4.8}
+        head, rows, _ = front_table(summary_of(ended, {"G_J": 2.0, "K_I": 1e6, "K_II": 0.0}))
+        row = dict(zip(head, rows[0]))
+        self.assertEqual((row["state"], row["G [J/m²]"], row["K_I [MPa √m]"]), ("reached the surface of its body", "-", "-"))
+        self.assertIn("4.8", [value for name, value in row.items() if name.startswith("largest")])
+        # One that has reached a surface and still has nodes there keeps its values.
+        self.assertEqual(front_table(summary_of(dict(ended, G_J=3.0, G_J_max=3.0)))[1][0][2][0], "3")
+
     def test_in_3d_the_range_and_no_position(self):
         text = verdict(summary_of({"G_J": 77.0, "G_J_error_estimate": 7.7, "largest_G_J": 77.0, "G_J_min": 73.0, "G_J_max": 83.0}))
         self.assertIn("G = 77 J/m² ± 10 % in the mean along the front and 83 J/m² at most, at the end.", text)
