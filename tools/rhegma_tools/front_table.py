@@ -86,10 +86,12 @@ def columns_of(fronts, in_equilibrium):
 
     releases, most = values("G_J"), [largest_release(front) for front in entries]
     largest, largest_k = largest_of(releases, most), largest_of(*(values(mode) for mode in MODES))
-    columns = [Column("G", "J/m²", releases, values("G_J_error_estimate"), ranges("G_J"), largest),
-               Column("largest G", "J/m²", most, largest=largest)]
-    columns += [Column(mode, "Pa √m", values(mode), values(f"{mode}_error_estimate"), ranges(mode), largest_k) for mode in MODES]
-    columns.append(Column("largest G / toughness", "", values("closest_to_initiation")))
+    along = any(is_number(front.get("G_J_max")) for _, _, front in fronts)  # in 3D, where the mean along a front and its largest node differ
+    mean, node = ("mean ", " of a front node") if along else ("", "")
+    columns = [Column(f"{mean}G", "J/m²", releases, values("G_J_error_estimate"), ranges("G_J"), largest),
+               Column(f"largest {mean}G", "J/m²", most, largest=largest)]
+    columns += [Column(mean + mode, "Pa √m", values(mode), values(f"{mode}_error_estimate"), ranges(mode), largest_k) for mode in MODES]
+    columns.append(Column(f"largest G{node} / toughness", "", values("closest_to_initiation")))
     if not in_equilibrium:
         columns += [Column("initiated at", "s", values("initiated")), Column("steady speed, else mean", "m/s", speeds(entries))]
     columns.append(Column("grew by", "m", [grown_by(front) for front in entries]))

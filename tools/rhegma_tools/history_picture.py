@@ -105,7 +105,8 @@ def draw_release(axes, history, summary, time, per_second=1.0):
             name = "" if len(fronts) == 1 else f"{front[0]}, front {front[1]}: "
             # One front: a colour for each method, which prints better than dashes alone.
             colour = style.COLOURS[[m[0] for m in METHODS].index(quantity) if name == "" else fronts.index(front)]
-            axes.plot(time, samples * factor, color=colour, ls=dashes, label=name + method,
+            mean = "" if history.of_front(front, f"{quantity}_max") is None else ",\nmean along the front"
+            axes.plot(time, samples * factor, color=colour, ls=dashes, label=name + method + mean,
                       lw=width(fronts.index(front), len(fronts)))
             draw_extremes(axes, history, front, quantity, time, factor, colour)
             draw_error(axes, summary, front, quantity, time, samples, factor, colour)

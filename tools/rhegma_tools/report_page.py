@@ -143,8 +143,8 @@ def fronts_part(summary):
     parts = [element("h3", "Cracks and their fronts"), table(head, rows[:OPEN_ROWS], numbers)]
     if len(rows) > OPEN_ROWS:
         parts.append(folded(f"{len(rows) - OPEN_ROWS} more fronts", table(head, rows[OPEN_ROWS:], numbers)))
-    parts.append(element("p", f"{of_which_loads(summary)}, fronts with the largest G first. ± is the estimated numerical error; in 3D values are means along "
-                         "the front, with their range in brackets. Largest G is that of all samples.", class_="note"))
+    parts.append(element("p", f"{of_which_loads(summary)}, fronts with the largest G first. ± is the estimated numerical error; in 3D mean is that along "
+                         "the front, with the range of its nodes in brackets; a front starts at its largest node. Largest is that of all samples.", class_="note"))
     return parts
 
 

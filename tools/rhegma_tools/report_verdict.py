@@ -132,6 +132,11 @@ def unusable(entry):
             "It can't be used; the warnings say what to change.")
 
 
+def has_larger_node(front):
+    """Whether a front is one in 3D, of which the node with the largest G is compared with the toughness, not the mean."""
+    return is_number(front.get("G_J")) and is_number(front.get("G_J_max")) and front["G_J_max"] > front["G_J"]
+
+
 def of_comparison(summary, fronts):
     """Of a scene with a toughness with which G is compared, in which no front can grow."""
     start = summary["start_of_growth"]
@@ -147,7 +152,12 @@ def of_comparison(summary, fronts):
     near = abs(reached - 1.0) <= wide * max(reached, 1.0)
     decided = "Not certain" if near else "Yes" if reached > 1.0 else "No"
     how = f", and K of the largest hoop stress {short(hoop)} of that of the toughness" if hoop * HOOP > release ** 0.5 else ""
-    text = f"{decided}: G of {name_of(first)} reached {short(release)} of the toughness of {readable(start['toughness'], 'J/m²')}{how}."
+    toughness = start["toughness"]
+    larger = has_larger_node(first[2]) and is_number(toughness) and toughness > 0.0
+    what = f"the largest G along {name_of(first)}" if larger else f"G of {name_of(first)}"
+    at_end = larger and abs(first[2]["G_J_max"] / toughness - release) <= 1e-3 * release  # the mean is only known there
+    mean = f", and the mean along it {short(first[2]['G_J'] / toughness)}" if at_end else ""
+    text = f"{decided}: {what} reached {short(release)} of the toughness of {readable(toughness, 'J/m²')}{mean}{how}."
     if is_number(start.get("load_factor")):
         estimate = "" if error is None else f" ± {50.0 * error:.2g} %"
         text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of the scene."

@@ -40,18 +40,28 @@ def release_group(history, summary):
             for name, value in (("mean", values.mean()), ("lowest", values.min()), ("highest", values.max())):
                 bars.append((f"{method}, {name} of {len(own)} fronts", float(value), colour, None))
         else:
-            bars += [(named(front, len(fronts) > 1, method), value, colour, error_estimate(summary, front, quantity))
-                     for front, value in own]
+            for front, value in own:
+                most = history.of_front(front, f"{quantity}_max")
+                along = "" if most is None else ", mean along the front"
+                bars.append((named(front, len(fronts) > 1, method + along), value, colour, error_estimate(summary, front, quantity)))
+                if most is not None and np.isfinite(most[-1]):  # a front starts there, and it is compared with the toughness
+                    bars.append((named(front, len(fronts) > 1, f"{method}, largest front node"), float(most[-1]), style.COLOURS[1],
+                                 error_estimate(summary, front, f"{quantity}_extremes")))
     marks = [("reference", value) for value in sorted({value for _, _, _, value, _ in references(summary)})]
     toughness = initiation_toughness(summary)
     marks += [] if toughness is None else [("initiation toughness", toughness)]
     return Group("Energy release rate", "G", "J/m²", bars, marks)
 
 
+def along(history, front, mode):
+    """What a K of a front is, where it differs along the front."""
+    return "" if history.of_front(front, f"K_{mode}_max") is None else ", mean along the front"
+
+
 def intensity_group(history, summary):
     found = intensities(history)
     fronts = list(dict.fromkeys(front for front, _, _ in found))
-    bars = [(named(front, len(fronts) > 1, rf"$K_\mathrm{{{mode}}}$"), float(samples[-1]),
+    bars = [(named(front, len(fronts) > 1, rf"$K_\mathrm{{{mode}}}$" + along(history, front, mode)), float(samples[-1]),
              style.COLOURS[("I", "II", "III").index(mode)], error_estimate(summary, front, f"K_{mode}"))
             for front, mode, samples in found]
     # The prefix belongs to the pascals; the root of the length follows it.

@@ -277,6 +277,18 @@ class OneSample(ToolTest):
         self.assertIn(f"Wrote {self.path('history.png')}: 1 sample, 1 crack front.", output)
         self.assertGreater(picture_size(self.path("history.png"))[1], 500)
 
+    def test_in_3d_the_mean_and_the_largest_node_have_bars(self):
+        """The largest node is compared with the toughness, not the mean."""
+        made_up_run.write_history(self.folder, {"time": [1.0], "A.0.G_J": [1868.0], "A.0.G_J_min": [1300.0], "A.0.G_J_max": [3037.0],
+                                                "A.0.K_I": [2e7], "A.0.K_I_min": [1e7], "A.0.K_I_max": [3e7]})
+        front = {"G_J_error_estimate": 73.0, "G_J_extremes_error_estimate": 161.0}
+        summary = {"cracks": [{"name": "A", "fronts": [front]}], "start_of_growth": {"toughness": 15700.0}}
+        release, intensity = groups_of(read_history(self.folder), summary)
+        self.assertEqual(self.drawn(release)[:2], (["J integral, mean along the front", "J integral, largest front node", "initiation toughness"],
+                                                   ["1.868 kJ/m²", "3.037 kJ/m²", "15.7 kJ/m²"]))
+        self.assertEqual([bar[3] for bar in release.bars], [73.0, 161.0])
+        self.assertIn("mean along the front", self.drawn(intensity)[0][0])
+
     def test_many_fronts_are_drawn_by_their_mean_and_range(self):
         made_up_run.write_history(self.folder, {"time": [1.0], **{f"Penny.{i}.G_J": [100.0 + i] for i in range(12)}})
         group, = groups_of(read_history(self.folder), None)

@@ -44,6 +44,18 @@ class Verdict(ToolTest):
         self.assertTrue(text.startswith("Yes") and "largest hoop stress 1.1" in text, text)
         self.assertEqual(of(None), "Not decided: no energy release rate is known.")
 
+    def test_comparison_in_3d_is_with_the_largest_node(self):
+        front = {"G_J": 1868.0, "G_J_min": 1300.0, "G_J_max": 3037.0, "G_J_error_estimate": 73.0, "closest_to_initiation": 3037.0 / 15700.0}
+        more = {"start_of_growth": {"toughness": 15700.0, "load_factor": 2.274}}
+        self.assertEqual(verdict(summary_of(front, **more)),
+                         "No: the largest G along A, front 0 reached 0.1934 of the toughness of 15.7 kJ/m², and the mean along it 0.119. "
+                         "Cracks start at 2.274 ± 2 % times the loads and prescribed displacements of the scene.")
+        # It was largest before the end, of which the mean is not known.
+        self.assertIn("reached 0.4 of the toughness of 15.7 kJ/m².", verdict(summary_of(dict(front, closest_to_initiation=0.4), **more)))
+        head, rows, _ = front_table(summary_of(front, **more))
+        self.assertEqual([name for name in head if "G" in name], ["mean G [kJ/m²]", "largest mean G [kJ/m²]", "largest G of a front node / toughness"])
+        self.assertEqual(rows[0][head.index("largest G of a front node / toughness")], "0.1934")
+
     def test_a_negative_release_decides_nothing(self):
         for more in ({}, {"start_of_growth": {"toughness": 7.0, "load_factor": None}}):
             text = verdict(summary_of({"G_J": -8.265, "largest_G_J": -3.5, "closest_to_initiation": 0.0}, **more))
@@ -224,7 +236,7 @@ class FrontTable(ToolTest):
                  "K_I": 0.0, "K_II": 0.0, "largest_G_J": 4.8}
         head, rows, _ = front_table(summary_of(ended, {"G_J": 2.0, "K_I": 1e6, "K_II": 0.0}))
         row = dict(zip(head, rows[0]))
-        self.assertEqual((row["state"], row["G [J/m²]"], row["K_I [MPa √m]"]), ("reached the surface of its body", "-", "-"))
+        self.assertEqual((row["state"], row["mean G [J/m²]"], row["mean K_I [MPa √m]"]), ("reached the surface of its body", "-", "-"))
         self.assertIn("4.8", [value for name, value in row.items() if name.startswith("largest")])
         # One that has reached a surface and still has nodes there keeps its values.
         self.assertEqual(front_table(summary_of(dict(ended, G_J=3.0, G_J_max=3.0)))[1][0][2][0], "3")
@@ -233,7 +245,7 @@ class FrontTable(ToolTest):
         text = verdict(summary_of({"G_J": 77.0, "G_J_error_estimate": 7.7, "largest_G_J": 77.0, "G_J_min": 73.0, "G_J_max": 83.0}))
         self.assertIn("G = 77 J/m² ± 10 % in the mean along the front and 83 J/m² at most, at the end.", text)
         head, rows, _ = front_table(summary_of({"G_J": 77.0, "G_J_min": 73.0, "G_J_max": 83.0, "position": [0.0, 0.0, 0.0]}))
-        self.assertEqual(head, ["crack and front", "state", "G [J/m²]", "largest G [J/m²]"])
+        self.assertEqual(head, ["crack and front", "state", "mean G [J/m²]", "largest mean G [J/m²]"])
         self.assertEqual("".join(rows[0][2]), "77<br>(73 to 83)")
 
     def test_times_of_load_steps_are_no_times(self):
