@@ -56,7 +56,7 @@ class Leaves:
 class Fields:
     """Particles and cracks at one time; arrays as in the file. time [s]; position, displacement (n, 3) [m]; stress (n, 6) [Pa]: xx, yy, zz, xy,
     yz, xz; von_mises (n) [Pa]; temperature (n) [K]; deformation (n, 3, 3): F; edges (n, 3, 3): the undeformed edge vectors of a particle's
-    box, one a row, in 2D two and a row of zeros [m]; body (n): number in the scene. What the run did not compute is None. crack: all
+    box, one a row, in 2D two and a row of zeros [m]; body (n): number in the scene; counts: whether the field that was asked for is of whole numbers, such as piece. What the run did not compute is None. crack: all
     cracks, or None; leaves: cells, or None; tools: rigid tools, or None. written: times of all frames of the file [s]. source: (path of the file, name of the frame).
 
     `fields["velocity"]` reads any field of the particles, `names` lists them."""
@@ -77,6 +77,7 @@ class Fields:
         body = particles.get("body")
         self.body = np.zeros(len(self.position), dtype=int) if body is None else body.astype(int).ravel()  # number in the scene
         self.chosen = particles.get("chosen")  # another field (n) or (n, components), if it was asked for
+        self.counts = bool(particles.get("counts", False))
         self.crack = crack
         self.leaves = leaves
         self.tools = tools
@@ -121,7 +122,7 @@ class Fields:
     def values(self, quantity: str) -> np.ndarray | None:
         """What to colour particles by: "principal" or "mises" [Pa], "temperature" [K]; the last where nothing else is. Any other is a component
         of the field that was asked for."""
-        if self.chosen is not None:
+        if self.chosen is not None and quantity not in ("principal", "mises", "temperature"):
             return component_values(self.chosen, parts_of(quantity)[1])
         if quantity == "temperature" or self.stress is None:
             return self.temperature
@@ -201,6 +202,7 @@ def read_fields(folder: str, time: float | None = None, field: str | None = None
             particles = {name: np.asarray(group[name], dtype=float) for name in names}
             if field is not None:
                 particles["chosen"] = read_chosen(group, field)
+                particles["counts"] = np.asarray(group[field].dtype.kind in "iu")
             fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
                             read_leaves(chosen.get("leaves")), written.values(), (path, name), read_tools(chosen.get("tools")))
     except (OSError, KeyError, RuntimeError, ValueError, IndexError) as error:

@@ -6,7 +6,8 @@ from matplotlib.patches import Patch
 
 from . import style
 from .deformation import magnified_faces
-from .field_picture import choose_view, colour_scale, crack_segments, draw_crack, draw_particles, heat_scale, particle_outlines
+from .colour_scales import scale_of
+from .field_picture import choose_view, crack_segments, draw_crack, draw_particles, particle_outlines
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 
@@ -54,7 +55,7 @@ def draw_cells(fields, title, path, stress="principal", asked=None):
     position = view.flat(fields.position[drawn])
     seen = values[drawn][np.all((position >= corner) & (position <= opposite), axis=1)]
     stress_factor, stress_unit = unit_of(stress, seen)
-    colour_map, norm = (heat_scale if stress == "temperature" else colour_scale)(seen * stress_factor)
+    colour_map, norm = scale_of(stress, seen * stress_factor)
     rectangles = rectangle_outlines(low, high) * length_factor
     segments = []
     if fields.crack is not None:

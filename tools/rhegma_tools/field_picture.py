@@ -2,12 +2,12 @@
 
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import Normalize, TwoSlopeNorm
 
 from rhegma.problem import Problem
 from rhegma.summary import stop_time, stopped_part
 
 from . import boxes, style
+from .colour_scales import add_bar, scale_of
 from .deformation import automatic_magnification, crack_normals, curved_at_fronts, magnified_faces
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
@@ -109,27 +109,6 @@ def in_slice(fields, normal, where):
     distance = fields.position[:, normal] - where
     half = boxes.reach(fields.boxes(), normal)
     return (distance > -half * (1.0 - 1.0e-6)) & (distance <= half * (1.0 + 1.0e-6))
-
-
-def colour_scale(values):
-    """Map and limits: diverging about zero where both signs matter. The extreme half per cent, such as the singular
-    stress at a crack's front, saturates, so that it does not hide the rest."""
-    low, high = np.percentile(values, [0.5, 99.5])
-    if high <= low:
-        low, high = float(values.min()), float(values.max())
-    if high <= low:
-        low, high = low - 1.0, high + 1.0
-    if low < -0.1 * abs(high) and high > 0.1 * abs(low):
-        return "RdBu_r", TwoSlopeNorm(0.0, -max(-low, high), max(-low, high))
-    if low >= 0.0 or -low <= 0.1 * high:
-        return "viridis", Normalize(min(low, 0.0) if low < 0.25 * high else low, high)
-    return "viridis", Normalize(low, high)
-
-
-def heat_scale(values):
-    """Map and limits of temperatures: from the lowest to the highest, for the peak is what one looks for."""
-    low, high = float(values.min()), float(values.max())
-    return "inferno", Normalize(low, high if high > low else low + 1.0)
 
 
 def particle_outlines(fields, view, magnification):
@@ -310,7 +289,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     outlines = [outline * length_factor for outline in outlines]
     stress_factor, stress_unit = unit_of(stress, values[drawn])
     values = values[drawn] * stress_factor
-    colour_map, norm = heat_scale(values) if stress == "temperature" else colour_scale(values)
+    colour_map, norm = scale_of(stress, values, fields.counts)
 
     segments, fronts, nodes, parts = [], [], [], []
     if fields.crack is not None:
@@ -371,8 +350,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[
         (bool(values.min() < norm.vmin), bool(values.max() > norm.vmax))
     ]
-    bar = figure.colorbar(particles, ax=list(axes.flat), extend=extend, shrink=0.9, aspect=28, pad=0.02)
-    bar.set_label(label_of(stress) + (f" [{stress_unit}]" if stress_unit else ""))
+    bar = add_bar(figure, particles, list(axes.flat), label_of(stress) + (f" [{stress_unit}]" if stress_unit else ""), extend, shrink=0.9, aspect=28, pad=0.02)
     bar.outline.set_linewidth(0.6)
     style.save(figure, path)
     return magnification, stress_unit

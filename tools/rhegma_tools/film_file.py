@@ -14,7 +14,8 @@ from rhegma.fields import read_fields
 from rhegma.problem import Problem
 
 from . import style
-from .field_picture import View, choose_view, colour_scale, heat_scale
+from .colour_scales import add_bar, scale_of
+from .field_picture import View, choose_view
 from .film_frames import Sample, Stage, common_magnification, spread
 from .quantity import label_of, quantity_shown, unit_of
 from .spatial_picture import body_colours_at, camera_of, cut_text, scale_bar, triad
@@ -52,14 +53,14 @@ class SolidStage:
         self.camera, self.side = camera_of(last, self.view, magnification, bounds=(low, high))
         values = np.concatenate([s.values for s in samples])
         self.factor, self.unit = unit_of(quantity, values)
-        self.colours, self.norm = (heat_scale if quantity == "temperature" else colour_scale)(values * self.factor)
+        self.colours, self.norm = scale_of(quantity, values * self.factor, last.counts)
         self.figure, self.axes = plt.subplots(figsize=(8.2, 6.2), layout="constrained")
         self.axes.set_axis_off()
         self.shown = self.axes.imshow(np.full((self.camera.size[1], self.camera.size[0], 3), 255, dtype=np.uint8))
         triad(self.axes, self.camera)
         scale_bar(self.axes, self.camera)
-        bar = self.figure.colorbar(plt.cm.ScalarMappable(self.norm, self.colours), ax=self.axes, shrink=0.7, aspect=26, pad=0.02, extend="both")
-        bar.set_label(label_of(quantity) + (f" [{self.unit}]" if self.unit else ""))
+        label = label_of(quantity) + (f" [{self.unit}]" if self.unit else "")
+        add_bar(self.figure, plt.cm.ScalarMappable(self.norm, self.colours), self.axes, label, shrink=0.7, aspect=26, pad=0.02)
 
     def draw(self, fields, clock, more="", dots=DOTS):
         """A frame as a PNG, or None where VTK draws nothing."""

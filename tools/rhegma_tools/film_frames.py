@@ -10,7 +10,8 @@ from rhegma.problem import Problem
 
 from . import style
 from .deformation import automatic_magnification, magnified_faces
-from .field_picture import choose_view, colour_scale, crack_segments, draw_crack, draw_particles, draw_tools, heat_scale, in_slice, limits
+from .colour_scales import add_bar, scale_of
+from .field_picture import choose_view, crack_segments, draw_crack, draw_particles, draw_tools, in_slice, limits
 from .field_picture import particle_outlines, picture_size, tool_segments
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
@@ -46,7 +47,7 @@ class Sample:
             every = every[in_slice(fields, view.normal, view.where)]
         every = every[:: max(len(every) // SAMPLE, 1)]
         self.position, self.displacement, self.values = fields.position[every], fields.displacement[every], fields.values(quantity)[every]
-        self.size = fields.size
+        self.size, self.counts = fields.size, fields.counts
 
 
 def common_magnification(samples):
@@ -71,12 +72,12 @@ class Stage:
         self.length, metres = style.scale(float(np.max(high - low)), "m")
         values = np.concatenate([s.values for s in samples])
         self.factor, self.unit = unit_of(quantity, values)
-        self.colours, self.norm = (heat_scale if quantity == "temperature" else colour_scale)(values * self.factor)
+        self.colours, self.norm = scale_of(quantity, values * self.factor, any(s.counts for s in samples))
         self.palette = palette_of(self.colours)
         _, size = picture_size((high - low) * self.length, False)
         self.figure, self.axes = plt.subplots(figsize=size, layout="constrained")
-        bar = self.figure.colorbar(plt.cm.ScalarMappable(self.norm, self.colours), ax=self.axes, shrink=0.9, aspect=28, pad=0.02, extend="both")
-        bar.set_label(label_of(quantity) + (f" [{self.unit}]" if self.unit else ""))
+        label = label_of(quantity) + (f" [{self.unit}]" if self.unit else "")
+        add_bar(self.figure, plt.cm.ScalarMappable(self.norm, self.colours), self.axes, label, shrink=0.9, aspect=28, pad=0.02)
         limits(self.axes, low * self.length, high * self.length, 0.03)
         self.axes.set_aspect("equal")
         drawn_at = "" if magnification == 1.0 else ", magnified"

@@ -6,7 +6,8 @@ from matplotlib.colors import Normalize
 from . import style
 from .answers import is_number
 from .deformation import automatic_magnification
-from .field_picture import choose_view, colour_scale, heat_scale, stop_after
+from .colour_scales import add_bar, scale_of
+from .field_picture import choose_view, stop_after
 from .history_picture import initiation_toughness
 from .quantity import label_of, quantity_shown, unit_of
 from .report_facts import all_fronts, readable
@@ -158,8 +159,7 @@ def compose(image, camera, title, lines, bars, path):
     triad(axes, camera)
     scale_bar(axes, camera)
     for colours, norm, label, extend in bars:
-        bar = figure.colorbar(plt.cm.ScalarMappable(norm, colours), ax=axes, shrink=0.7, aspect=26, pad=0.02, extend=extend)
-        bar.set_label(label)
+        bar = add_bar(figure, plt.cm.ScalarMappable(norm, colours), axes, label, extend, shrink=0.7, aspect=26, pad=0.02)
         bar.outline.set_linewidth(0.6)
     style.save(figure, path)
 
@@ -192,7 +192,7 @@ def draw_cut_body(fields, summary, title, path, stress="principal", magnificatio
         kept = np.arange(len(fields.position))
     values = fields.values(quantity)
     factor, unit = unit_of(quantity, values)
-    colour_map, norm = (heat_scale if quantity == "temperature" else colour_scale)(values * factor)
+    colour_map, norm = scale_of(quantity, values * factor, fields.counts)
     pieces = [body_piece(fields, kept, magnification, body_colours_at(values * factor, colour_map, norm))] + crack_pieces(fields, magnification)
     if cells and fields.leaves is not None:
         pieces.append(cell_piece(fields, view, side))
@@ -200,7 +200,7 @@ def draw_cut_body(fields, summary, title, path, stress="principal", magnificatio
     if image is None:
         return None
     lines = heading(fields, summary, magnification, [cut_text(view, side)])
-    compose(image, camera, title, lines, [(colour_map, norm, f"{label_of(quantity)} [{unit}]", "both" if quantity != "temperature" else "neither")], path)
+    compose(image, camera, title, lines, [(colour_map, norm, label_of(quantity) + (f" [{unit}]" if unit else ""), "both" if quantity != "temperature" else "neither")], path)
     return magnification
 
 

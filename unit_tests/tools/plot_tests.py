@@ -9,12 +9,15 @@ from tool import ToolTest, picture_size, run  # first, as it finds the Python fo
 import made_up_run
 import numpy as np
 from PIL import Image
+from matplotlib.colors import to_hex, to_rgb
 
-from rhegma_tools import cell_picture, path_picture, quantity
+from rhegma_tools import cell_picture, path_picture, quantity, style
 from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
-from rhegma_tools.field_picture import choose_view, close_up, colour_scale, crack_segments, drawn_fronts, in_slice
+from rhegma_tools.colour_scales import GREY, add_bar, colour_scale, scale_of
+from rhegma_tools.field_picture import choose_view, close_up, crack_segments, drawn_fronts, in_slice
 from rhegma_tools.field_picture import read_slice, stop_after, stopped_nodes
+from rhegma_tools.style import plt
 from rhegma.fields import Crack, far_frame, read_fields
 from rhegma.history import read_history
 
@@ -50,6 +53,49 @@ class Plot(ToolTest):
         self.assertEqual(quantity.unit_of("energy_density", read.values("energy_density")), (1e-3, "kJ/m³"))
         self.assertEqual(quantity.label_of("principal_stress"), "largest principal stress")
         self.assert_fails(run("rhegma-plot", self.folder, "--field", "colour"), "no field colour", "energy_density")
+
+    def test_numbers_have_a_colour_each(self):
+        """Pieces, bodies, levels: no scale from -1 to 1, but a colour a number, grey for the unknown one."""
+        colours, norm = scale_of("piece", np.array([0.0, -1.0, 3.0, 1.0, 1.0]), True)
+        self.assertEqual(norm.numbers, [-1, 0, 1, 3])
+        drawn = [to_hex(colours(norm(number))).upper() for number in norm.numbers]
+        self.assertEqual(drawn[0], GREY)
+        self.assertEqual(len(set(drawn)), 4)
+        self.assertEqual(to_hex(scale_of("body", np.zeros(3), True)[0](0)).upper(), drawn[1])  # one number alone
+        for several in (scale_of("lineage", np.arange(100.0), True), scale_of("temperature", np.array([1.0, 2.0]), True)):
+            self.assertFalse(hasattr(several[1], "numbers"))
+        figure, axes = plt.subplots()
+        bar = add_bar(figure, plt.cm.ScalarMappable(norm, colours), axes, "piece")
+        self.assertEqual([text.get_text() for text in bar.ax.get_yticklabels()], ["unknown", "0", "1", "3"])
+        plt.close(figure)
+
+    def test_draws_pieces(self):
+        """Of a run with temperatures, too, whose picture stays that of temperatures; and as a film."""
+        start = made_up_run.lattice((np.arange(20) + 0.5) * 0.01, (np.arange(8) + 0.5) * 0.01)
+        start = np.c_[start, np.zeros(len(start))]
+        frames = []
+        for time in (0.0, 1.0, 2.0):
+            particles = made_up_run.particles(start, 0 * start, np.zeros((len(start), 6)), 0.01)
+            particles["piece"] = np.where(start[:, 0] > 0.1, 1, 0) if time else np.zeros(len(start), int)
+            particles["temperature"] = np.full(len(start), 300.0)
+            frames.append((time, {"particles": particles}))
+        made_up_run.write_fields(self.folder, frames)
+        status, _, messages = run("rhegma-plot", self.folder, "--field", "piece")
+        self.assertEqual((status, messages), (0, ""))
+        picture = np.asarray(Image.open(self.path("fields.png")).convert("RGB")).astype(int)
+        for colour in style.COLOURS[:2]:
+            self.assertGreater((np.abs(picture - np.round(255 * np.array(to_rgb(colour)))).sum(axis=2) < 6).sum(), 10000)
+        fields = read_fields(self.folder, None, "piece")
+        self.assertTrue(fields.counts)
+        self.assertEqual(set(fields.values("temperature")), {300.0})
+        status, output, messages = run("rhegma-film", self.folder, "--field", "piece", "--output", self.path("film.gif"))
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn("piece 0, 1.", output)
+        with Image.open(self.path("film.gif")) as last:
+            last.seek(2)
+            seen = np.asarray(last.convert("RGB")).astype(int)
+        for colour in style.COLOURS[:2]:
+            self.assertGreater((np.abs(seen - np.round(255 * np.array(to_rgb(colour)))).sum(axis=2) < 30).sum(), 5000)
 
     def test_draws_a_slice_of_3d(self):
         made_up_run.penny(self.folder)

@@ -1,0 +1,67 @@
+"""Colours of fields: of numbers that name something, such as pieces and bodies, one colour a number; of others a continuous scale."""
+
+import numpy as np
+from matplotlib.colors import BoundaryNorm, ListedColormap, Normalize, TwoSlopeNorm
+
+from . import style
+
+MOST = 20  # numbers with a colour each; of more the scale is continuous
+UNKNOWN = -1  # of what has no number
+GREY = "#C4C4C4"
+MORE = ["#F0E442", "#332288", "#882255", "#44AA99", "#999933", "#AA4499", "#661100", "#6699CC", "#88CCEE", "#DDCC77", "#CC6677", "#117733", "#777777"]
+COLOURS = style.COLOURS + MORE  # one for each of MOST numbers
+
+
+def colour_scale(values):
+    """Map and limits: diverging about zero where both signs matter. The extreme half per cent, such as the singular
+    stress at a crack's front, saturates, so that it does not hide the rest."""
+    low, high = np.percentile(values, [0.5, 99.5])
+    if high <= low:
+        low, high = float(values.min()), float(values.max())
+    if high <= low:
+        low, high = low - 1.0, high + 1.0
+    if low < -0.1 * abs(high) and high > 0.1 * abs(low):
+        return "RdBu_r", TwoSlopeNorm(0.0, -max(-low, high), max(-low, high))
+    if low >= 0.0 or -low <= 0.1 * high:
+        return "viridis", Normalize(min(low, 0.0) if low < 0.25 * high else low, high)
+    return "viridis", Normalize(low, high)
+
+
+def heat_scale(values):
+    """Map and limits of temperatures: from the lowest to the highest, for the peak is what one looks for."""
+    low, high = float(values.min()), float(values.max())
+    return "inferno", Normalize(low, high if high > low else low + 1.0)
+
+
+def discrete_scale(numbers):
+    """Map and limits of whole numbers, sorted and different: a colour a number, grey for UNKNOWN."""
+    known = [number for number in numbers if number != UNKNOWN]
+    colours = {number: COLOURS[i] for i, number in enumerate(known)}
+    between = 0.5 * (np.array(numbers[:-1]) + np.array(numbers[1:]))
+    bounds = np.concatenate([[numbers[0] - 0.5], between, [numbers[-1] + 0.5]])
+    norm = BoundaryNorm(bounds, len(numbers))
+    norm.numbers = [int(number) for number in numbers]
+    return ListedColormap([colours.get(number, GREY) for number in numbers]), norm
+
+
+def scale_of(quantity, values, whole=False):
+    """Map and limits of the values of a quantity. whole: whether the field that was asked for has whole numbers"""
+    if whole and quantity not in ("principal", "mises", "temperature"):
+        numbers = np.unique(values)
+        if len(numbers) <= MOST:
+            return discrete_scale(numbers)
+    return (heat_scale if quantity == "temperature" else colour_scale)(values)
+
+
+def add_bar(figure, mappable, axes, label, extend="both", **look):
+    """The colour bar of a scale; of whole numbers it names them."""
+    numbers = getattr(mappable.norm, "numbers", None)
+    if numbers is None:
+        bar = figure.colorbar(mappable, ax=axes, extend=extend, **look)
+    else:
+        bounds = mappable.norm.boundaries
+        bar = figure.colorbar(mappable, ax=axes, spacing="uniform", ticks=0.5 * (bounds[:-1] + bounds[1:]), **look)
+        bar.ax.set_yticklabels(["unknown" if number == UNKNOWN else str(number) for number in numbers])
+        bar.ax.tick_params(length=0)
+    bar.set_label(label)
+    return bar
