@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.colors import Normalize
+from matplotlib.patches import Rectangle
 
 from . import style
 from .answers import is_number
@@ -19,6 +20,8 @@ SIZE = (1500, 1150)  # pixels
 TUBE = 0.006  # radius of a front, of the largest extent of the picture
 MARGIN = 1.12
 LEAST_SPAN = 0.2  # of the largest value along a front: the least that its colours span
+SMALL = 0.2  # of the picture: cracks that are smaller in it are drawn in a close-up, too
+AROUND = 1.6  # height of a close-up, of the cracks in it
 STEEP = 0.6  # sine of the least angle at which the cracks are seen
 
 
@@ -149,17 +152,47 @@ def scale_bar(axes, camera):
     return length
 
 
-def compose(image, camera, title, lines, bars, path):
-    """Writes a picture with its heading, colour bars [(colour map, norm, label, extend)], directions and scale."""
-    figure, axes = plt.subplots(figsize=(8.2, 6.2), layout="constrained")
+def close_up_of(points, camera):
+    """A camera that shows points (k, 3) large, where they are small in the picture of another one; else None."""
+    extent = np.ptp(camera.pixels(points), axis=0)
+    if (extent / camera.size).max() >= SMALL:
+        return None
+    metres = 2.0 * camera.half_height / camera.size[1]
+    half = 0.5 * AROUND * metres * max(extent[1], extent[0] * camera.size[1] / camera.size[0])
+    return Camera(0.5 * (points.min(axis=0) + points.max(axis=0)), camera.toward, camera.up, half, camera.size)
+
+
+def draw_close_up(whole, axes, camera, close):
+    """A close-up, and where it is in the picture of the whole. close: (image, camera)"""
+    axes.imshow(close[0])
+    axes.set_xticks([])
+    axes.set_yticks([])
+    axes.grid(False)
+    for spine in axes.spines.values():
+        spine.set(visible=True, color=style.QUIET, linewidth=0.8)
+    axes.set_title("close-up", fontsize=10, fontweight="normal")
+    scale_bar(axes, close[1])
+    half = np.array(close[1].size) * 0.5 * close[1].half_height / camera.half_height
+    middle = camera.pixels(close[1].focus)[0]
+    whole.add_patch(Rectangle(middle - half, *(2.0 * half), fill=False, edgecolor=style.QUIET, linewidth=0.8))
+
+
+def compose(image, camera, title, lines, bars, path, close=None):
+    """Writes a picture with its heading, colour bars [(colour map, norm, label, extend)], directions and scale. close: a close-up (image, camera)
+    next to it, or None"""
+    figure, panels = plt.subplots(1, 1 if close is None else 2, figsize=(8.2 if close is None else 13.2, 6.2 if close is None else 5.4), squeeze=False,
+                                  layout="constrained")
+    axes = panels[0, 0]
     axes.imshow(image)
     axes.set_axis_off()
+    if close is not None:
+        draw_close_up(axes, panels[0, 1], camera, close)
     axes.set_title(title + "\n" * len(lines), fontsize=12, parse_math=False)
     axes.annotate("\n".join(lines), (0.0, 1.0), (0.0, 5.0), "axes fraction", "offset points", fontsize=9.5, linespacing=1.3)
     triad(axes, camera)
     scale_bar(axes, camera)
     for colours, norm, label, extend in bars:
-        bar = add_bar(figure, plt.cm.ScalarMappable(norm, colours), axes, label, extend, shrink=0.7, aspect=26, pad=0.02)
+        bar = add_bar(figure, plt.cm.ScalarMappable(norm, colours), list(panels[0]), label, extend, shrink=0.7, aspect=26, pad=0.02)
         bar.outline.set_linewidth(0.6)
     style.save(figure, path)
 
@@ -200,7 +233,8 @@ def draw_cut_body(fields, summary, title, path, stress="principal", magnificatio
     if image is None:
         return None
     lines = heading(fields, summary, magnification, [cut_text(view, side)])
-    compose(image, camera, title, lines, [(colour_map, norm, label_of(quantity) + (f" [{unit}]" if unit else ""), "both" if quantity != "temperature" else "neither")], path)
+    label = label_of(quantity) + (f" [{unit}]" if unit else "")
+    compose(image, camera, title, lines, [(colour_map, norm, label, "both" if quantity != "temperature" else "neither")], path)
     return magnification
 
 
@@ -210,12 +244,15 @@ def draw_cracks_in_body(fields, summary, title, path):
     camera, _ = camera_of(fields, choose_view(fields), 1.0, onto=True)
     pieces = outline_pieces(fields) + crack_pieces(fields, None)
     front, bars = fronts_at_end(summary, fields.time), []
+    norm = None if front is None else front_norm(front.values)
     if front is not None:
-        norm = front_norm(front.values)
-        pieces.append(front_piece(front, norm, camera))
         bars.append(("plasma", norm, f"{front.label} along the front", "neither"))
-    image = render(pieces, camera)
+
+    def seen(by):
+        return render(pieces + ([] if front is None else [front_piece(front, norm, by)]), by)
+
+    image, close = seen(camera), close_up_of(fields.crack.points, camera)
     if image is None:
         return None
-    compose(image, camera, f"{title}: cracks", heading(fields, summary, 1.0, []), bars, path)
+    compose(image, camera, f"{title}: cracks", heading(fields, summary, 1.0, []), bars, path, None if close is None else (seen(close), close))
     return "" if front is None else front.label

@@ -73,7 +73,7 @@ def edge_piece(fields, magnification, colour, **look):
 def filling(fields):
     """(fractions (nx, ny, nz), origin (3), spacing) of material around the nodes of a lattice, by weights that are linear between them: their sum
     is the volume of the bodies."""
-    spacing = fields.size
+    spacing = float(np.percentile(np.linalg.norm(fields.boxes(), axis=2).max(axis=1), 99.0))  # of smaller ones, nodes between coarse particles are empty
     low, high = fields.position.min(axis=0), fields.position.max(axis=0)
     while np.prod((high - low) / spacing + 5.0) > MOST_NODES:
         spacing *= 1.25
@@ -87,7 +87,16 @@ def filling(fields):
     for corner in np.ndindex(2, 2, 2):
         weight = np.prod(np.where(np.array(corner) == 1, part, 1.0 - part), axis=1)
         np.add.at(values, tuple((first + corner).T), weight * volume)
-    return values, origin, spacing
+    return smoothed(values), origin, spacing
+
+
+def smoothed(values):
+    """Values on a lattice by a quarter, a half and a quarter along each axis: steps of oblique surfaces vanish, and plane ones stay."""
+    for axis in range(3):
+        padded = np.pad(values, [(int(axis == k),) * 2 for k in range(3)])
+        low, high = (np.take(padded, np.arange(start, start + values.shape[axis]), axis) for start in (0, 2))
+        values = 0.25 * low + 0.5 * values + 0.25 * high
+    return values
 
 
 def outline_pieces(fields):
@@ -96,7 +105,7 @@ def outline_pieces(fields):
     if len(edges.cells):
         return [edges]
     values, origin, spacing = filling(fields)
-    return [Level(values, origin, spacing, HALF_FULL, np.array([150, 165, 180]), opacity=0.3)]
+    return [Level(values, origin, spacing, HALF_FULL, np.array([165, 180, 195]), opacity=0.16)]
 
 
 def cut_open(fields, normal, where, side):

@@ -41,20 +41,28 @@ def level_surface(values, lattice):
     return surface
 
 
-def actor(points, cells, colours, look):
+def side_of(mapper, colour, opacity, far):
+    """The far or the near side of a closed surface. The far one is drawn first, so that what is translucent has no speckles of wrong order."""
+    result = vtkActor()
+    result.SetMapper(mapper)
+    look = result.GetProperty()
+    look.SetColor(*(float(part) / 255.0 for part in colour))
+    look.SetOpacity(opacity)
+    look.SetAmbient(0.35)
+    look.SetDiffuse(0.65)
+    look.SetInterpolationToPhong()
+    look.SetFrontfaceCulling(far)
+    look.SetBackfaceCulling(not far)
+    return result
+
+
+def actors(points, cells, colours, look):
     """look: lines, tube (radius), opacity, width (pixels), flat (without light), lattice (of a field, whose values are in points)"""
     if look.get("lattice"):
         mapper, surface = vtkPolyDataMapper(), level_surface(points, look["lattice"])
         mapper.SetInputConnection(surface.GetOutputPort())
         mapper.ScalarVisibilityOff()
-        result = vtkActor()
-        result.SetMapper(mapper)
-        result.GetProperty().SetColor(*(float(part) / 255.0 for part in colours[0]))
-        result.GetProperty().SetOpacity(look.get("opacity", 1.0))
-        result.GetProperty().SetAmbient(0.35)
-        result.GetProperty().SetDiffuse(0.65)
-        result.GetProperty().SetInterpolationToPhong()
-        return result
+        return [side_of(mapper, colours[0], look.get("opacity", 1.0), far) for far in (True, False)]
     data = poly_data(points, cells, colours, look.get("lines"))
     mapper = vtkPolyDataMapper()
     if look.get("tube"):
@@ -74,7 +82,7 @@ def actor(points, cells, colours, look):
     result.GetProperty().SetAmbient(1.0 if look.get("flat") else 0.6)
     result.GetProperty().SetDiffuse(0.0 if look.get("flat") else 0.45)
     result.GetProperty().SetInterpolationToFlat()
-    return result
+    return [result]
 
 
 def main(source, target):
@@ -84,7 +92,8 @@ def main(source, target):
     renderer, window = vtkRenderer(), vtkRenderWindow()
     renderer.SetBackground(1.0, 1.0, 1.0)
     for i, look in enumerate(json.loads(str(found["looks"]))):
-        renderer.AddActor(actor(found[f"points{i}"], found[f"cells{i}"], found[f"colours{i}"], look))
+        for one in actors(found[f"points{i}"], found[f"cells{i}"], found[f"colours{i}"], look):
+            renderer.AddActor(one)
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetAlphaBitPlanes(1)

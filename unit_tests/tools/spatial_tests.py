@@ -215,6 +215,32 @@ class Pieces(ToolTest):
         pixels = camera.pixels(corners)
         self.assertTrue(((pixels > 0) & (pixels < spatial_picture.SIZE)).all())
 
+    def test_a_small_crack_has_a_close_up(self):
+        """It fills the close-up to 1 / 1.6; a crack of a fifth of the picture has none."""
+        square = np.array([[0.5, 0.5, 0.0], [0.6, 0.5, 0.0], [0.6, 0.6, 0.0], [0.5, 0.6, 0.0]])  # 300 pixels are 2 m
+        close = spatial_picture.close_up_of(square, FROM_ABOVE)
+        np.testing.assert_allclose(close.focus, [0.55, 0.55, 0.0])
+        extent = np.ptp(close.pixels(square), axis=0)
+        np.testing.assert_allclose(extent, 300 / 1.6)
+        self.assertIsNone(spatial_picture.close_up_of(0.5 + 4.1 * (square - 0.5), FROM_ABOVE))
+
+    def test_the_outline_of_a_refined_body_has_no_holes(self):
+        """Coarse and fine particles next to each other: no node inside is empty, which would draw a speckle."""
+        coarse = made_up_run.lattice(*3 * [np.arange(0.5, 12)])
+        parts = (coarse[coarse[:, 0] > 6][:, None, :] + made_up_run.lattice(*3 * [np.array([-0.25, 0.25])])).reshape(-1, 3)
+        middle = np.concatenate([coarse[coarse[:, 0] < 6], parts])
+        extent = np.r_[np.ones(np.count_nonzero(coarse[:, 0] < 6)), np.full(len(parts), 0.5)]
+        group = made_up_run.particles(middle, 0 * middle, np.zeros((len(middle), 6)), 1.0)
+        group["edges"] = (extent[:, None, None] * np.eye(3)).reshape(-1, 9)
+        made_up_run.write_fields(self.folder, [(1.0, {"particles": group})])
+        fields = read_fields(self.folder)
+        self.assertEqual(fields.size, 0.5)  # most particles are fine
+        values, origin, spacing = filling(fields)
+        at = origin + spacing * np.stack(np.meshgrid(*map(np.arange, values.shape), indexing="ij"), axis=-1)
+        inside, outside = ((at > 1.5) & (at < 10.5)).all(axis=-1), ((at < -1.5) | (at > 13.5)).any(axis=-1)
+        self.assertGreater(values[inside].min(), 0.8)
+        self.assertEqual(values[outside].max(), 0.0)
+
     def test_the_bar_has_the_length_it_names(self):
         figure, axes = style.plt.subplots()
         length = scale_bar(axes, FROM_ABOVE)  # 300 pixels are 2 m
