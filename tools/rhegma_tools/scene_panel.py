@@ -215,14 +215,17 @@ def draw_symbols(panel, symbols):
 
 
 def part_labels(panels, figure):
-    """Moves labels that would cover one another, up or down."""
+    """Moves labels that would cover the vertical axis with its numbers to the right, and those that would cover one another, up or down."""
     figure.canvas.draw()
     figure.set_layout_engine("none")
     renderer = figure.canvas.get_renderer()
     for panel in panels:
         done = []
+        left = panel.axes.get_window_extent(renderer).x0
         for text in panel.labels:
             x, y = text.get_position()
+            x += max(left + 2.0 - text.get_window_extent(renderer).x0, 0.0) * 72.0 / figure.dpi
+            text.set_position((x, y))
             box = text.get_window_extent(renderer)
             points = box.height * 72.0 / figure.dpi
             for attempt in range(1, 16):

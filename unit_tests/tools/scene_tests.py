@@ -14,6 +14,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.quiver import Quiver
 
 from rhegma_tools import scene_panel, style
+from rhegma_tools.field_picture import View
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.scene_outlines import outlines_of
 from rhegma_tools.scene_picture import Drawing, flat_figure, list_lines, spatial_figure, summary_line
@@ -326,6 +327,17 @@ class SceneDrawn(ToolTest):
 
 
 class SceneValues(ToolTest):
+    def test_labels_leave_the_vertical_axis_and_one_another(self):
+        figure, axes = style.plt.subplots(figsize=(6, 4))
+        panel = scene_panel.Panel(axes, View([0, 1]), 1.0, 1.0)
+        for _ in range(3):
+            panel.label("Water: a long label left of an arrow", np.array([0.05, 0.5, 0.0]), style.INK, (-1.0, 0.0))
+        scene_panel.part_labels([panel], figure)
+        found = [text.get_window_extent() for text in panel.labels]
+        self.assertGreater(min(box.x0 for box in found), axes.get_window_extent().x0)
+        self.assertFalse(any(one.overlaps(other) for i, one in enumerate(found) for other in found[:i]))
+        style.plt.close(figure)
+
     def test_histories(self):
         self.assertEqual(peak({}), (1.0, ""))
         self.assertEqual(peak({"History": "0:0, 1:3, 2:-5"}), (-5.0, " at most"))
