@@ -307,6 +307,8 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     if view.normal is not None:
         slice_factor, slice_unit = style.scale(abs(view.where), "m")
         heading.append(f"slice at {'xyz'[view.normal]} = {view.where * slice_factor:.3g} {slice_unit}")
+    if stress in ("principal", "mises") and not values.any():
+        heading.append("no stress yet" if len(fields.written) > 1 and fields.time == fields.written[0] else "no stress")
     heading.append("true displacement" if magnification == 1.0 else f"displacement × {magnification:,.7g}")
 
     extent = high - low

@@ -15,7 +15,7 @@ from .html_text import Markup, data_block, element, folded, markup, picture, tab
 from .report_pictures import field_pictures, film, front_maps, front_pictures, history_pictures, seconds
 from .report_verdict import so_far, verdict
 from .style import COLOURS
-from .whole_folder import Found, check_scene, how_it_stands, read_manifest
+from .whole_folder import Found, check_scene, how_it_stands, read_manifest, went_to_its_end
 from .zoom_data import rounded
 
 HERE = os.path.dirname(os.path.realpath(__file__))
@@ -238,13 +238,22 @@ def scene_part(run):
                    folded("The scene file", element("pre", text)))
 
 
+def why_no_fields(run):
+    """Why a run has no fields, as the beginning of a line."""
+    if run.state or not run.summary:
+        return "The run has not written its first fields yet (Output > Field Interval; without it only the last ones are written)"
+    if not went_to_its_end(run.summary):
+        return "The run ended early, before it wrote fields (Output > Field Interval writes some on the way)"
+    return "The run wrote no fields (Output > Fields)"
+
+
 def page_of(run):
     """The page as text."""
     pictures = [] if run.fields is None else run.draw(field_pictures, run.run, run.summary, run.title)
     plots = [] if run.history is None else run.draw(history_pictures, run.history, run.summary, run.title)
     along = run.draw(front_pictures, run.summary) + run.draw(front_maps, run.run, run.summary, run.title)
     if run.fields is None and not any("fields.h5" in problem for problem in run.problems):
-        run.problems.append("The run wrote no fields (Output > Fields), so there are no pictures of the body.")
+        run.problems.append(f"{why_no_fields(run)}, so there are no pictures of the body.")
     body = [head_of(run), answer_part(run)]
     if pictures:
         body.append(element("section", element("h2", "Pictures"), figures(pictures, 0)))

@@ -102,8 +102,9 @@ def field_pictures(folder, summary, title):
     found = [body_picture(fields, summary, title, "principal", view)]
     if fields.temperature is not None and fields.stress is not None:
         found.append(body_picture(fields, summary, title, "temperature", view))
-    if len(fields.written) > 1:
-        found.append(body_picture(read_fields(folder, fields.written[0]), summary, title, "principal", view))
+    first = read_fields(folder, fields.written[0]) if len(fields.written) > 1 else None
+    if first is not None and first.values("principal").any():  # a picture of zeros shows nothing
+        found.append(body_picture(first, summary, title, "principal", view))
     if fields.leaves is not None and fields.leaves.refined:
         target = io.BytesIO()
         count = draw_cells(fields, title, target)

@@ -64,6 +64,8 @@ class Report(ToolTest):
         for words in ("dcb", "Status: finished", "No warnings.", "Does the crack run?", "Not decided", "500 mJ/m²", "490 mJ/m²", "within",
                       "Largest principal stress [kPa] at t = 3 ms; displacements 2 000 times", "Columns of the history"):
             self.assertIn(words, page.text)
+        self.assertNotIn("zero everywhere", page.text)  # the first fields have no stress, and no picture
+        self.assertEqual(page.text.count("Largest principal stress"), 1)
         order = [page.text.index(words) for words in ("Status", "Does the crack run?", "Pictures", "History", "Columns of the history", "The scene file")]
         self.assertEqual(order, sorted(order))
         panels = {panel["title"]: panel for name, panel in page.data.items() if name.startswith("panel-")}
@@ -119,6 +121,10 @@ class Report(ToolTest):
         page = self.page()
         self.assertNotIn("Columns of the history", page.text)
         self.assertIn("Comparison with the section Reference", page.text)
+        made_up_run.write_summary(self.folder, scene="dcb.xml", status="the run was stopped by SIGTERM within a load step", end="stopped by a signal", cracks=[])
+        early = self.page().text
+        self.assertIn("The run ended early, before it wrote fields", early)
+        self.assertNotIn("The run wrote no fields", early)
 
     def test_run_that_stopped(self):
         made_up_run.beam(self.folder)
