@@ -8,7 +8,7 @@ from rhegma.problem import Problem
 
 from . import style
 from .growth_panels import draw_growth, draw_speed, grown_in_equilibrium, growth
-from .heat_panels import ENERGIES, draw_energies, draw_temperatures, temperatures
+from .heat_panels import draw_energies, draw_temperatures, energy_parts, temperatures
 from .panel_lines import FEW, draw_ends, ends, finite_maximum, legend, widen, width, without_ended
 from .style import plt
 
@@ -270,8 +270,8 @@ def panels_of(history, summary):
         panels.append(lambda axes: draw_pressures(axes, inside, time))
     if warm:
         panels.append(lambda axes: draw_temperatures(axes, warm, time))
-    if any(name in history.column for name, _, _ in ENERGIES):
-        panels.append(lambda axes: draw_energies(axes, history, time))
+    for part in energy_parts(history):
+        panels.append(lambda axes, part=part: draw_energies(axes, history, time, part))
     if moved:
         panels.append(lambda axes: draw_growth(axes, history, moved, time, summary, factor))
         if any(finite_maximum([history.of_front(front, "speed")]) > 0.0 for front, _ in moved if history.of_front(front, "speed") is not None):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import style
-from .heat_panels import ENERGIES, temperatures
+from .heat_panels import ENERGIES, energy_parts, temperatures
 from .history_picture import METHODS, error_estimate, initiation_toughness, intensities, pressures
 from .history_picture import references, release_rates
 from .panel_lines import FEW, finite_maximum, without_ended
@@ -71,12 +71,13 @@ def intensity_group(history, summary):
     return group
 
 
-def energy_group(history):
-    present = [(name, label, colour) for name, label, colour in ENERGIES if name in history.column]
+def energy_group(history, part):
+    """Bars of energies. part: as energy_parts gives it"""
+    present = [(name, label, colour) for name, label, colour in ENERGIES if name in part[1]]
     largest = finite_maximum([history.column[name] for name, _, _ in present])
     bars = [(label, float(history.column[name][-1]), colour, None) for name, label, colour in present
             if finite_maximum([history.column[name]]) > 1.0e-6 * largest or name == "residual"]
-    return Group("Energy", "energy", "J", bars) if bars else None
+    return Group(part[0], "energy", "J", bars) if bars else None
 
 
 def groups_of(history, summary):
@@ -86,7 +87,8 @@ def groups_of(history, summary):
     warm = [(name, float(samples[-1]), style.COLOURS[1], None) for name, samples in temperatures(history)]
     found = [release_group(history, summary), intensity_group(history, summary),
              Group("Pressure in cracks", "pressure", "Pa", inside) if inside else None,
-             Group("Temperature", "temperature", "K", warm) if warm else None, energy_group(history)]
+             Group("Temperature", "temperature", "K", warm) if warm else None,
+             *(energy_group(history, part) for part in energy_parts(history))]
     return [group for group in found if group and group.bars]
 
 

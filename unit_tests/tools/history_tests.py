@@ -10,7 +10,7 @@ import numpy as np
 from rhegma_tools import style
 from rhegma.history import History as Samples, read_history
 from rhegma_tools.growth_panels import draw_growth, grown_in_equilibrium, growth
-from rhegma_tools.heat_panels import draw_energies, draw_temperatures, temperatures
+from rhegma_tools.heat_panels import draw_energies, draw_temperatures, energy_parts, temperatures
 from rhegma_tools.history_picture import draw_history, draw_pressures, draw_release, panels_of
 from rhegma_tools.history_picture import error_estimate, pressures, references
 from rhegma_tools.panel_lines import ends, widen, without_ended
@@ -144,6 +144,29 @@ class History(ToolTest):
         self.assertEqual(len(axes.lines), len(names))
         self.assertEqual(len({line.get_color() for line in axes.lines}), len(names))
         plt.close(figure)
+
+    def test_heat_does_not_hide_the_other_energies(self):
+        columns = {"time": [0.0, 1.0], "strain": [0.0, 5e-3], "fracture": [0.0, 4e-4], "residual": [0.0, -2e-3], "thermal": [0.0, -130.0], "heat": [0.0, -130.0]}
+        made_up_run.write_history(self.folder, columns)
+        history = read_history(self.folder)
+        parts = energy_parts(history)
+        self.assertEqual(parts, [("Energy without heat", ["strain", "fracture", "residual"]), ("Heat", ["heat", "thermal"])])
+        figure, axes = plt.subplots()
+        draw_energies(axes, history, history.time, parts[0])
+        self.assertEqual((axes.get_ylabel(), sorted(line.get_label() for line in axes.lines)), ("energy [mJ]", ["fracture", "residual", "strain"]))
+        self.assertEqual(len(panels_of(history, None)[0]), 2)
+        plt.close(figure)
+        for strain in (1.4, 0.0):  # comparable ones, and heat alone, are in one panel
+            made_up_run.write_history(self.folder, {**columns, "strain": [0.0, strain], "fracture": [0.0, 0.0]})
+            self.assertEqual([title for title, _ in energy_parts(read_history(self.folder))], ["Energy"])
+        made_up_run.write_history(self.folder, {name: values[1:] for name, values in columns.items()})
+        self.assertEqual([group.title for group in groups_of(read_history(self.folder), None)], ["Energy without heat", "Heat"])
+
+    def test_draws_the_lowest_and_highest_temperature(self):
+        made_up_run.write_history(self.folder, {"time": [0.0, 1.0], "temperature_highest": [673.0, 673.0], "temperature_lowest": [673.0, 560.0], "A.0.G_J": [0.0, 1.0],
+                                                "A.0.temperature": [673.0, 672.0]})
+        self.assertEqual([(name, samples[-1]) for name, samples in temperatures(read_history(self.folder))],
+                         [("highest of all", 673.0), ("lowest of all", 560.0), ("A, front 0", 672.0)])
 
     def test_growth_says_of_what(self):
         """In 3D a front's length is that of the border, so that the crack's area is drawn; in 2D the crack's length."""
