@@ -10,6 +10,7 @@ from .whole_folder import went_to_its_end
 
 NAMED = 4  # fronts named in a line
 UNKNOWN = 0.05  # error of loads that has to be expected where a run has no estimate
+EARLY = " up to the time at which the run ended early"
 HOOP = 0.995  # load by the largest hoop stress over that by G, below which the program names both
 
 
@@ -112,7 +113,7 @@ def of_load_factor(fronts, start, grown):
 
 def of_no_growth(summary, fronts):
     """Of a scene with a toughness in which no front grew."""
-    until = "" if went_to_its_end(summary) else " up to the time at which the run ended early"
+    until = "" if went_to_its_end(summary) else EARLY
     release = [front["closest_to_initiation"] for _, _, front in fronts if is_number(front.get("closest_to_initiation"))]
     hoop = [front["closest_by_hoop_stress"] for _, _, front in fronts if is_number(front.get("closest_by_hoop_stress"))]
     if max(hoop, default=0.0) >= 1.0:
@@ -157,10 +158,12 @@ def of_comparison(summary, fronts):
     what = f"the largest G along {name_of(first)}" if larger else f"G of {name_of(first)}"
     at_end = larger and abs(first[2]["G_J_max"] / toughness - release) <= 1e-3 * release  # the mean is only known there
     mean = f", and the mean along it {short(first[2]['G_J'] / toughness)}" if at_end else ""
+    early = not went_to_its_end(summary)
+    decided += EARLY if early else ""
     text = f"{decided}: {what} reached {short(release)} of the toughness of {readable(toughness, 'J/m²')}{mean}{how}."
     if is_number(start.get("load_factor")):
         estimate = "" if error is None else f" ± {50.0 * error:.2g} %"
-        text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of the scene."
+        text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of {'that time' if early else 'the scene'}."
     return text
 
 

@@ -44,6 +44,12 @@ class Verdict(ToolTest):
         self.assertTrue(text.startswith("Yes") and "largest hoop stress 1.1" in text, text)
         self.assertEqual(of(None), "Not decided: no energy release rate is known.")
 
+    def test_comparison_of_a_run_that_ended_early(self):
+        """Its loads are not those of the scene."""
+        text = verdict(summary_of({"closest_to_initiation": 0.16}, start_of_growth={"toughness": 120.0, "load_factor": 2.5}, end="stopped by a signal"))
+        self.assertEqual(text, "No up to the time at which the run ended early: G of A, front 0 reached 0.16 of the toughness of 120 J/m². "
+                               "Cracks start at 2.5 times the loads and prescribed displacements of that time.")
+
     def test_comparison_in_3d_is_with_the_largest_node(self):
         front = {"G_J": 1868.0, "G_J_min": 1300.0, "G_J_max": 3037.0, "G_J_error_estimate": 73.0, "closest_to_initiation": 3037.0 / 15700.0}
         more = {"start_of_growth": {"toughness": 15700.0, "load_factor": 2.274}}
