@@ -94,6 +94,7 @@ class Browser(ToolTest):
     def test_it_prints(self):
         """To PDF, on several pages with its pictures."""
         made_up_run.beam(self.folder)
+        frames_of_beam(self.folder, 3)
         page = self.write("to_print.html", self.page())
         answer = self.browse(page, f"--print-to-pdf={self.path('report.pdf')}")
         with open(self.path("report.pdf"), "rb") as file:
