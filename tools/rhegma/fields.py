@@ -56,8 +56,9 @@ class Leaves:
 class Fields:
     """Particles and cracks at one time; arrays as in the file. time [s]; position, displacement (n, 3) [m]; stress (n, 6) [Pa]: xx, yy, zz, xy,
     yz, xz; von_mises (n) [Pa]; temperature (n) [K]; deformation (n, 3, 3): F; edges (n, 3, 3): the undeformed edge vectors of a particle's
-    box, one a row, in 2D two and a row of zeros [m]; body (n): number in the scene; counts: whether the field that was asked for is of whole numbers, such as piece. What the run did not compute is None. crack: all
-    cracks, or None; leaves: cells, or None; tools: rigid tools, or None. written: times of all frames of the file [s]. source: (path of the file, name of the frame).
+    box, one a row, in 2D two and a row of zeros [m]; body (n): number in the scene; counts: whether the field that was asked for is of whole
+    numbers, such as piece. What the run did not compute is None. crack: all cracks, or None; leaves: cells, or None; tools: rigid tools, or
+    None. written: times of all frames of the file [s]. source: (path of the file, name of the frame).
 
     `fields["velocity"]` reads any field of the particles, `names` lists them."""
 

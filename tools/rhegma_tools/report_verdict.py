@@ -55,7 +55,8 @@ def since(entry, summary, first):
     start = (summary.get("propagation") or {}).get("initiation") or {}
     if not first or not is_number(start.get("time")):
         return f" from the load step to t = {readable(entry['initiated'], 's')} on"
-    step = f" (in the load step from {readable(start['from'], 's')} to {readable(start['to'], 's')})" if is_number(start.get("from")) and is_number(start.get("to")) else ""
+    known = is_number(start.get("from")) and is_number(start.get("to"))
+    step = f" (in the load step from {readable(start['from'], 's')} to {readable(start['to'], 's')})" if known else ""
     return f" from about t = {readable(start['time'], 's')} on{step}"
 
 
