@@ -139,6 +139,18 @@ def has_larger_node(front):
     return is_number(front.get("G_J")) and is_number(front.get("G_J_max")) and front["G_J_max"] > front["G_J"]
 
 
+def at_surface(start, fronts, denies):
+    """What front nodes near the surface say, which the answer leaves out, where they are closer to growth. denies: the answer is no"""
+    inside = max((front["closest_to_initiation"] for _, _, front in fronts if is_number(front.get("closest_to_initiation"))), default=0.0)
+    surface = max((front["closest_at_surface"] for _, _, front in fronts if is_number(front.get("closest_at_surface"))), default=0.0)
+    if surface <= inside / HOOP**2:
+        return ""
+    text = f" Nodes less than two cells from the surface are left out, as G depends on the cells there: they reached {short(surface)}"
+    if is_number(start.get("load_factor_at_surface")):
+        text += f", which is {short(start['load_factor_at_surface'])} times the loads"
+    return text + ("; by them the crack would grow, so use smaller cells to decide." if denies and surface >= 1.0 else ".")
+
+
 def of_comparison(summary, fronts):
     """Of a scene with a toughness with which G is compared, in which no front can grow."""
     start = summary["start_of_growth"]
@@ -157,15 +169,16 @@ def of_comparison(summary, fronts):
     toughness = start["toughness"]
     larger = has_larger_node(first[2]) and is_number(toughness) and toughness > 0.0
     what = f"the largest G along {name_of(first)}" if larger else f"G of {name_of(first)}"
-    at_end = larger and abs(first[2]["G_J_max"] / toughness - release) <= 1e-3 * release  # the mean is only known there
+    highest = max(release, first[2]["closest_at_surface"]) if is_number(first[2].get("closest_at_surface")) else release
+    at_end = larger and abs(first[2]["G_J_max"] / toughness - highest) <= 1e-3 * highest  # the mean is only known there
     mean = f", and the mean along it {short(first[2]['G_J'] / toughness)}" if at_end else ""
     early = not went_to_its_end(summary)
     decided += EARLY if early else ""
     text = f"{decided}: {what} reached {short(release)} of the toughness of {readable(toughness, 'J/m²')}{mean}{how}."
     if is_number(start.get("load_factor")):
         estimate = "" if error is None else f" ± {50.0 * error:.2g} %"
-        text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of {'that time' if early else 'the scene'}."
-    return text
+        text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of the scene."
+    return text + at_surface(start, fronts, decided.startswith("No") and not decided.startswith("Not"))
 
 
 def of_no_toughness(fronts):

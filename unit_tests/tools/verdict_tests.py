@@ -45,10 +45,10 @@ class Verdict(ToolTest):
         self.assertEqual(of(None), "Not decided: no energy release rate is known.")
 
     def test_comparison_of_a_run_that_ended_early(self):
-        """Its loads are not those of the scene."""
+        """The factor is on the loads of the scene, of which it applied a part."""
         text = verdict(summary_of({"closest_to_initiation": 0.16}, start_of_growth={"toughness": 120.0, "load_factor": 2.5}, end="stopped by a signal"))
         self.assertEqual(text, "No up to the time at which the run ended early: G of A, front 0 reached 0.16 of the toughness of 120 J/m². "
-                               "Cracks start at 2.5 times the loads and prescribed displacements of that time.")
+                               "Cracks start at 2.5 times the loads and prescribed displacements of the scene.")
 
     def test_comparison_in_3d_is_with_the_largest_node(self):
         front = {"G_J": 1868.0, "G_J_min": 1300.0, "G_J_max": 3037.0, "G_J_error_estimate": 73.0, "closest_to_initiation": 3037.0 / 15700.0}
@@ -61,6 +61,20 @@ class Verdict(ToolTest):
         head, rows, _ = front_table(summary_of(front, **more))
         self.assertEqual([name for name in head if "G" in name], ["mean G [kJ/m²]", "largest mean G [kJ/m²]", "largest G of a front node / toughness"])
         self.assertEqual(rows[0][head.index("largest G of a front node / toughness")], "0.1934")
+
+    def test_nodes_at_the_surface_are_named(self):
+        """Where they are closer to growth than the others; if they alone would grow, the answer says what to do."""
+        def of(inside, surface, factor=None, at_surface=None):
+            front = {"G_J": 50.0, "G_J_max": 100.0 * max(inside, surface), "closest_to_initiation": inside, "closest_at_surface": surface}
+            return verdict(summary_of(front, start_of_growth={"toughness": 100.0, "load_factor": factor, "load_factor_at_surface": at_surface}))
+
+        self.assertNotIn("surface", of(0.64, 0.6))
+        self.assertEqual(of(0.64, 0.81, 1.25, 1.111),
+                         "No: the largest G along A, front 0 reached 0.64 of the toughness of 100 J/m², and the mean along it 0.5. Cracks start at 1.25 times the "
+                         "loads and prescribed displacements of the scene. Nodes less than two cells from the surface are left out, as G depends on the cells "
+                         "there: they reached 0.81, which is 1.111 times the loads.")
+        self.assertTrue(of(0.64, 1.2).endswith("they reached 1.2; by them the crack would grow, so use smaller cells to decide."))
+        self.assertTrue(of(4.0, 5.0).startswith("Yes") and of(4.0, 5.0).endswith("they reached 5."))
 
     def test_a_negative_release_decides_nothing(self):
         for more in ({}, {"start_of_growth": {"toughness": 7.0, "load_factor": None}}):
