@@ -137,7 +137,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
   return found;
 }
 
-/// Part of the radius of a crack that breaks the surface: where its rim is less deep, the nearest surface is
+/// Part of the depth of a crack that breaks the surface: where its rim is less deep, the nearest surface is
 /// the one that it breaks.
 constexpr double clearDepth = 0.3;
 
@@ -188,39 +188,71 @@ Rim rimOfDisk(const ParameterList& crack)
   return rim;
 }
 
+/// The rim and positions between: a front that goes through a body has its corners at the surface or beyond
+/// it.
+std::vector<Vector<3>> sampled(const Rim& rim)
+{
+  constexpr int samples = 8;
+  std::vector<Vector<3>> all;
+  for (std::size_t k = 0; k < rim.points.size(); ++k)
+    for (int i = 0; i < samples; ++i)
+    {
+      const Vector<3>& from = rim.points[k];
+      all.push_back(from + (double(i) / samples) * (rim.points[(k + 1) % rim.points.size()] - from));
+    }
+  return all;
+}
+
+/// Distances ahead of a rim that breaks the surface and across it, where it is deep enough. The crack counts
+/// as no longer than twice its depth, however far it is drawn outside of the bodies; of one that goes through
+/// a plate that is the thickness of the plate.
+void measureBreaking(const Rim& rim, const SceneBodies<3>& bodies, Lengths& found)
+{
+  Vector<3> across{};
+  for (std::size_t k = 0; k < rim.points.size(); ++k)
+    across = across + cross(rim.points[k] - rim.middle, rim.points[(k + 1) % rim.points.size()] - rim.middle);
+  double deepest = 0.0;
+  const std::vector<Vector<3>> positions = sampled(rim);
+  for (const Vector<3>& x : positions)
+    deepest = std::max(deepest, bodies.depth(x));
+  for (const Vector<3>& x : positions)
+  {
+    const double depth = bodies.depth(x);
+    if (!(depth > clearDepth * std::min(rim.radius, deepest)))
+      continue;
+    found.inside = true;
+    for (const Vector<3>& to : {x - rim.middle, across, -1.0 * across})
+      if (const double size = norm(to); size > 0.0)
+        found.front(bodies.reach(x, (1.0 / size) * to, bodies.extent()));
+  }
+  if (found.inside)
+    found.crack = std::min({rim.radius, found.ligament, 2.0 * deepest});
+}
+
 Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
 {
   Lengths found;
   found.inside = bodies.contain(rim.middle);
-  const bool breaks = std::any_of(rim.points.begin(), rim.points.end(),
-                                  [&](const Vector<3>& x) { return !bodies.contain(x); });
-  const Vector<3> across = cross(rim.points[0] - rim.middle, rim.points[rim.points.size() / 4] - rim.middle);
+  found.crack = rim.radius;
+  if (std::any_of(rim.points.begin(), rim.points.end(),
+                  [&](const Vector<3>& x) { return !bodies.contain(x); }))
+  {
+    measureBreaking(rim, bodies, found);
+    return found;
+  }
   const auto probe = [&](const Vector<3>& position)
   {
     const double depth = bodies.depth(position);
     found.inside = found.inside || depth > 0.0;
-    if (!breaks && depth > breakingDepth * rim.radius)
+    if (depth > breakingDepth * rim.radius)
       found.front(depth);
-    if (!breaks || !(depth > clearDepth * rim.radius))
-      return;
-    const Vector<3> out = position - rim.middle;
-    for (const Vector<3>& to : {out, across, -1.0 * across})
-      if (const double size = norm(to); size > 0.0)
-        found.front(bodies.reach(position, (1.0 / size) * to, bodies.extent()));
   };
   for (const Vector<3>& position : rim.points)
     probe(position);
-  found.crack = rim.radius;
   if (found.ligament < CellNeeds::none)
     return found;
-  // A front that goes through a body has its corners at the surface or beyond it.
-  constexpr int samples = 8;
-  for (std::size_t k = 0; k < rim.points.size(); ++k)
-    for (int i = 1; i < samples; ++i)
-    {
-      const Vector<3>& from = rim.points[k];
-      probe(from + (double(i) / samples) * (rim.points[(k + 1) % rim.points.size()] - from));
-    }
+  for (const Vector<3>& position : sampled(rim))
+    probe(position);
   found.crack = std::min(rim.radius, found.ligament);
   return found;
 }

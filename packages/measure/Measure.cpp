@@ -241,17 +241,14 @@ void reportExtremes(const State<D>& state, const std::vector<Watched>& watched, 
   }
 }
 
-/// Pieces of the last sample.
+/// Numbers the pieces and adds their columns to the sample.
 template <int D>
-using Pieces = std::vector<Piece<D>>;
-
-/// Finds the pieces and adds their columns to the sample.
-template <int D>
-void samplePieces(State<D>& state, Pieces<D>& pieces)
+void samplePieces(State<D>& state)
 {
   if (!state.clock.observing)
     return;
-  pieces = findPieces(state);
+  numberPieces(state);
+  const std::vector<Piece<D>> pieces = piecesOf(state);
   state.sample.row.emplace_back("pieces", static_cast<double>(pieces.size()));
   state.sample.row.emplace_back("largest_piece", pieces.empty() ? 0.0 : pieces.front().mass);
 }
@@ -260,8 +257,11 @@ void samplePieces(State<D>& state, Pieces<D>& pieces)
 constexpr std::size_t mostPieces = 20;
 
 template <int D>
-void reportPieces(const State<D>& state, const Pieces<D>& pieces, nlohmann::json& summary)
+void reportPieces(const State<D>& state, nlohmann::json& summary)
 {
+  const std::vector<Piece<D>> pieces = piecesOf(state);
+  if (pieces.empty()) // before the first step
+    return;
   double all = 0.0;
   for (const Piece<D>& piece : pieces)
     all += piece.mass;
@@ -286,12 +286,12 @@ void reportPieces(const State<D>& state, const Pieces<D>& pieces, nlohmann::json
 
 /// Adds what finds pieces.
 template <int D>
-void addPieces(Effect<D>& effect, const std::shared_ptr<Pieces<D>>& pieces)
+void addPieces(Effect<D>& effect)
 {
   effect.adds.push_back(
       {pieceField, 1, "", "number of the piece, 0 for the largest; -1: not known yet", true});
   effect.call(Stage::Observe, "pieces of bodies", {quantity::particleStress}, {}, {},
-              [pieces](State<D>& state) { samplePieces(state, *pieces); });
+              [](State<D>& state) { samplePieces(state); });
 }
 
 template <int D>
@@ -307,12 +307,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto sides = std::make_shared<Sides<D>>();
   const auto circles = std::make_shared<std::vector<Circle>>();
   const auto watched = std::make_shared<std::vector<Watched>>();
-  const auto pieces = std::make_shared<Pieces<D>>();
   const bool findsPieces = list.isSublist("Pieces");
   Effect<D> effect;
   effect.name = "Measure";
   if (findsPieces)
-    addPieces(effect, pieces);
+    addPieces(effect);
   if (list.isSublist("Extremes"))
     effect.call(Stage::Observe, "extremes of fields",
                 {ifWritten(quantity::particleStress), ifWritten(quantity::particleVelocity),
@@ -334,8 +333,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     reportSides(state, *sides, summary);
     reportExtremes(state, *watched, summary);
-    if (!pieces->empty())
-      reportPieces(state, *pieces, summary);
+    if (findsPieces)
+      reportPieces(state, summary);
     if (measuresStress && state.clock.step > 0) // before, particles have no nodes
       reportStress(state, summary);
     if constexpr (D == 3)

@@ -36,6 +36,13 @@ std::vector<int> pieceOfParticles(const State<D>& state, const equilibrium::RowG
   return piece;
 }
 
+/// Sums of a piece: its mass, D first moments, particles of each body.
+template <int D>
+int widthOf(const State<D>& state)
+{
+  return 1 + D + static_cast<int>(state.bodies.info.size());
+}
+
 /// Mass and first moment of mass of each piece, and the particles of each body in it: `width` sums a piece.
 template <int D>
 std::vector<double> sumsOf(const State<D>& state, const std::vector<int>& piece, int count, int width)
@@ -64,25 +71,42 @@ std::vector<double> sumsOf(const State<D>& state, const std::vector<int>& piece,
 } // namespace
 
 template <int D>
-std::vector<Piece<D>> findPieces(const State<D>& state)
+void numberPieces(const State<D>& state)
 {
   const equilibrium::RowGraph graph = equilibrium::numberRows(state);
   const equilibrium::RowOwners owners = equilibrium::findOwners(state, graph);
   const auto [pieceOfRow, count] = equilibrium::findPieces(state, {}, owners, graph);
-  std::vector<int> piece = pieceOfParticles(state, graph, pieceOfRow);
-  const int width = 1 + D + static_cast<int>(state.bodies.info.size());
+  const std::vector<int> piece = pieceOfParticles(state, graph, pieceOfRow);
+  const int width = widthOf(state);
   const std::vector<double> sums = sumsOf(state, piece, count, width);
-
   std::vector<int> order(count), numberOf(count);
   std::iota(order.begin(), order.end(), 0);
   // Rows of particles that have left may form a piece without mass; it comes last.
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return sums[std::size_t(a) * width] > sums[std::size_t(b) * width]; });
+  for (int k = 0; k < count; ++k)
+    numberOf[order[k]] = k;
+  const auto field = state.particles.integer(pieceField);
+  const auto host = Kokkos::create_mirror_view(field);
+  for (std::size_t p = 0; p < piece.size(); ++p)
+    host(p) = piece[p] < 0 ? -1 : numberOf[piece[p]];
+  Kokkos::deep_copy(field, host);
+}
+
+template <int D>
+std::vector<Piece<D>> piecesOf(const State<D>& state)
+{
+  const auto field = onHost(state.particles.integer(pieceField));
+  const std::vector<int> piece(field.data(), field.data() + state.particles.size());
+  double most = -1.0;
+  for (const int number : piece)
+    most = std::max(most, double(number));
+  const int count = static_cast<int>(state.ranks.max(most)) + 1, width = widthOf(state);
+  const std::vector<double> sums = sumsOf(state, piece, count, width);
   std::vector<Piece<D>> pieces;
   for (int k = 0; k < count; ++k)
   {
-    numberOf[order[k]] = k;
-    const double* const of = &sums[static_cast<std::size_t>(order[k]) * width];
+    const double* const of = &sums[static_cast<std::size_t>(k) * width];
     if (!(of[0] > 0.0))
       continue;
     Piece<D> next;
@@ -94,15 +118,12 @@ std::vector<Piece<D>> findPieces(const State<D>& state)
         next.bodies.push_back(b);
     pieces.push_back(next);
   }
-  const auto field = state.particles.integer(pieceField);
-  const auto host = Kokkos::create_mirror_view(field);
-  for (std::size_t p = 0; p < piece.size(); ++p)
-    host(p) = piece[p] < 0 ? -1 : numberOf[piece[p]];
-  Kokkos::deep_copy(field, host);
   return pieces;
 }
 
-template std::vector<Piece<2>> findPieces(const State<2>&);
-template std::vector<Piece<3>> findPieces(const State<3>&);
+template void numberPieces(const State<2>&);
+template void numberPieces(const State<3>&);
+template std::vector<Piece<2>> piecesOf(const State<2>&);
+template std::vector<Piece<3>> piecesOf(const State<3>&);
 
 } // namespace Rhegma::measure

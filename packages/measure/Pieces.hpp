@@ -26,8 +26,11 @@ struct Piece
 /// node a field, in common, or if others connect them so: material that has come apart by less than a cell
 /// without a crack still is one piece. Needs the nodes of a step. Time and memory grow with all particles.
 /// Collective.
-/// \return the pieces, the same on all ranks
 template <int D>
-std::vector<Piece<D>> findPieces(const State<D>& state);
+void numberPieces(const State<D>& state);
+
+/// The pieces that the particles' field has, the same on all ranks; none where they are not known. Collective.
+template <int D>
+std::vector<Piece<D>> piecesOf(const State<D>& state);
 
 } // namespace Rhegma::measure

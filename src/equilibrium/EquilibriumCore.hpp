@@ -38,6 +38,7 @@ struct LastStep
   double workOfSupports = 0.0; ///< over the step, this rank's part [J]
   double motion = 0.0;         ///< largest displacement of a node over the step [smallest cells]
   double shorter = 0.5;        ///< part of a step that was not solved with which to try again
+  double bentMotion = 0.0;     ///< of the last try of a step that bends too far [smallest cells]; 0: none
 };
 
 /// The calls of a step of equilibrium: the nodes' displacement over the step is solved for by Newton's method

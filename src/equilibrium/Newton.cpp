@@ -351,7 +351,7 @@ LinearAnswer NewtonStep<D>::solveLinear(const State<D>& state, const LinearGoal&
 {
   for (int i = 0; i < D * graph_.rows; ++i)
     change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
-  const LinearAnswer answer = solveWithLast(state, residual_, goal, keeps, change);
+  LinearAnswer answer = solveWithLast(state, residual_, goal, keeps, change);
   copyFromOwners(state, graph_, owners_, change);
   removeRigidMotion(change);
   return answer;

@@ -123,13 +123,14 @@ void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& 
 template <int D>
 void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
 {
+  last_->bentMotion = 0.0;
   for (double dt = steps_.next;; dt = last_->shorter * std::min(dt, left))
   {
     state.clock.dt = dt >= left ? left : 2.0 * dt > left ? 0.5 * left : dt;
     runStages(plan, state, {Stage::Scatter, Stage::BeforeSolve, Stage::Solve});
     if (last_->converged)
     {
-      const bool grows = last_->iterations <= LoadSteps<D>::easy;
+      const bool grows = last_->iterations <= LoadSteps<D>::easy && !(last_->bentMotion > 0.0);
       steps_.next = std::min(grows ? std::max(2.0 * dt, steps_.next) : dt, steps_.largest);
       return;
     }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Large arrays of the program are in huge pages where the system gives them on request, and results do not depend on it."""
 
+import glob
 import json
 import os
 import re
@@ -12,10 +13,11 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import PROGRAM, ProgramTest, environment  # noqa: E402
+from program import PROGRAM, ProgramTest, environment, rhegma  # noqa: E402
 from scenes import plate  # noqa: E402
 
 MODE = "/sys/kernel/mm/transparent_hugepage/enabled"
+ALLOCATORS = sorted(glob.glob("/usr/lib/*/libjemalloc.so.2") + glob.glob("/usr/lib/*/libtcmalloc_minimal.so.4"))
 ENOUGH = 4 << 20  # kB of free memory with which the system has huge pages to give
 
 
@@ -52,7 +54,7 @@ class HugePages(ProgramTest):
             return json.load(file), most
 
     @unittest.skipUnless(on_request(), "the system gives huge pages always or never")
-    @unittest.skipIf(first(r"^MemFree: +(\d+) kB", "/proc/meminfo") < ENOUGH, "hardly any memory is free")
+    @unittest.skipIf(first(r"^MemAvailable: +(\d+) kB", "/proc/meminfo") < ENOUGH, "hardly any memory is free")
     def test_arrays_are_in_huge_pages_and_results_are_the_same(self):
         on, with_huge = self.outcome("on")
         off, without = self.outcome("off", RHEGMA_HUGE_PAGES="0")
@@ -61,6 +63,14 @@ class HugePages(ProgramTest):
         self.assertEqual(without, 0)
         # Fields of 200,000 particles; ten of at least 2 x 8 bytes.
         self.assertGreater(1024 * with_huge, 10 * 16 * 200000)
+
+    @unittest.skipUnless(ALLOCATORS, "no other allocator is installed")
+    def test_another_allocator_is_used_as_a_whole(self):
+        """One that is loaded before the C library gets all requests, and frees what it gave."""
+        for library in ALLOCATORS:
+            with self.subTest(library=library):
+                answer = rhegma(self.write("scene.xml", plate().set("Time > Maximum Steps", 2).text()), "--quiet", "--output", self.path("out"), LD_PRELOAD=library)
+                self.assertEqual(answer.status, 0, answer)
 
 
 if __name__ == "__main__":

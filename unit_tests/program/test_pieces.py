@@ -131,6 +131,18 @@ class Pieces(ProgramTest):
         with h5py.File(self.path("out", "fields.h5"), "r") as file:
             self.assertEqual(set(numpy.ravel(file[sorted(file)[0]]["particles"]["piece"][()])), {-1})
 
+    def test_a_run_that_continues_knows_its_pieces(self):
+        """From the checkpoint at its end, without another sample."""
+        scene = measured(plate()).remove("Energy Release").set("Cracks > Notch > Points", [-0.1, 0.62, 1.1, 0.41])
+        scene.set("Output", {"Checkpoint Interval": 5e-4})
+        first = self.outcome(scene, "first")[0]
+        answer = rhegma(self.path("scene.xml"), "--restart", self.path("first", "checkpoint.h5"), "--quiet", "--output", self.path("rest"))
+        self.assertEqual(answer.status, 0, answer)
+        with open(self.path("rest", "summary.json"), encoding="utf-8") as file:
+            rest = json.load(file)
+        self.assertEqual(rest["pieces"], first["pieces"])
+        self.assertIn("pieces: at the end there are 2 pieces", " ".join(rest["answers"]))
+
     @unittest.skipUnless(shutil.which("mpirun"), "without mpirun")
     def test_ranks_find_the_same(self):
         scene = measured(plate()).remove("Energy Release").set("Cracks > Notch > Points", [-0.1, 0.62, 1.1, 0.41])
