@@ -74,7 +74,7 @@ extern "C" void* malloc(std::size_t size) noexcept
   const std::uintptr_t end = (address + size) & ~(hugePage - 1);
   const int error = errno;
   if (end > first) // an older kernel has none: the memory is as good
-    (void)madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+    (void)madvise(static_cast<char*>(memory) + (first - address), end - first, MADV_HUGEPAGE);
   errno = error;
   return memory;
 }

@@ -29,7 +29,8 @@ struct Piece
 template <int D>
 void numberPieces(const State<D>& state);
 
-/// The pieces that the particles' field has, the same on all ranks; none where they are not known. Collective.
+/// The pieces that the particles' field has, the same on all ranks; none where they are not known.
+/// Collective.
 template <int D>
 std::vector<Piece<D>> piecesOf(const State<D>& state);
 
