@@ -166,7 +166,7 @@ class Pieces(ProgramTest):
         self.agree(*found)
         # The plane meets the axis of the block, x = y = 0.5, at z = 0.37.
         self.assertEqual(found[0]["pieces"]["number"], 2)
-        self.assertAlmostEqual(found[0]["pieces"]["largest"][0]["fraction"], 0.63, delta=0.05)
+        self.assertAlmostEqual(found[0]["pieces"]["largest"][0]["fraction"], 0.63, delta=1e-3)
 
     def test_without_mechanics(self):
         scene = measured(plate()).remove("Cracks").remove("Energy Release").remove("Boundaries")
