@@ -1,7 +1,7 @@
 /// Memory of large arrays in huge pages, for the program alone.
 ///
 /// A processor finds a page of 4 kB anew for every few numbers of a large matrix, and the system clears each
-/// of them when it is first written: without huge pages a fifth of the time of an equilibrium of a million
+/// of them when it is first written: without huge pages a third of the time of an equilibrium of a million
 /// particles goes there. Linux gives huge pages to memory for which a program asks
 /// (/sys/kernel/mm/transparent_hugepage/enabled = madvise, the default of most distributions). Arrays are
 /// allocated by Kokkos and Trilinos, so malloc is the place to ask: that of the C library, or of another
