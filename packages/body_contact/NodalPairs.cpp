@@ -45,7 +45,7 @@ void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
   const int nodes = shared.count, most = mostPairs * nodes;
   if (static_cast<int>(pairs.first.extent(0)) < nodes + 1)
     pairs.first = View<int*>("rhegma::firstPairOfNode", 2 * nodes + 1);
-  if (static_cast<int>(pairs.gap.extent(0)) < nodes)
+  if (static_cast<int>(pairs.gap.extent(0)) < most)
   {
     pairs.group = View<int* [2]>("rhegma::groupsOfPairs", 2 * most);
     pairs.row = View<int* [2]>("rhegma::rowsOfPairs", 2 * most);

@@ -169,6 +169,8 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
     markMaterials(state, nodes, join);
   heatToNodes(state, nodes);
   sumOverRanks(state, nodes.sums.data(), HeatNodes<D>::sumWidth, 0, HeatNodes<D>::momentAt + D);
+  if (!state.cracks.cracks.empty())
+    sumOverRanks(state, nodes.rate.data(), 2, HeatNodes<D>::leftOutAt, 1);
   findTemperature(state, nodes);
   if (!facesKnown)
     faces.update(state, nodes);

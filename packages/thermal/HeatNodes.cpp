@@ -36,7 +36,8 @@ struct CapacityBlock
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
     for (int p = begin; p < end && storedRow.extent(0) > 0; ++p)
-      searchAside(p);
+      if (storedRow(p) >= 0)
+        addStored(p);
     double* const rows = nodes.sums.data();
     if (nodes.meets.extent(0) == 0)
       connect.forEachParticle(begin, end,
@@ -53,17 +54,27 @@ struct CapacityBlock
                               });
   }
 
-  KOKKOS_INLINE_FUNCTION void searchAside(int p) const
+  /// Of a particle with a stored stencil: how far its nodes are aside, and the parts of negative weight taken
+  /// out again of the means.
+  KOKKOS_INLINE_FUNCTION void addStored(int p) const
   {
-    double aside = 0.0;
-    if (storedRow(p) >= 0)
-      connect.visit(p,
-                    [&](int node, double weight, const double*)
+    double aside = 0.0, row[width];
+    fractions(p).store(row);
+    const bool conducts = nodes.meets.extent(0) == 0 ||
+                          ThermoPoint(tables, material(p), temperature(p)).conductivity() > 0.0;
+    connect.visit(p,
+                  [&](int node, double weight, const double*)
+                  {
+                    const Vector<D> x = positions(latticeNode(all, node));
+                    for (int d = 0; d < D; ++d)
+                      aside += weight * gradient(p, d) * (x[d] - position(p, d));
+                    if (weight < 0.0 && (conducts || !nodes.conductsAt(node)))
                     {
-                      const Vector<D> x = positions(latticeNode(all, node));
-                      for (int d = 0; d < D; ++d)
-                        aside += weight * gradient(p, d) * (x[d] - position(p, d));
-                    });
+                      nodes.rate(node, HeatNodes<D>::leftOutAt) -= weight * row[HeatNodes<D>::capacityAt];
+                      for (int k = HeatNodes<D>::heatAt; k < width; ++k)
+                        nodes.sums(node, k) -= weight * row[k];
+                    }
+                  });
     nodes.aside(p) = aside;
   }
 
@@ -218,7 +229,7 @@ void HeatNodes<D>::clear(const State<D>& state, bool several)
         const int n = activeNode(nodes, i);
         for (int k = 0; k < sumWidth; ++k)
           heat.sums(n, k) = 0.0;
-        heat.rate(n, 0) = 0.0;
+        heat.rate(n, 0) = heat.rate(n, HeatNodes<D>::leftOutAt) = 0.0;
         heat.held(n) = 0;
       });
 }
@@ -260,7 +271,8 @@ void findTemperature(State<D>& state, const HeatNodes<D>& heat)
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         const Vector<D> x = positions(latticeNode(nodes, n)) - origin;
-        const double capacity = heat.sums(n, HeatNodes<D>::capacityAt);
+        const double capacity =
+            heat.sums(n, HeatNodes<D>::capacityAt) + heat.rate(n, HeatNodes<D>::leftOutAt);
         double sum = heat.sums(n, HeatNodes<D>::heatAt);
         for (int d = 0; d < D; ++d)
           sum += x[d] * heat.sums(n, HeatNodes<D>::momentAt + d);
@@ -269,7 +281,7 @@ void findTemperature(State<D>& state, const HeatNodes<D>& heat)
         heat.value(n, 2) = heat.value(n, 0);
         // Points on surfaces only need ratios of nodal masses.
         if (!mechanics)
-          nodes.sums(n, Nodes<D>::massAt) = capacity;
+          nodes.sums(n, Nodes<D>::massAt) = heat.sums(n, HeatNodes<D>::capacityAt);
       });
 }
 

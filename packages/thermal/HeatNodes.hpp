@@ -17,7 +17,9 @@ struct HeatNodes
   /// Heat capacity C [J/K]; sum N c (T - g.x) [J] and sum N c g [J/m], x from the origin of the lattice, c
   /// the capacity of a particle, T its temperature and g its temperature gradient.
   View<double* [sumWidth]> sums;
-  View<double* [2]> rate; ///< heat that flows in [W]; the second column is not used
+  /// Heat that flows in [W], and the capacity [J/K] of the parts with negative weights, with its sign turned.
+  View<double* [2]> rate;
+  static constexpr int leftOutAt = 1;
   /// Temperature [K], prescribed where it is held; its change over the step [K]; the temperature as projected
   /// [K].
   View<double* [4]> value;
@@ -58,6 +60,10 @@ struct HeatNodes
 /// Adds capacity and heat of the particles to the nodes. The temperature of a node is then sum N c (T +
 /// g.(x_i - x)) / C: exact for a linear field, whatever the particles' positions, and without a smoothing
 /// that would repeat every step.
+///
+/// Extrapolated stencils (packages/cracks/Ghosts.hpp) have negative weights, which are left out of the mean
+/// but not of C: with them, other weights of the mean would be above 1, and as gradients of one step enter
+/// the means of the next one, gradients grew 1.2 times a step at nodes at the edge of a body next to a crack.
 template <int D>
 void heatToNodes(const State<D>& state, const HeatNodes<D>& nodes);
 

@@ -407,9 +407,10 @@ class Tools(DrawnScenes):
             sunk = scene.copy().set("Bodies > Block > Lower Corner", [left, low - cells * cell])
             with self.subTest(cells=cells, turned=turned):
                 if refused:
-                    answer = self.assert_refused([self.write("wrong.xml", sunk.text())], [("Rigid Tools > Plane", ["overlaps Bodies > Block", "mm"])])
-                    said = re.search(r"by up to ([\d.]+) mm", answer.messages)
-                    self.assertLess(abs(float(said.group(1)) - 1e3 * cells * cell), 0.006 * 1e3 * cells * cell)
+                    answer = self.assert_refused([self.write("wrong.xml", sunk.text())], [("Rigid Tools > Plane", ["overlaps Bodies > Block"])])
+                    number, unit = re.search(r"by up to ([\d.]+) (um|mm)", answer.messages).groups()
+                    said = float(number) * {"um": 1e-6, "mm": 1e-3}[unit]
+                    self.assertLess(abs(said - cells * cell), 0.006 * cells * cell)
                 else:
                     self.run_scene(sunk)
         disk = {"Material": "Solid", "Shape": "Ball", "Centre": [left + 0.07, low + 0.05], "Radius": 0.05}
