@@ -1,4 +1,5 @@
 #include "geometry/Primitives.hpp"
+#include "geometry/SolidInBox.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -44,6 +45,24 @@ Bounds<D> FileShape<D>::bounds(const Frame<D>& frame) const
   for (const auto& item : solid->surface().items)
     result.include(place(solid->surface().points[item[0]]));
   return result;
+}
+
+template <int D>
+BoxPart<D> FileShape<D>::part(const Vector<D>& own, const Vector<D>& edge) const
+{
+  const double reach = 0.5 * norm(edge), middle = depth(own, reach);
+  if (middle <= -reach)
+    return {};
+  if (middle >= reach)
+  {
+    BoxPart<D> whole;
+    whole.fraction = 1.0;
+    for (int d = 0; d < D; ++d)
+      whole.variance[d] = 1.0 / 12.0;
+    return whole;
+  }
+  return partInSolid(*solid, (1.0 / scale) * (own - 0.5 * edge - origin),
+                     (1.0 / scale) * (own + 0.5 * edge - origin));
 }
 
 template struct FileShape<2>;

@@ -228,9 +228,16 @@ PartsOfLevels<D> partsOfCells(const Lattice<D>& lattice, const Shape<D>& shape, 
 {
   Region<D> region{[&](const Vector<D>& x) { return shape.depth(x); },
                    [&](const BoxPoints<D>& box) { return shape.coverage(box); }};
-  if (const auto* const voxels = std::get_if<VoxelShape<D>>(&shape.base().primitive);
-      voxels != nullptr && shape.parts().size() == 1)
-    region.exact = [voxels](const Vector<D>& own, const Vector<D>& edge) { return voxels->part(own, edge); };
+  if (shape.parts().size() == 1)
+    std::visit(
+        [&](const auto& primitive)
+        {
+          using Kind = std::decay_t<decltype(primitive)>;
+          if constexpr (std::is_same_v<Kind, VoxelShape<D>> || std::is_same_v<Kind, FileShape<D>>)
+            region.exact = [&primitive](const Vector<D>& own, const Vector<D>& edge)
+            { return primitive.part(own, edge); };
+        },
+        shape.base().primitive);
   const bool isBox = shape.parts().size() == 1 && std::holds_alternative<Box<D>>(shape.base().primitive);
   const Filling<D> body{shape.base().frame, region, rules, isBox, shape.base().ownBounds()};
   Division<D> division(lattice, body);

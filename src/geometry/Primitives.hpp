@@ -91,6 +91,8 @@ struct FileShape
   /// The same up to a distance; a larger one is given as this one [m].
   double depth(const Vector<D>& own, double within) const;
   Bounds<D> bounds(const Frame<D>& frame) const;
+  /// The part of a box along its axes about `own`: exact but for rounding.
+  BoxPart<D> part(const Vector<D>& own, const Vector<D>& edge) const;
 };
 
 /// The voxels of an image that have one value.

@@ -28,6 +28,7 @@ public:
 
   const Bounds<D>& bounds() const { return bounds_; }
   const Simplices<D>& surface() const { return surface_; }
+  const SimplexTree<D>& tree() const { return tree_; }
   /// Area in 2D.
   double volume() const;
 
