@@ -29,6 +29,18 @@ if(NOT TARGET Rhegma::Udunits)
     INTERFACE_INCLUDE_DIRECTORIES ${UDUNITS2_INCLUDE_DIR})
 endif()
 
+# Pictures as images of voxels, where they are there.
+find_package(PNG QUIET)
+find_package(TIFF QUIET)
+set(RHEGMA_PICTURES)
+foreach(kind PNG TIFF)
+  if(TARGET ${kind}::${kind})
+    list(APPEND RHEGMA_PICTURES ${kind}::${kind})
+  else()
+    message(STATUS "no lib${kind}: such pictures are read by tools/rhegma-mesh alone")
+  endif()
+endforeach()
+
 option(RHEGMA_MUMPS "Solve equilibria directly with MUMPS where it is found" ON)
 if(RHEGMA_MUMPS)
   find_library(MUMPS_LIBRARY dmumps)

@@ -13,11 +13,17 @@ if(TARGET Rhegma::Mumps)
     COMPILE_OPTIONS -idirafter${MUMPS_INCLUDE_DIR})
   set(RHEGMA_MUMPS_TARGET Rhegma::Mumps)
 endif()
+if(TARGET PNG::PNG)
+  set_source_files_properties(${RHEGMA_ROOT}/src/geometry/PngFile.cpp PROPERTIES COMPILE_DEFINITIONS RHEGMA_HAVE_PNG)
+endif()
+if(TARGET TIFF::TIFF)
+  set_source_files_properties(${RHEGMA_ROOT}/src/geometry/TiffFile.cpp PROPERTIES COMPILE_DEFINITIONS RHEGMA_HAVE_TIFF)
+endif()
 
 tribits_include_directories(${RHEGMA_ROOT}/src ${RHEGMA_ROOT}/packages)
 tribits_add_library(rhegma SOURCES ${RHEGMA_SOURCES} NOINSTALLHEADERS
   IMPORTEDLIBS hdf5::hdf5 ZLIB::ZLIB nlohmann_json::nlohmann_json muparser::muparser Rhegma::Udunits
-  ${RHEGMA_MUMPS_TARGET})
+  ${RHEGMA_PICTURES} ${RHEGMA_MUMPS_TARGET})
 tribits_add_executable(rhegma_program NOEXEPREFIX NOEXESUFFIX SOURCES ${RHEGMA_PROGRAM_SOURCES} INSTALLABLE)
 if(TARGET rhegma_program) # Trilinos leaves it out where it is told to make no executables
   set_target_properties(rhegma_program PROPERTIES OUTPUT_NAME rhegma)

@@ -2,6 +2,7 @@
 
 #include "base/ShortNumber.hpp"
 #include "geometry/NpyHeader.hpp"
+#include "geometry/PictureFile.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,10 +21,17 @@ namespace
 /// A version of a file, by which a change is noticed.
 using Version = std::tuple<std::filesystem::file_time_type, std::uintmax_t>;
 
+/// Of a folder, the latest of its pictures and the size of all.
 Version versionOf(const std::string& path)
 {
   std::error_code error; // of a file that is missing: reading it says so
-  return {std::filesystem::last_write_time(path, error), std::filesystem::file_size(path, error)};
+  Version version{std::filesystem::last_write_time(path, error), 0};
+  for (const std::string& file : filesOfPictures(path))
+  {
+    std::get<0>(version) = std::max(std::get<0>(version), std::filesystem::last_write_time(file, error));
+    std::get<1>(version) += std::filesystem::file_size(file, error);
+  }
+  return version;
 }
 
 std::string timesOf(const std::vector<std::int64_t>& shape)
@@ -83,15 +91,42 @@ std::string listOf(const std::map<std::int64_t, std::int64_t>& counts)
          (counts.size() > most ? " and " + std::to_string(counts.size() - most) + " other values" : "");
 }
 
-/// For each voxel 1 where it has the value, else -1.
+/// Marks which voxels have a value, and counts those of all values.
+class Marks
+{
+public:
+  Marks(std::size_t voxels, int value) : value_(value) { inside_.reserve(voxels); }
+
+  void add(std::int64_t number)
+  {
+    if (last_ == counts_.end() || last_->first != number) // neighbours mostly have one value
+      last_ = counts_.emplace(number, 0).first;
+    ++last_->second;
+    inside_.push_back(number == value_ ? 1 : -1);
+  }
+
+  /// For each voxel 1 where it has the value, else -1.
+  std::vector<std::int16_t> take()
+  {
+    if (counts_.count(value_) == 0)
+      throw std::invalid_argument("no voxel has the value " + std::to_string(value_) + "; it has " +
+                                  listOf(counts_));
+    return std::move(inside_);
+  }
+
+private:
+  int value_;
+  std::vector<std::int16_t> inside_;
+  std::map<std::int64_t, std::int64_t> counts_;
+  std::map<std::int64_t, std::int64_t>::iterator last_ = counts_.end();
+};
+
 std::vector<std::int16_t> readInside(std::istream& file, const NpyHeader& header, std::size_t voxels,
                                      int value)
 {
   constexpr std::size_t block = 1 << 20;
-  std::vector<std::int16_t> inside(voxels);
+  Marks marks(voxels, value);
   std::vector<unsigned char> bytes(std::min(block, voxels) * header.bytes);
-  std::map<std::int64_t, std::int64_t> counts;
-  auto last = counts.end(); // of the voxel before: neighbours mostly have one value
   file.seekg(static_cast<std::streamoff>(header.dataBegin));
   for (std::size_t begin = 0; begin < voxels; begin += block)
   {
@@ -100,18 +135,42 @@ std::vector<std::int16_t> readInside(std::istream& file, const NpyHeader& header
     if (!file)
       throw std::invalid_argument("the file can't be read to its end");
     for (std::size_t k = 0; k < here; ++k)
-    {
-      const std::int64_t number = numberAt(bytes.data() + k * header.bytes, header);
-      if (last == counts.end() || last->first != number)
-        last = counts.emplace(number, 0).first;
-      ++last->second;
-      inside[begin + k] = number == value ? 1 : -1;
-    }
+      marks.add(numberAt(bytes.data() + k * header.bytes, header));
   }
-  if (counts.count(value) == 0)
-    throw std::invalid_argument("no voxel has the value " + std::to_string(value) + "; it has " +
-                                listOf(counts));
-  return inside;
+  return marks.take();
+}
+
+template <int D>
+std::shared_ptr<const VoxelPhase<D>> readNpy(const std::string& path, int value, double available)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw std::invalid_argument("the file can't be read");
+  const NpyHeader header = readNpyHeader(file);
+  checkSize<D>(header, std::filesystem::file_size(path), available);
+  typename VoxelPhase<D>::Index count;
+  std::size_t voxels = 1;
+  for (int d = 0; d < D; ++d)
+  {
+    count[d] = header.shape[d];
+    voxels *= static_cast<std::size_t>(count[d]);
+  }
+  return std::make_shared<const VoxelPhase<D>>(count, readInside(file, header, voxels, value));
+}
+
+template <int D>
+std::shared_ptr<const VoxelPhase<D>> readPhaseOfPictures(const std::string& path, int value, double available)
+{
+  const Pictures pictures = readPictures(path, available);
+  if (D == 2 && pictures.count[2] != 1)
+    throw std::invalid_argument("it has " + std::to_string(pictures.count[2]) +
+                                " pictures, but a scene in 2D needs one");
+  typename VoxelPhase<D>::Index count;
+  std::copy(pictures.count.begin(), pictures.count.begin() + D, count.begin());
+  Marks marks(pictures.grey.size(), value);
+  for (const std::uint16_t grey : pictures.grey)
+    marks.add(grey);
+  return std::make_shared<const VoxelPhase<D>>(count, marks.take());
 }
 
 template <int D>
@@ -120,21 +179,10 @@ std::shared_ptr<const VoxelPhase<D>> read(const std::string& path, int value, do
   try
   {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
+    if (!std::filesystem::is_regular_file(path, error) && !std::filesystem::is_directory(path, error))
       throw std::invalid_argument("there is no such file");
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-      throw std::invalid_argument("the file can't be read");
-    const NpyHeader header = readNpyHeader(file);
-    checkSize<D>(header, std::filesystem::file_size(path, error), available);
-    typename VoxelPhase<D>::Index count;
-    std::size_t voxels = 1;
-    for (int d = 0; d < D; ++d)
-    {
-      count[d] = header.shape[d];
-      voxels *= static_cast<std::size_t>(count[d]);
-    }
-    return std::make_shared<const VoxelPhase<D>>(count, readInside(file, header, voxels, value));
+    return isOfPictures(path) ? readPhaseOfPictures<D>(path, value, available)
+                              : readNpy<D>(path, value, available);
   }
   catch (const std::invalid_argument& wrong)
   {

@@ -79,9 +79,11 @@ Section voxels()
   Section s(
       "Voxels",
       "The voxels (pixels in 2D) of an image that have one value, such as a phase of a microstructure.");
-  s.text("File").notEmpty().meaning("Path, relative to the scene, of a NumPy file (.npy): an array of "
-                                    "integers in C order with the axes x and y, "
-                                    "in 3D x, y and z. Several bodies may use one file.");
+  s.text("File").notEmpty().meaning("Path, relative to the scene, of a NumPy file (.npy), an array of "
+                                    "integers in C order with the axes x and y, in 3D x, y and z; of a "
+                                    "picture in shades of grey (.png, .tif), in 3D with several pages; or of "
+                                    "a folder of such pictures, one above the other in the order of their "
+                                    "names. Several bodies may use one file.");
   s.integer("Value").meaning("Value of the voxels of this body.");
   s.real("Voxel Size").unit("m").positive().meaning("Edge of a voxel.");
   s.realArray("Corner").unit("m").perAxis().byDefaultZeros().meaning(

@@ -1,6 +1,7 @@
 """Images of voxels: pictures and stacks of pictures as NumPy arrays with the axes x, y (upwards) and z, and their outlines."""
 
 import os
+import re
 
 import numpy as np
 
@@ -48,6 +49,14 @@ def read_pictures(paths):
                           "all pictures of a stack must have one size.")
     upright = [layer[::-1].T for layer in layers]  # rows of a picture go down
     return np.ascontiguousarray(upright[0] if len(upright) == 1 else np.stack(upright, axis=2))
+
+
+def pictures_of(path):
+    """The files of a picture or of a folder of pictures, in the order of their names, in which numbers count as numbers."""
+    if not os.path.isdir(path):
+        return [path]
+    names = [name for name in os.listdir(path) if name.lower().endswith((".png", ".tif", ".tiff"))]
+    return [os.path.join(path, name) for name in sorted(names, key=lambda name: [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)])]
 
 
 def by_thresholds(image, thresholds):
@@ -105,9 +114,9 @@ def phase_lines(image, value):
 def voxel_lines(path, value):
     """(lines of a phase, number of voxels along each axis (3)), in voxels; none where the file can't be read, of which the program says why."""
     try:
-        image = np.load(path, mmap_mode="r", allow_pickle=False)
+        image = np.load(path, mmap_mode="r", allow_pickle=False) if path.endswith(".npy") else read_pictures(pictures_of(path))
         count = np.zeros(3)
         count[:image.ndim] = image.shape
         return (phase_lines(image, value) if image.ndim in (2, 3) else []), count
-    except (OSError, ValueError):
+    except (OSError, ValueError, Problem):
         return [], np.zeros(3)

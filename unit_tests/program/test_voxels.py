@@ -39,7 +39,7 @@ def scene(bodies, upper, cell, **more):
 
 class VoxelTest(ProgramTest):
     def chance(self):
-        seed = random.randrange(2**32)
+        seed = int(os.environ.get("RHEGMA_SEED", random.randrange(2**32)))
         print(f"{self.id()}: seed {seed}", file=sys.stderr)
         return numpy.random.default_rng(seed)
 
@@ -207,6 +207,64 @@ class Pictures(VoxelTest):
         value = int(array[0, 0, 0])
         found = self.bodies(scene({"One": voxels("Soft", "stack.npy", value, 1e-3)}, [6e-3, 5e-3, 4e-3], 1e-3))
         self.assert_phase(found["One"], array == value, 1e-3, DENSITY["Soft"])
+
+    def test_scenes_read_pictures(self):
+        """The masses are the same as of the array that the tool makes of them, for every kind of picture."""
+        chance = self.chance()
+        layers = chance.integers(0, 3, (3, 5, 6)).astype("uint8") * 100
+        array = layers[:, ::-1, :].transpose(2, 1, 0)
+        one, deep = self.Image.fromarray(layers[0]), self.Image.fromarray(layers[0].astype("uint16") * 300)
+        for name, picture in (("grey.png", one), ("grey.tif", one), ("deep.png", deep), ("DEEP.TIFF", deep), ("colours.png", one.convert("RGB")),
+                              ("opaque.png", one.convert("LA")), ("bits.png", one.point(lambda grey: grey > 50, mode="1")),
+                              ("bits.tif", one.point(lambda grey: grey > 50, mode="1"))):
+            picture.save(self.path(name))
+            value, inside = 100, array[:, :, 0] == 100
+            if name.lower().startswith("deep"):
+                value = 30000
+            elif name.startswith("bits"):
+                value, inside = 1, array[:, :, 0] > 50
+            with self.subTest(name):
+                found = self.bodies(scene({"One": voxels("Soft", name, value, 1e-3)}, [6e-3, 5e-3], 1e-3))
+                self.assert_phase(found["One"], inside, 1e-3, DENSITY["Soft"])
+        pages = [self.Image.fromarray(layer) for layer in layers]
+        pages[0].save(self.path("stack.tif"), save_all=True, append_images=pages[1:])
+        os.mkdir(self.path("slices"))
+        for page, number in zip(pages, (8, 9, 10)):  # not in the order of letters
+            page.save(self.path("slices", f"slice{number}.png"))
+        self.write("slices/notes.txt", "not a picture")
+        for name in ("stack.tif", "slices"):
+            with self.subTest(name):
+                found = self.bodies(scene({"One": voxels("Soft", name, 100, 1e-3)}, [6e-3, 5e-3, 3e-3], 1e-3))
+                self.assert_phase(found["One"], array == 100, 1e-3, DENSITY["Soft"])
+
+    def test_scenes_reject_wrong_pictures(self):
+        colour = numpy.zeros((2, 3, 3), dtype="uint8")
+        colour[0, 0] = [255, 0, 0]
+        self.save(colour, "colour.png")
+        self.save(colour, "colour.tif")
+        self.save(numpy.zeros((2, 3), dtype="float32"), "float.tif")
+        with open(self.path(self.save(numpy.zeros((200, 300), dtype="uint8") + numpy.arange(300).astype("uint8"), "whole.png")), "rb") as file:
+            with open(self.path("short.png"), "wb") as short:
+                short.write(file.read()[:120])
+        pages = [self.Image.fromarray(numpy.zeros((2, 3), dtype="uint8"))] * 2
+        pages[0].save(self.path("stack.tif"), save_all=True, append_images=pages[1:])
+        os.mkdir(self.path("mixed"))
+        os.mkdir(self.path("empty"))
+        self.save(numpy.zeros((2, 3), dtype="uint8"), "mixed/a.png")
+        self.save(numpy.zeros((3, 3), dtype="uint8"), "mixed/b.png")
+        self.save(numpy.zeros((2, 3), dtype="uint8"), "grey.png")
+        for name, upper, words in (("colour.png", [3e-3, 2e-3], ["in colour"]), ("colour.tif", [3e-3, 2e-3], ["in colour"]),
+                                   ("float.tif", [3e-3, 2e-3], ["8 or 16 bits"]), ("short.png", [0.3, 0.2], ["can't be read as a PNG picture"]),
+                                   ("stack.tif", [3e-3, 2e-3], ["2 pictures", "2D needs one"]), ("empty", [3e-3, 2e-3, 1e-3], ["no PNG or TIFF files"]),
+                                   ("mixed", [3e-3, 2e-3, 1e-3], ["b.png", "3 x 3 pixels", "3 x 2"]), ("none.png", [3e-3, 2e-3], ["no such file"]),
+                                   (self.write("text.png", "no picture") and "text.png", [3e-3, 2e-3], ["can't be read as a PNG picture"]),
+                                   (self.write("text.tif", "no picture") and "text.tif", [3e-3, 2e-3], ["can't be read as a TIFF picture"]),
+                                   ("grey.png", [3e-3, 2e-3], ["no voxel has the value 1", "0 (6 voxels)"])):
+            self.write("scene.xml", scene({"One": voxels("Soft", name, 1, 1e-3)}, upper, 1e-3).text())
+            answer = rhegma("scene.xml", "--check", cwd=self.folder)
+            self.assertEqual(answer.status, 1, answer)
+            with self.subTest(name):
+                self.assert_messages(answer.messages, [("Bodies > One > File", words)])
 
     def test_wrong_pictures(self):
         colour = numpy.zeros((2, 2, 3), dtype="uint8")

@@ -1,0 +1,24 @@
+#pragma once
+/// One picture, as libraries read it.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace Rhegma::Geometry
+{
+
+/// Samples of a picture, row by row from the upper one.
+struct Picture
+{
+  std::int64_t columns = 0, rows = 0;
+  int channels = 1;
+  std::vector<std::uint16_t> samples; ///< of each pixel, its channels one after the other
+};
+
+/// \throws std::invalid_argument where the file can't be read
+Picture readPng(const std::string& path);
+/// All pages of a file. \throws std::invalid_argument where the file can't be read
+std::vector<Picture> readTiff(const std::string& path);
+
+} // namespace Rhegma::Geometry

@@ -1,0 +1,156 @@
+#include "geometry/PictureFile.hpp"
+
+#include "base/ShortNumber.hpp"
+#include "geometry/Picture.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <stdexcept>
+
+namespace Rhegma::Geometry
+{
+
+namespace
+{
+
+std::string endingOf(const std::filesystem::path& path)
+{
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+bool isPng(const std::string& ending) { return ending == ".png"; }
+bool isTiff(const std::string& ending) { return ending == ".tif" || ending == ".tiff"; }
+
+/// Whether one name comes before another: slice9 before slice10.
+bool isBefore(const std::string& one, const std::string& other)
+{
+  const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  std::size_t i = 0, j = 0;
+  while (i < one.size() && j < other.size())
+  {
+    if (isDigit(one[i]) && isDigit(other[j]))
+    {
+      const auto numberAt = [&](const std::string& text, std::size_t& at)
+      {
+        while (at + 1 < text.size() && text[at] == '0' && isDigit(text[at + 1]))
+          ++at;
+        const std::size_t begin = at;
+        while (at < text.size() && isDigit(text[at]))
+          ++at;
+        return text.substr(begin, at - begin);
+      };
+      const std::string a = numberAt(one, i), b = numberAt(other, j);
+      if (a != b)
+        return a.size() != b.size() ? a.size() < b.size() : a < b;
+    }
+    else if (one[i] != other[j])
+      return one[i] < other[j];
+    else
+    {
+      ++i;
+      ++j;
+    }
+  }
+  return one.size() - i < other.size() - j || (one.size() - i == other.size() - j && one < other);
+}
+
+/// The grey value of each pixel.
+std::vector<std::uint16_t> greyOf(const Picture& picture)
+{
+  const int channels = picture.channels, colours = channels >= 3 ? 3 : 1;
+  if (channels == 1)
+    return picture.samples;
+  std::vector<std::uint16_t> grey;
+  grey.reserve(picture.samples.size() / channels);
+  for (std::size_t k = 0; k < picture.samples.size(); k += channels)
+  {
+    const std::uint16_t* const pixel = &picture.samples[k];
+    const bool isGrey = colours == 1 || (pixel[0] == pixel[1] && pixel[1] == pixel[2]);
+    if (!isGrey || (channels > colours && pixel[channels - 1] != picture.samples[channels - 1]))
+      throw std::invalid_argument(
+          "it is in colour; each material needs a grey value: save it in shades of grey");
+    grey.push_back(pixel[0]);
+  }
+  return grey;
+}
+
+} // namespace
+
+bool isOfPictures(const std::string& path)
+{
+  std::error_code error;
+  const std::string ending = endingOf(path);
+  return isPng(ending) || isTiff(ending) || std::filesystem::is_directory(path, error);
+}
+
+std::vector<std::string> filesOfPictures(const std::string& path)
+{
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error))
+    return {path};
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(path, error))
+    if (const std::string ending = endingOf(entry.path()); isPng(ending) || isTiff(ending))
+      files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end(), isBefore);
+  return files;
+}
+
+Pictures readPictures(const std::string& path, double available)
+{
+  const std::vector<std::string> files = filesOfPictures(path);
+  if (files.empty())
+    throw std::invalid_argument("the folder has no PNG or TIFF files");
+  Pictures all;
+  std::vector<std::vector<std::uint16_t>> layers;
+  for (const std::string& file : files)
+  {
+    const auto fail = [&](const std::string& what)
+    {
+      throw std::invalid_argument(
+          (files.size() > 1 ? std::filesystem::path(file).filename().string() + ": " : "") + what);
+    };
+    try
+    {
+      std::vector<Picture> pages =
+          isPng(endingOf(file)) ? std::vector<Picture>{readPng(file)} : readTiff(file);
+      for (const Picture& page : pages)
+      {
+        if (layers.empty())
+          all.count = {page.columns, page.rows, 0};
+        if (page.columns != all.count[0] || page.rows != all.count[1])
+          fail("it has " + std::to_string(page.columns) + " x " + std::to_string(page.rows) +
+               " pixels and the first picture " + std::to_string(all.count[0]) + " x " +
+               std::to_string(all.count[1]) + "; all pictures of a stack must have one size");
+        // The layers, the whole, and marks of where a value is.
+        const double need = 3.0 * sizeof(std::uint16_t) * double(page.columns) * double(page.rows) *
+                            double(std::max(files.size(), pages.size()));
+        if (need > available)
+          fail("the pictures need " + formatShort(need * 1e-9) + " GB of memory, but only " +
+               formatShort(available * 1e-9) + " GB are free");
+        layers.push_back(greyOf(page));
+      }
+    }
+    catch (const std::invalid_argument& wrong)
+    {
+      const std::string what = wrong.what();
+      if (files.size() > 1 && what.rfind(std::filesystem::path(file).filename().string(), 0) != 0)
+        fail(what);
+      throw;
+    }
+  }
+  all.count[2] = static_cast<std::int64_t>(layers.size());
+  const std::size_t columns = all.count[0], rows = all.count[1], number = layers.size();
+  all.grey.resize(columns * rows * number);
+  for (std::size_t z = 0; z < number; ++z)
+    for (std::size_t row = 0; row < rows; ++row)
+      for (std::size_t x = 0; x < columns; ++x)
+        all.grey[(x * rows + (rows - 1 - row)) * number + z] = layers[z][row * columns + x];
+  return all;
+}
+
+} // namespace Rhegma::Geometry

@@ -1,0 +1,93 @@
+#include "geometry/Picture.hpp"
+
+#include <stdexcept>
+
+#ifdef RHEGMA_HAVE_TIFF
+#include <memory>
+#include <tiffio.h>
+#endif
+
+namespace Rhegma::Geometry
+{
+
+#ifdef RHEGMA_HAVE_TIFF
+
+namespace
+{
+
+/// The page that a file is at.
+Picture readPage(TIFF* file)
+{
+  std::uint32_t columns = 0, rows = 0;
+  std::uint16_t channels = 1, bits = 1, format = SAMPLEFORMAT_UINT, planar = PLANARCONFIG_CONTIG,
+                colours = PHOTOMETRIC_MINISBLACK;
+  TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &columns);
+  TIFFGetField(file, TIFFTAG_IMAGELENGTH, &rows);
+  TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLESPERPIXEL, &channels);
+  TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &bits);
+  TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &format);
+  TIFFGetFieldDefaulted(file, TIFFTAG_PLANARCONFIG, &planar);
+  TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &colours);
+  if (colours == PHOTOMETRIC_PALETTE)
+    throw std::invalid_argument("it has a palette of colours; save it in shades of grey");
+  if ((format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_VOID) || (bits != 1 && bits != 8 && bits != 16))
+    throw std::invalid_argument(
+        "its grey values are no whole numbers of 1, 8 or 16 bits; save it with 8 or 16 bits per pixel");
+  if (TIFFIsTiled(file) != 0 || (planar != PLANARCONFIG_CONTIG && channels > 1))
+    throw std::invalid_argument("it is stored in tiles or planes; save it in strips, or make a .npy file of "
+                                "it with tools/rhegma-mesh");
+  Picture picture;
+  picture.columns = columns;
+  picture.rows = rows;
+  picture.channels = channels;
+  const std::size_t inRow = std::size_t{columns} * channels;
+  std::vector<unsigned char> row(static_cast<std::size_t>(TIFFScanlineSize(file)));
+  if (row.size() < (inRow * bits + 7) / 8)
+    throw std::invalid_argument("its rows are shorter than it says");
+  picture.samples.reserve(inRow * rows);
+  const unsigned largest = (1u << bits) - 1u;
+  for (std::uint32_t k = 0; k < rows; ++k)
+  {
+    if (TIFFReadScanline(file, row.data(), k, 0) < 0)
+      throw std::invalid_argument("row " + std::to_string(k + 1) + " of " + std::to_string(rows) +
+                                  " can't be read; the file may be cut off");
+    for (std::size_t i = 0; i < inRow; ++i)
+    {
+      // Of 16 bits, libtiff gives the machine's order of bytes.
+      const unsigned value = bits == 1   ? row[i / 8] >> (7 - i % 8) & 1u
+                             : bits == 8 ? row[i]
+                                         : reinterpret_cast<const std::uint16_t*>(row.data())[i];
+      picture.samples.push_back(
+          static_cast<std::uint16_t>(colours == PHOTOMETRIC_MINISWHITE ? largest - value : value));
+    }
+  }
+  return picture;
+}
+
+} // namespace
+
+std::vector<Picture> readTiff(const std::string& path)
+{
+  TIFFSetErrorHandler(nullptr); // the messages are those of this program
+  TIFFSetWarningHandler(nullptr);
+  const std::unique_ptr<TIFF, void (*)(TIFF*)> file(TIFFOpen(path.c_str(), "r"), TIFFClose);
+  if (file == nullptr)
+    throw std::invalid_argument("it can't be read as a TIFF picture");
+  std::vector<Picture> pages;
+  do
+    pages.push_back(readPage(file.get()));
+  while (TIFFReadDirectory(file.get()) != 0);
+  return pages;
+}
+
+#else
+
+std::vector<Picture> readTiff(const std::string&)
+{
+  throw std::invalid_argument(
+      "this program was built without libtiff; make a .npy file of the picture with tools/rhegma-mesh");
+}
+
+#endif
+
+} // namespace Rhegma::Geometry
