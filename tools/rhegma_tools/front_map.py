@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import Normalize
+from matplotlib.colors import Normalize, to_hex
 
 from . import style
 from .history_picture import initiation_toughness
@@ -12,6 +12,8 @@ from .style import plt
 
 MOST = 4  # fronts drawn
 ROWS = 600  # samples drawn of a front
+ROWS_OF_PAGE = 200  # of a map that a page draws again at any zoom
+SHADES = 33  # colours of its scale
 SMALL = 0.1  # K_II and K_III are drawn where they exceed this fraction of the largest K
 GREY = "#CCCCCC"  # nodes without a value
 PANEL = (3.3, 3.1)  # inches
@@ -66,13 +68,18 @@ def strips_of(sample):
     return found
 
 
-def map_of(samples, name):
-    """(rectangles (k, 4, 2): arc length [m] and time [s], values (k)) of a front."""
-    every = np.unique(np.round(np.linspace(0, len(samples) - 1, min(len(samples), ROWS))).astype(int))
+def rows_of(samples, most):
+    """(first and last time [s], sample) of each row of a map, at most so many."""
+    every = np.unique(np.round(np.linspace(0, len(samples) - 1, min(len(samples), most))).astype(int))
     shown = [samples[i] for i in every]
     times = edges_between(np.array([sample.time for sample in shown]))
+    return list(zip(times, times[1:], shown))
+
+
+def map_of(samples, name):
+    """(rectangles (k, 4, 2): arc length [m] and time [s], values (k)) of a front."""
     rectangles, values = [], []
-    for sample, early, late in zip(shown, times, times[1:]):
+    for early, late, sample in rows_of(samples, ROWS):
         for edges, nodes in strips_of(sample):
             left, right = edges[:-1], edges[1:]
             rectangles.append(np.stack([np.c_[left, 0 * left + early], np.c_[right, 0 * left + early],
@@ -81,10 +88,20 @@ def map_of(samples, name):
     return np.concatenate(rectangles), np.concatenate(values)
 
 
+def colours_of(quantity):
+    """The colour scale of a quantity."""
+    return plt.get_cmap("RdBu_r" if quantity.signed else "viridis").copy()
+
+
+def numbers(values):
+    """A list with four digits; None where a value is not finite."""
+    return [float(f"{value:.4g}") if np.isfinite(value) else None for value in values]
+
+
 def draw_map(axes, samples, quantity, norm, lengths, times):
     """One front and quantity on axes. lengths, times: factors on arc length and time"""
     rectangles, values = map_of(samples, quantity.name)
-    colours = plt.get_cmap("RdBu_r" if quantity.signed else "viridis").copy()
+    colours = colours_of(quantity)
     colours.set_bad(GREY)
     drawn = PolyCollection(rectangles * (lengths, times), array=np.ma.masked_invalid(values * quantity.factor), cmap=colours, norm=norm,
                            edgecolors="face", linewidths=0.2)
@@ -116,29 +133,64 @@ def plain(label):
     return re.sub(r"\$|\\mathrm|[{}]", "", label)
 
 
+class Maps:
+    """The maps of a run: its fronts, quantities and units. series: as read_series gives it"""
+
+    def __init__(self, series, summary):
+        self.fronts = drawable(series)
+        self.chosen = [samples for _, samples in self.fronts]
+        self.quantities = quantities_of(self.chosen, initiation_toughness(summary)) if self.fronts else []
+        if self.quantities:
+            self.lengths, self.metres = style.scale(max(float(sample.s.max()) for samples in self.chosen for sample in samples), "m")
+            self.times, self.seconds = style.scale(max(samples[-1].time for samples in self.chosen), "s")
+
+    @staticmethod
+    def name_of(name):
+        """A front in words."""
+        crack, _, number = name.rpartition(".")
+        return f"{crack}, front {number}"
+
+    def draw_one(self, axes, name, samples, quantity):
+        """One front and quantity with a colour bar."""
+        drawn = draw_map(axes, samples, quantity, norm_of(self.chosen, quantity), self.lengths, self.times)
+        axes.set_xlabel(f"arc length [{self.metres}]")
+        axes.set_ylabel(f"time [{self.seconds}]")
+        axes.set_title(self.name_of(name), loc="left")
+        axes.figure.colorbar(drawn, ax=axes).set_label(quantity.label)
+
+    def panel(self, name, samples, quantity):
+        """The same as numbers, of which the script of a page draws it. Strips are {t: its two times, s: edges, v: values between them}."""
+        norm, colours = norm_of(self.chosen, quantity), colours_of(quantity)
+        strips = [{"t": numbers([early * self.times, late * self.times]), "s": numbers(edges * self.lengths),
+                   "v": numbers(getattr(sample, quantity.name)[nodes] * quantity.factor)}
+                  for early, late, sample in rows_of(samples, ROWS_OF_PAGE) for edges, nodes in strips_of(sample)]
+        return {
+            "title": f"{self.name_of(name)}: {plain(quantity.label)}", "x": f"arc length [{self.metres}]", "y": f"time [{self.seconds}]",
+            "range": [0.0, max(strip["s"][-1] for strip in strips), strips[0]["t"][0], strips[-1]["t"][1]],
+            "curves": [], "across": [], "marks": [], "bands": [], "areas": [], "bars": [],
+            "map": {"name": plain(quantity.label), "strips": strips, "low": float(norm.vmin), "high": float(norm.vmax), "without": GREY,
+                    "colours": [to_hex(colours(i / (SHADES - 1))) for i in range(SHADES)]},
+        }
+
+
 def draw_maps(series, summary, title, path):
     """Writes the maps of a run. series: as read_series gives it. \\return labels of what is drawn; empty where there is nothing to draw"""
-    fronts = drawable(series)
-    chosen = [samples for _, samples in fronts]
-    quantities = quantities_of(chosen, initiation_toughness(summary)) if fronts else []
-    if not quantities:
+    maps = Maps(series, summary)
+    if not maps.quantities:
         return []
-    lengths, metres = style.scale(max(float(sample.s.max()) for samples in chosen for sample in samples), "m")
-    times, seconds = style.scale(max(samples[-1].time for samples in chosen), "s")
-    rows, columns = len(fronts), len(quantities)
+    rows, columns = len(maps.fronts), len(maps.quantities)
     figure, all_axes = plt.subplots(rows, columns, figsize=(PANEL[0] * columns + 0.6, PANEL[1] * rows + 0.8), squeeze=False, layout="constrained")
-    for j, quantity in enumerate(quantities):
-        norm = norm_of(chosen, quantity)
-        for i, (name, samples) in enumerate(fronts):
+    for j, quantity in enumerate(maps.quantities):
+        norm = norm_of(maps.chosen, quantity)
+        for i, (name, samples) in enumerate(maps.fronts):
             axes = all_axes[i][j]
-            drawn = draw_map(axes, samples, quantity, norm, lengths, times)
-            axes.set_xlabel(f"arc length [{metres}]")
+            drawn = draw_map(axes, samples, quantity, norm, maps.lengths, maps.times)
+            axes.set_xlabel(f"arc length [{maps.metres}]")
             if j == 0:
-                axes.set_ylabel(f"time [{seconds}]")
-            crack, _, number = name.rpartition(".")
-            axes.set_title(f"{crack}, front {number}" if j == 0 else "", fontsize=10)
+                axes.set_ylabel(f"time [{maps.seconds}]")
+            axes.set_title(maps.name_of(name) if j == 0 else "", fontsize=10)
         bar = figure.colorbar(drawn, ax=[axes[j] for axes in all_axes], location="top", shrink=0.9, aspect=24, pad=0.02)
         bar.set_label(quantity.label)
     figure.suptitle(f"{title}: values along the crack front{'' if rows == 1 else 's'}", fontsize=12, fontweight="bold", x=0.01, ha="left")
     style.save(figure, path)
-    return [quantity.label for quantity in quantities]
+    return [quantity.label for quantity in maps.quantities]

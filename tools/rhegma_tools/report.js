@@ -89,6 +89,7 @@
       for (const key in this.frame) clip.setAttribute(key, this.frame[key]);
       this.drawAxes(width, height);
       const inside = add(this.svg, "g", { "clip-path": "url(#" + this.name + ")" }, SVG);
+      if (this.data.map) this.drawMap(inside);
       this.drawBackground(inside);
       for (const curve of this.data.curves) this.line(inside, this.path(curve.x, curve.y), curve);
       for (const bar of this.data.bars) {
@@ -116,6 +117,41 @@
       text(LEFT + this.inner[0] / 2, height - 8, this.data.x, { "text-anchor": "middle" });
       const middle = TOP + this.inner[1] / 2;
       text(14, middle, this.data.y, { "text-anchor": "middle", transform: `rotate(-90 14 ${middle})` });
+    }
+
+    /** Rectangles of a map in colours, as one picture: an element for each would be thousands. */
+    drawMap(inside) {
+      const sharp = 2, canvas = document.createElement("canvas"), pen = canvas.getContext("2d");
+      [canvas.width, canvas.height] = this.inner.map((size) => Math.round(sharp * size));
+      const to = (at, begin) => sharp * (at - begin);
+      for (const strip of this.data.map.strips) {
+        const top = to(this.y(strip.t[1]), TOP), bottom = to(this.y(strip.t[0]), TOP);
+        if (bottom < 0 || top > canvas.height) continue;
+        strip.v.forEach((value, i) => {
+          const left = to(this.x(strip.s[i]), LEFT), right = to(this.x(strip.s[i + 1]), LEFT);
+          if (right < 0 || left > canvas.width) return;
+          pen.fillStyle = this.colour(value);
+          pen.fillRect(Math.floor(left), Math.floor(top), Math.ceil(right) - Math.floor(left), Math.ceil(bottom) - Math.floor(top));
+        });
+      }
+      add(inside, "image", { x: LEFT, y: TOP, width: this.inner[0], height: this.inner[1], preserveAspectRatio: "none", href: canvas.toDataURL() }, SVG);
+    }
+
+    /** Colour of a value of a map. */
+    colour(value) {
+      const { low, high, colours, without } = this.data.map;
+      if (value === null) return without;
+      const part = Math.min(Math.max((value - low) / (high - low), 0), 1);
+      return colours[Math.round(part * (colours.length - 1))];
+    }
+
+    /** Value of a map at a position in its own units; undefined where it has none. */
+    mapValue(s, t) {
+      for (const strip of this.data.map.strips) {
+        if (t < strip.t[0] || t > strip.t[1]) continue;
+        for (let i = 0; i < strip.v.length; i++) if (s >= strip.s[i] && s <= strip.s[i + 1]) return strip.v[i];
+      }
+      return undefined;
     }
 
     drawBackground(inside) {
@@ -160,6 +196,14 @@
         item.appendChild(document.createTextNode(look.name));
         return item;
       };
+      if (this.data.map) {
+        const { name, low, high, colours } = this.data.map, item = add(this.legend, "li", {});
+        item.appendChild(document.createTextNode(readable(low) + " "));
+        const scale = add(item, "svg", { viewBox: "0 0 " + colours.length + " 4", class: "scale", preserveAspectRatio: "none", "aria-hidden": "true" }, SVG);
+        colours.forEach((fill, i) => add(scale, "rect", { x: i, width: 1.1, height: 4, fill }, SVG));
+        item.appendChild(document.createTextNode(readable(high) + "  " + name));
+        this.mapOutput = add(item, "output", {});
+      }
       for (const curve of this.data.curves) this.outputs.push(curve.name ? add(entry(curve), "output", {}) : null);
       for (const look of this.data.across.concat(this.data.marks)) if (look.name) entry(look);
       for (const area of this.data.areas) if (area.name) entry(area, true);
@@ -262,6 +306,10 @@
       const shown = at && at[0] >= LEFT && at[0] <= LEFT + this.inner[0];
       this.cursor.setAttribute("visibility", shown ? "visible" : "hidden");
       if (shown) { this.cursor.setAttribute("x1", at[0]); this.cursor.setAttribute("x2", at[0]); }
+      if (this.data.map) {
+        const value = shown ? this.mapValue(this.valueX(at[0]), this.valueY(at[1])) : undefined;
+        this.mapOutput.textContent = value === undefined ? "" : readable(value) + " at " + readable(this.valueX(at[0])) + ", " + readable(this.valueY(at[1]));
+      }
       this.data.curves.forEach((curve, k) => {
         if (!this.outputs[k]) return;
         let best = -1, distance = Infinity;

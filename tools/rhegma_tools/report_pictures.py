@@ -10,7 +10,7 @@ from . import style
 from .cell_picture import draw_cells
 from .field_picture import choose_view, draw_fields
 from .film_frames import draw_film
-from .front_map import draw_maps, plain
+from .front_map import Maps, plain
 from .front_picture import draw_surface, panels_along
 from .history_picture import panels_of
 from .path_picture import curves, draw_factor, draw_force, is_path
@@ -23,6 +23,7 @@ from .zoom_data import panel_data
 
 LARGEST_DRAWING = 150_000  # bytes of a still panel as SVG; beyond it is a PNG
 PANEL = (7.2, 3.0)  # inches
+MAP = (7.2, 3.6)
 
 
 class Shown:
@@ -171,16 +172,20 @@ def front_pictures(summary):
 
 
 def front_maps(folder, summary, title):
-    """Maps of G, K and speed along the fronts of a run in 3D over time; none where they are known at less than two times."""
-    target = io.BytesIO()
-    drawn = [plain(label) for label in draw_maps(read_series(folder), summary, title, target)]
-    if not drawn:
-        return []
-    what = ", ".join(drawn)
-    toughness = " Gc is the initiation toughness." if drawn[0].startswith("G / Gc") else ""
-    return [Shown("png", target.getvalue(), f"{title}: maps of {what} along the fronts, arc length against time",
-                  f"{what} along the fronts over time: arc length to the right, time upwards, a row of rectangles a sample.{toughness} A front grows where "
-                  f"its row gets longer; several lines of one front are drawn one after the other; grey has no value. Numbers are in fronts.csv.")]
+    """Maps of G, K and speed along the fronts of a run in 3D over time, one for each; none where they are known at less than two times."""
+    maps, found = Maps(read_series(folder), summary), []
+    for name, samples in maps.fronts:
+        for quantity in maps.quantities:
+            figure, axes = plt.subplots(figsize=MAP, layout="constrained")
+            maps.draw_one(axes, name, samples, quantity)
+            kind, data = still(figure)
+            what, toughness = plain(quantity.label), " Gc is the initiation toughness." if quantity.label.startswith("G / Gc") else ""
+            more = "" if found else (" A row of rectangles a sample: a front grows where its row gets longer; several lines of one front are drawn one after "
+                                     "the other; grey has no value. Numbers are in fronts.csv.")
+            found.append(Shown(kind, data, f"{title}: map of {what} along {maps.name_of(name)}, arc length against time",
+                               f"{what} along {maps.name_of(name)}: arc length to the right, time upwards.{toughness}{more}",
+                               maps.panel(name, samples, quantity)))
+    return found
 
 
 def film(folder, most_bytes, problems):

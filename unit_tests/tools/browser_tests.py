@@ -57,6 +57,34 @@ STEPS = """
 })();
 """
 
+# The same with a map of values along a front.
+MAP_STEPS = """
+(function () {
+  const seen = {}, figure = Array.from(document.querySelectorAll("figure.panel")).find((one) => one.textContent.includes("K_I [MPa √m] along Penny"));
+  const plot = figure.querySelector(".plot"), svg = plot.querySelector(":scope > svg"), box = svg.getBoundingClientRect();
+  const at = (x, y) => ({ clientX: box.left + x * box.width, clientY: box.top + y * box.height, bubbles: true, cancelable: true, pointerId: 1 });
+  const pointer = (name, x, y) => svg.dispatchEvent(new PointerEvent(name, at(x, y)));
+  const ticks = () => Array.from(svg.querySelectorAll("text[text-anchor=middle]"), (text) => text.textContent).join(" ");
+  const image = () => svg.querySelector("image").getAttribute("href");
+  seen.ticks = ticks();
+  const whole = image();
+  pointer("pointermove", 0.15, 0.8);
+  seen.early = plot.querySelector("output").textContent;
+  pointer("pointermove", 0.9, 0.15);
+  seen.late = plot.querySelector("output").textContent;
+  pointer("pointermove", 0.9, 0.8);
+  seen.none = plot.querySelector("output").textContent;
+  seen.legend = plot.querySelector(".legend li").textContent;
+  pointer("pointerdown", 0.3, 0.3); pointer("pointermove", 0.5, 0.6); pointer("pointerup", 0.5, 0.6);
+  seen.zoomed = ticks();
+  seen.redrawn = image() !== whole;
+  svg.dispatchEvent(new MouseEvent("dblclick", at(0.5, 0.5)));
+  seen.reset = ticks();
+  seen.same = image() === whole;
+  document.body.dataset.seen = JSON.stringify(seen);
+})();
+"""
+
 
 @unittest.skipUnless(BROWSER, "there is no chromium")
 class Browser(ToolTest):
@@ -124,6 +152,28 @@ class Browser(ToolTest):
         self.assertEqual((seen["last"], seen["second"], seen["time"]), ("none none block", "none block none", "t = 1 ms"))
         self.assertEqual(seen["stills"], 0)
         self.assertGreater(seen["figures"], 1)
+
+    def test_maps_along_fronts_zoom(self):
+        """A front of 1 mm at 1 us that is 2 mm long at 6 us, with a K_I of 1 MPa sqrt(m) at first and 6 MPa sqrt(m) at last."""
+        made_up_run.penny(self.folder)
+        samples = [(1e-6 * k, {"Penny.0": {"s": [0.0, 1e-4 * (k + 4), 2e-4 * (k + 4)], "G": [1.0] * 3, "K_I": [1e6 * k] * 3}})
+                   for k in range(1, 7)]
+        made_up_run.write_fronts(self.folder, samples)
+        text = self.page()
+        end = text.rindex("</body>")
+        body = self.body(text[:end] + "<script>" + MAP_STEPS + "</script>" + text[end:])
+        self.assertNotIn("error", body)
+        seen = json.loads(body["seen"])
+        self.assertIn("arc length [mm]", seen["ticks"])
+        for when, value in (("early", 1.0), ("late", 6.0)):
+            found = re.fullmatch(r"([\d.]+) at ([\d.]+), ([\d.]+)", seen[when])
+            self.assertTrue(found, seen)
+            self.assertAlmostEqual(float(found[1]), value, delta=1.0)
+        self.assertEqual(seen["none"], "")
+        self.assertIn("K_I [MPa √m]", seen["legend"])
+        self.assertNotEqual(seen["zoomed"], seen["ticks"])
+        self.assertTrue(seen["redrawn"])
+        self.assertEqual((seen["reset"], seen["same"]), (seen["ticks"], True))
 
 
 del ToolTest  # so that importing this module's names brings tests only
