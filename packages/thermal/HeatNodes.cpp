@@ -60,8 +60,8 @@ struct CapacityBlock
   {
     double aside = 0.0, row[width];
     fractions(p).store(row);
-    const bool conducts = nodes.meets.extent(0) == 0 ||
-                          ThermoPoint(tables, material(p), temperature(p)).conductivity() > 0.0;
+    const bool conducts =
+        nodes.meets.extent(0) == 0 || ThermoPoint(tables, material(p), temperature(p)).conductivity() > 0.0;
     connect.visit(p,
                   [&](int node, double weight, const double*)
                   {
