@@ -8,14 +8,27 @@ VISIBLE = 0.02  # of the body's size: a smaller displacement is magnified ...
 WANTED = 0.08  # ... to at most this
 
 
-def automatic_magnification(position, displacement):
-    """1 where the displacement is visible as it is; else 1, 2 or 5 times a power of ten."""
+STRAIN = 0.4  # largest magnified gradient of the displacement of nearly all particles: with 1, a compressed particle would have no size
+MOST_PARTICLES = 0.99
+
+
+def gradients(deformation):
+    """Magnitude of the displacement gradient (n) of each particle: the largest stretch of a line, other than by magnified rotation, is below it."""
+    return np.linalg.norm(deformation - np.eye(3), ord=2, axis=(1, 2))
+
+
+def automatic_magnification(position, displacement, deformation):
+    """1 where the displacement is visible as it is; else 1, 2 or 5 times a power of ten. deformation: F (n, 3, 3); magnified, it turns no more than a
+    few particles inside out"""
     size = float(np.max(np.ptp(position, axis=0)))
     largest = float(np.max(np.linalg.norm(displacement, axis=1)))
     # Displacements that rounding alone can give are not worth a look.
     if largest >= VISIBLE * size or largest <= 1.0e-12 * size:
         return 1.0
-    exact = WANTED * size / largest
+    strained = float(np.quantile(gradients(deformation), MOST_PARTICLES))
+    exact = min(WANTED * size / largest, STRAIN / max(strained, 1.0e-300))
+    if exact < 1.0:
+        return 1.0
     power = 10.0 ** math.floor(math.log10(exact))
     return max(1.0, max(step * power for step in (1.0, 2.0, 5.0) if step * power <= exact * (1.0 + 1.0e-9)))
 

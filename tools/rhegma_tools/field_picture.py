@@ -277,7 +277,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     """Writes the picture; returns the magnification it used and the unit of the colours. asked: a slice, as read_slice gives it."""
     if magnification is None:
         # Next to a tool, which does not deform, a magnified body would be drawn at a wrong position.
-        magnification = automatic_magnification(fields.position, fields.displacement) if fields.tools is None else 1.0
+        magnification = automatic_magnification(fields.position, fields.displacement, fields.deformation) if fields.tools is None else 1.0
     view = choose_view(fields, asked)
     stress = quantity_shown(fields, stress)
     values = fields.values(stress)

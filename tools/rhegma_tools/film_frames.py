@@ -47,18 +47,28 @@ class Sample:
             every = every[in_slice(fields, view.normal, view.where)]
         every = every[:: max(len(every) // SAMPLE, 1)]
         self.position, self.displacement, self.values = fields.position[every], fields.displacement[every], fields.values(quantity)[every]
+        self.deformation = fields.deformation[every]
         self.size, self.counts = fields.size, fields.counts
+        self.tools = None if fields.tools is None else points_of(tool_segments(fields, view))
+
+
+def points_of(segments):
+    """The ends (k, 2 or 3) of segments or the corners of triangles."""
+    return segments.reshape(-1, segments.shape[-1])
 
 
 def common_magnification(samples):
-    """That of the frame with the largest displacement, so that the body grows in no frame beyond what is wanted."""
-    largest = max(samples, key=lambda s: float(np.max(np.linalg.norm(s.displacement, axis=1))))
-    return automatic_magnification(largest.position, largest.displacement)
+    """The least of all frames, so that the body grows in none beyond what is wanted; 1 with rigid tools, which are drawn where they are."""
+    if any(s.tools is not None for s in samples):
+        return 1.0
+    moved = [s for s in samples if s.displacement.any()]
+    return min((automatic_magnification(s.position, s.displacement, s.deformation) for s in moved), default=1.0)
 
 
 def bounds(samples, view, magnification):
     """Lowest and highest corner [m] of all frames as drawn."""
     drawn = [view.flat(s.position + (magnification - 1.0) * s.displacement) for s in samples]
+    drawn += [s.tools for s in samples if s.tools is not None and len(s.tools)]
     pad = max(s.size for s in samples)
     return np.min([d.min(axis=0) for d in drawn], axis=0) - pad, np.max([d.max(axis=0) for d in drawn], axis=0) + pad
 

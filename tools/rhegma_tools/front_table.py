@@ -93,18 +93,9 @@ def columns_of(fronts, in_equilibrium):
     columns += [Column(mean + mode, "Pa √m", values(mode), values(f"{mode}_error_estimate"), ranges(mode), largest_k) for mode in MODES]
     columns.append(Column(f"largest G{node} / toughness", "", values("closest_to_initiation")))
     if not in_equilibrium:
-        columns += [Column("initiated at", "s", values("initiated")), Column("steady speed, else mean", "m/s", speeds(entries))]
+        columns += [Column("initiated at", "s", values("initiated")), Column("mean speed", "m/s", values("mean_speed"))]
     columns.append(Column("grew by", "m", [grown_by(front) for front in entries]))
     return [column for column in columns if not column.empty]
-
-
-def speeds(entries):
-    """Speed of each front that has run: the steady one, else the mean one."""
-    found = []
-    for front in entries:
-        values = [front.get(key) for key in ("settled_speed", "mean_speed")] if is_number(front.get("initiated")) else []
-        found.append(next((value for value in values if is_number(value)), None))
-    return found
 
 
 def positions(fronts):

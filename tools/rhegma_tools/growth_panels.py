@@ -90,13 +90,20 @@ def speed_limits(summary):
     return sorted(limit for limit in limits if limit > 0.0)
 
 
+FAR = 2.0  # times the largest speed: a higher limit is not drawn, as it would press the curves into the lower half
+
+
 def draw_speed(axes, history, moved, summary, time, per_second=1.0):
+    largest = 0.0
     for i, (front, _) in enumerate(moved[: len(style.COLOURS)]):
         speed = history.of_front(front, "speed")
         if speed is not None:
             axes.plot(time, speed, color=style.COLOURS[i], lw=width(i, len(moved), 1.2), label=f"{front[0]}, front {front[1]}")
+            largest = max(largest, float(np.max(speed[np.isfinite(speed)], initial=0.0)))
     for limit in speed_limits(summary):
-        axes.axhline(limit, color=style.INK, lw=1.0, ls=":", label=f"largest speed, {limit:.0f} m/s")
+        if limit <= FAR * largest:
+            reached = ", which was reached" if largest >= 0.999 * limit else ""
+            axes.axhline(limit, color=style.INK, lw=1.0, ls=":", label=f"limit of the speed, {limit:.0f} m/s{reached}")
     draw_ends(axes, ends(summary), per_second)
     axes.set_title("Crack speed")
     axes.set_ylabel("speed [m/s]")

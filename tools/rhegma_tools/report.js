@@ -346,7 +346,9 @@
     const up = list("Columns (Ctrl or Cmd and click for several)", { multiple: "", size: Math.min(8, names.length) });
     const across = list("Horizontal axis", {});
     across.value = names.includes("time") ? "time" : names[0];
-    const first = names.find((name) => name.endsWith(".G_J")) || names.find((name) => name === "strain") || names.find((name) => name !== "time");
+    const changes = (name) => columns[name].some((value) => value !== null && value !== columns[name][0]);
+    const first = names.find((name) => name.endsWith(".G_J")) || ["strain", "temperature_highest"].find((name) => names.includes(name) && changes(name))
+      || names.find((name) => name !== "time" && changes(name)) || names.find((name) => name !== "time");
     for (const option of up.options) option.selected = option.value === first;
     const data = () => {
       const chosen = Array.from(up.selectedOptions, (option) => option.value), x = columns[across.value];

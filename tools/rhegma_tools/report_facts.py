@@ -66,7 +66,7 @@ def cells_of(summary):
     largest, smallest = cells.get("largest"), cells.get("smallest")
     if not is_number(largest):
         return None
-    text = readable(largest, "m")
+    text = readable(largest, "m") + (" at the end" if "Adaptivity" in (summary.get("effects") or []) else "")
     return text if not is_number(smallest) or smallest >= largest * (1 - 1e-9) else f"{text}, refined to {readable(smallest, 'm')}"
 
 
@@ -130,10 +130,20 @@ def certainty(summary):
     return found
 
 
+# Units by the beginnings of names in the summary, other than the numbers of components and front nodes.
+UNITS = (
+    ("J/m²", ("G_J", "G_closure", "settled_release", "largest_G_J", "initiation_toughness")), ("Pa √m", ("K_I",)),
+    ("m/s", ("settled_speed", "mean_speed", "velocity")),
+    ("s", ("time", "initiated", "last_advance", "first_touch")), ("m", ("length", "radius", "ligament")), ("m²", ("opening_area",)),
+    ("m³", ("opening_volume", "volume")), ("K", ("rise", "peak_rise", "settled_peak_rise", "hottest_face")), ("N", ("force",)), ("N s", ("impulse",)),
+    ("kg", ("burnt_mass",)), ("J", ("wall_heat", "strain", "kinetic", "friction", "fracture", "heat", "residual", "contact")), ("Pa", ("pressure",)),
+)
+
+
 def unit_of_quantity(quantity):
     """The unit of a path in the summary, with room for a prefix; empty where it is not known."""
-    name = str(quantity).rsplit(".", 1)[-1]
-    return "J/m²" if name.startswith(("G_J", "G_closure")) else "Pa √m" if name.startswith("K_") else ""
+    name = next((part for part in reversed(str(quantity).split(".")) if not part.isdigit()), "")
+    return next((unit for unit, names in UNITS if name.startswith(names)), "")
 
 
 def reference_rows(summary):

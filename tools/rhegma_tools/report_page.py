@@ -204,9 +204,10 @@ def columns_part(history):
     more = len(history.column) - len(rows)
     return element(
         "section", element("h2", "Columns of the history"),
-        element("p", f"history.csv has {len(history.column)} columns and {len(history.time)} rows. Values are in SI units.{fewer}"),
-        element("div", data_block("columns", data), class_="chooser", data_source="columns"),
-        element("noscript", element("p", "A plot of chosen columns needs JavaScript.")),
+        element("p", f"history.csv has {len(history.column)} columns and {len(history.time)} row{'' if len(history.time) == 1 else 's'}. "
+                     f"Values are in SI units.{fewer}"),
+        *([] if len(history.time) == 1 else [element("div", data_block("columns", data), class_="chooser", data_source="columns"),
+                                             element("noscript", element("p", "A plot of chosen columns needs JavaScript."))]),
         folded(f"All columns{'' if more <= 0 else f' (the first {len(rows)})'}: last, lowest and highest value",
                table(("column", "last", "lowest", "highest"), rows, range(1, 4))))
 

@@ -1,5 +1,7 @@
 """Whether a crack of a run has grown, as a line of text."""
 
+import math
+
 import numpy as np
 
 from . import style
@@ -29,16 +31,29 @@ def where_to(front):
     position = front.get("position") or []
     if len(position) != 2 or not all(is_number(x) for x in position):
         return ""
-    factor, unit = style.scale(max(abs(x) for x in position) or 1.0, "m")
-    return f" to ({', '.join(f'{x * factor:.4g}' for x in position)}) {unit}"
+    largest = max(abs(x) for x in position) or 1.0
+    factor, unit = style.scale(largest, "m")
+    # All with the last digit of the largest: what is smaller is rounding.
+    decimals = 3 - math.floor(math.log10(largest * factor))
+    return f" to ({', '.join(f'{round(x * factor, decimals) + 0.0:.4g}' for x in position)}) {unit}"
 
 
 def how_fast(front):
-    """The speed of a front that ran, as text: the steady one, else the mean one."""
-    for key, words in (("settled_speed", "steadily at"), ("mean_speed", "on average at")):
-        if is_number(front.get(key)):
-            return f", {words} {readable(front[key], 'm/s')}"
-    return ""
+    """The mean speed of a front that ran and that at the end, as text."""
+    mean, last = front.get("mean_speed"), front.get("speed")
+    text = f", on average at {readable(mean, 'm/s')}" if is_number(mean) else ""
+    if not (front.get("running") and is_number(last)):
+        return text
+    return text + f"{' and' if text else ','} at {readable(last, 'm/s')} at the end"
+
+
+def arrived(front):
+    """What a front came to, such as the surface of its body, as text."""
+    arrival = front.get("arrival") or {}
+    if not arrival.get("what"):
+        return ""
+    at = f" at t = {readable(arrival['time'], 's')}" if is_number(arrival.get("time")) else ""
+    return f", and it {arrival['what']}{at}"
 
 
 def motion_from(summary):
@@ -78,7 +93,7 @@ def growth_of(grown, count, summary=None):
     for entry in grown[:NAMED]:
         length = grown_by(entry[2])
         text = f"{name_of(entry)}, grew" + ("" if length is None else f" by {readable(length, 'm')}") + where_to(entry[2])
-        texts.append(text if summary is None else text + since(entry[2], summary, entry is grown[0]))
+        texts.append(text if summary is None else text + since(entry[2], summary, entry is grown[0]) + arrived(entry[2]))
     more = f"; {len(grown) - NAMED} more" if len(grown) > NAMED else ""
     return "; ".join(texts) + more + (f" ({len(grown)} of {count} fronts grew)" if count > 1 else "")
 

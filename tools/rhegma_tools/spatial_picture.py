@@ -218,7 +218,7 @@ def draw_cut_body(fields, summary, title, path, stress="principal", magnificatio
     """Writes the picture of the body cut open; cells: also those in the cut. \\return the magnification, or None where VTK draws nothing"""
     view, quantity = choose_view(fields, asked), quantity_shown(fields, stress)
     if magnification is None:  # cells do not follow displacements that are drawn larger
-        magnification = 1.0 if cells else automatic_magnification(fields.position, fields.displacement)
+        magnification = 1.0 if cells else automatic_magnification(fields.position, fields.displacement, fields.deformation)
     camera, side = camera_of(fields, view, magnification)
     kept = cut_open(fields, view.normal, view.where, side)
     if len(kept) == 0:

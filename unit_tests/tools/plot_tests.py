@@ -220,9 +220,19 @@ class Deformation(ToolTest):
         """1 mm on 1 m: 8 % would be 80 times; 50 is the round number below. 30 mm can be seen as it is."""
         positions = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
         moved = np.array([[0.0, 0.0, 0.0], [0.0, 1.0e-3, 0.0]])
-        self.assertEqual(automatic_magnification(positions, moved), 50.0)
-        self.assertEqual(automatic_magnification(positions, 30.0 * moved), 1.0)
-        self.assertEqual(automatic_magnification(positions, 0.0 * moved), 1.0)
+        rigid = np.array([np.eye(3)] * 2)
+        self.assertEqual(automatic_magnification(positions, moved, rigid), 50.0)
+        self.assertEqual(automatic_magnification(positions, 30.0 * moved, rigid), 1.0)
+        self.assertEqual(automatic_magnification(positions, 0.0 * moved, rigid), 1.0)
+
+    def test_magnified_particles_are_not_turned_inside_out(self):
+        """A strain of -1 %, which 100 times would make -1: 20 times is the round number below 40, at which particles keep 0.6 of their size."""
+        positions = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+        moved = np.array([[0.0, 0.0, 0.0], [0.0, 0.5e-3, 0.0]])
+        pressed = np.array([np.diag([0.99, 1.0, 1.0])] * 2)
+        self.assertEqual(automatic_magnification(positions, moved, pressed), 20.0)
+        torn = np.array([np.diag([3.0, 1.0, 1.0])] * 2)
+        self.assertEqual(automatic_magnification(positions, moved, torn), 1.0)
 
     def test_crack_moves_with_both_sides(self):
         """The upper particles move by +3, the lower by -1: the crack's middle by 1, opened by 4, drawn 10 times."""

@@ -84,7 +84,10 @@ class Verdict(ToolTest):
     def test_where_to_and_how_fast(self):
         front = {"initiated": 33e-6, "runs": [{"length": 0.01}], "position": [0.012, -3e-3], "mean_speed": 120.0}
         self.assertEqual(verdict(summary_of(front, propagation={})), "Yes: A, front 0, grew by 10 mm to (12, -3) mm from t = 33 µs on, on average at 120 m/s.")
-        self.assertIn("steadily at 250 m/s", verdict(summary_of(dict(front, settled_speed=250.0), propagation={})))
+        running = dict(front, running=True, speed=250.0, position=[0.9988, -2.5e-7])
+        self.assertTrue(verdict(summary_of(running, propagation={})).endswith("to (998.8, 0) mm from t = 33 µs on, on average at 120 m/s and at 250 m/s at the end."))
+        arrived = dict(front, arrival={"what": "reached the surface of its body", "time": 78e-6})
+        self.assertTrue(verdict(summary_of(arrived, propagation={})).endswith("120 m/s, and it reached the surface of its body at t = 78 µs."))
 
     def test_growth_in_motion(self):
         text = verdict(summary_of({"initiated": 33e-6, "runs": [{"length": 0.01}, {"length": 0.02}]}, {"initiated": None}, propagation={}))
@@ -214,7 +217,7 @@ class Facts(ToolTest):
         rows = reference_rows({"references": entries})
         self.assertEqual(rows[0][1:6], ("126 mJ/m²", "128.7 mJ/m²", "2.14 %", "4 %", "within"))
         self.assertEqual(rows[1][1:6], ("0.001", "0", "0.001", "0.0001", "OUTSIDE"))
-        self.assertEqual(rows[2][1:6], ("-", "0.00046", "-", "3 %", "not compared: why"))
+        self.assertEqual(rows[2][1:6], ("-", "460 µs", "-", "3 %", "not compared: why"))
 
 
 class Sound(ToolTest):
@@ -269,10 +272,10 @@ class FrontTable(ToolTest):
         self.assertEqual("".join(rows[0][2]), "77<br>(73 to 83)")
 
     def test_times_of_load_steps_are_no_times(self):
-        front = {"initiated": 0.08, "runs": [{"length": 6e-3}], "G_J": 1.0, "settled_speed": 500.0}
+        front = {"initiated": 0.08, "runs": [{"length": 6e-3}], "G_J": 1.0, "mean_speed": 500.0}
         self.assertNotIn("initiated at", " ".join(front_table(summary_of(front, equilibrium={}))[0]))
         head, rows, _ = front_table(summary_of(front))
-        self.assertEqual((head[4:7], rows[0][4:7]), (["initiated at [ms]", "steady speed, else mean [m/s]", "grew by [mm]"], ["80", "500", "6"]))
+        self.assertEqual((head[4:7], rows[0][4:7]), (["initiated at [ms]", "mean speed [m/s]", "grew by [mm]"], ["80", "500", "6"]))
         self.assertIsNone(front_table({"cracks": []}))
 
 
