@@ -83,15 +83,17 @@ def has_material(fields, point):
     return bool((np.abs(fields.position - point)[:, :fields.dimension] <= half[:, :fields.dimension]).all(axis=1).any())
 
 
-def arrows(kind, name, label, points, direction, fields):
+def arrows(kind, name, label, points, direction, fields, into=None):
     """Arrows at a surface: with their heads on it where they point into the body, else with their tails. direction: (3), or (k, 3) one for each
-    point, along the normals; then a list, of which the first has the label"""
+    point, along the normals; then a list, of which the first has the label. into: where it is known; else the particles say so"""
     points = np.atleast_2d(points)
     if not np.any(direction) or len(points) == 0:
         return Mark(kind, name, label, np.mean(points if len(points) else fields.position, axis=0))
     if np.ndim(direction) == 2:
-        return [Arrows(kind, name, "" if k else label, point, one, has_material(fields, point + 0.6 * fields.size * one / np.linalg.norm(one)))
-                for k, (point, one) in enumerate(zip(points, direction))]
+        def points_into(point, one):
+            return has_material(fields, point + 0.6 * fields.size * one / np.linalg.norm(one)) if into is None else into
+
+        return [Arrows(kind, name, "" if k else label, point, one, points_into(point, one)) for k, (point, one) in enumerate(zip(points, direction))]
     unit = direction / np.linalg.norm(direction)
     return Arrows(kind, name, label, points, direction, has_material(fields, points[len(points) // 2] + 0.6 * fields.size * unit))
 
@@ -119,7 +121,8 @@ def traction(name, values, fields, chosen=None):
     if "Pressure" in values:
         factor, words = peak(values)
         pressure = factor * number(values, "Pressure", 0.0)
-        return arrows(LOAD, name, readable(abs(pressure), "Pa") + words, points, np.sign(pressure) * inward, fields)
+        return arrows(LOAD, name, readable(abs(pressure), "Pa") + words, points, np.sign(pressure) * inward, fields,
+                      into=bool(pressure > 0.0) if chosen else None)
     direction, label = with_value(array(values, "Stress"), "Pa", values)
     return arrows(LOAD, name, label, points, direction, fields)
 
