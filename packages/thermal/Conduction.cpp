@@ -160,7 +160,8 @@ void Conduction<D>::once(State<D>& state, double dt, double begin, double end, c
   // Differences that nodes do not resolve decay in the time of diffusion through a cell, ten times slower
   // than modes of that wavelength. With the smallest diffusivity, as particles of all materials have the same
   // decay.
-  const double fading = -std::expm1(-leastDiffusivity * dt / (h * h));
+  const double fading =
+      std::min(-std::expm1(-leastDiffusivity * dt / (h * h)), 1.0 / largestPositiveSum(state));
   // Where materials meet, the temperatures of their particles approach each other faster. The decay is part
   // of that: both in full would pass the temperature of the node.
   const double join = -std::expm1(-joining * diffusivity * dt / (h * h)) - fading;

@@ -66,7 +66,7 @@ struct CapacityBlock
                   [&](int node, double weight, const double*)
                   {
                     const Vector<D> x = positions(latticeNode(all, node));
-                    for (int d = 0; d < D; ++d)
+                    for (int d = 0; d < D && weight > 0.0; ++d)
                       aside += weight * gradient(p, d) * (x[d] - position(p, d));
                     if (weight < 0.0 && (conducts || !nodes.conductsAt(node)))
                     {
@@ -159,8 +159,9 @@ struct ChangeBlock
   BorrowedView<double*> volume, temperature, internal;
   BorrowedView<int*> material;
   View<double*> supply;
+  View<int*> storedRow; ///< of the particles' stored stencils; empty where there are none
   double fraction, dt;
-  bool mechanics, stored;
+  bool mechanics;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
@@ -176,8 +177,9 @@ struct ChangeBlock
                               else
                               {
                                 const Pack<4> seen = stencil.template value<4, 4>(rows);
-                                const double expected = temperature(p) + (stored ? nodes.aside(p) : 0.0);
-                                change = seen[1] + fraction * (seen[2] - expected);
+                                const bool edited = storedRow.extent(0) > 0 && storedRow(p) >= 0;
+                                change =
+                                    seen[1] + fraction * (edited ? unresolved(p) : seen[2] - temperature(p));
                                 if (several)
                                   change += nodes.joined(p);
                               }
@@ -188,6 +190,21 @@ struct ChangeBlock
                                                    ? temperature(p) + change
                                                    : temperatureOfHeat(tables, material(p), internal(p));
                             });
+  }
+
+  /// Sum of positive weights times the differences to the nodes that they do not resolve, of a particle with
+  /// a stored stencil: as the means of the nodes have positive weights only, these sums leave the heat as it
+  /// is.
+  KOKKOS_INLINE_FUNCTION double unresolved(int p) const
+  {
+    double sum = -nodes.aside(p);
+    connect.visit(p,
+                  [&](int node, double weight, const double*)
+                  {
+                    if (weight > 0.0)
+                      sum += weight * (nodes.value(node, 2) - temperature(p));
+                  });
+    return sum;
   }
 
   /// Change of an insulator on nodes without conductors; next to a conductor also its own supply.
@@ -257,6 +274,25 @@ void heatToNodes(const State<D>& state, const HeatNodes<D>& nodes)
                                                                                   : View<int*>()};
                      forEachBlock("rhegma::thermal::heatToNodes", state.mesh.blocks, block);
                    });
+}
+
+template <int D>
+double largestPositiveSum(const State<D>& state)
+{
+  if (state.cracks.cracks.empty())
+    return 1.0;
+  const StencilTable<D> table = state.stored.table;
+  double largest = 1.0;
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::largestPositiveSum", Kokkos::RangePolicy<ExecSpace>(0, state.stored.count),
+      KOKKOS_LAMBDA(const int row, double& most) {
+        double sum = 0.0;
+        for (int k = 0; k < table.count(row); ++k)
+          sum += table.weight(row, k) > 0.0 ? table.weight(row, k) : 0.0;
+        most = sum > most ? sum : most;
+      },
+      Kokkos::Max<double>(largest));
+  return state.ranks.max(largest > 1.0 ? largest : 1.0);
 }
 
 template <int D>
@@ -335,16 +371,19 @@ void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double fracti
                                                          table.scalar(fields::internalEnergy),
                                                          table.integer(fields::material),
                                                          supply,
+                                                         state.stored.count > 0 ? state.stored.row
+                                                                                : View<int*>(),
                                                          fraction,
                                                          dt,
-                                                         state.method.mechanics,
-                                                         state.stored.count > 0};
+                                                         state.method.mechanics};
                      forEachBlock("rhegma::thermal::changeToParticles", state.mesh.blocks, block);
                    });
 }
 
 template struct HeatNodes<2>;
 template struct HeatNodes<3>;
+template double largestPositiveSum(const State<2>&);
+template double largestPositiveSum(const State<3>&);
 template void heatToNodes(const State<2>&, const HeatNodes<2>&);
 template void heatToNodes(const State<3>&, const HeatNodes<3>&);
 template void findTemperature(State<2>&, const HeatNodes<2>&);

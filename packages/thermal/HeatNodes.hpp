@@ -36,9 +36,8 @@ struct HeatNodes
   /// material.
   View<double*> joined;
 
-  /// Of particles with stored stencils, how far the mean of the nodes' positions lies from their own, by
-  /// their gradient, g . (sum N_i x_i - x) [K]: edited stencils need not be linearly complete. Used only
-  /// while there are any.
+  /// Of particles with stored stencils, sum N_i g . (x_i - x) over positive weights N_i, by their gradient
+  /// before the step [K]. Used only while there are any.
   View<double*> aside;
 
   /// Whether a particle with this weight touches a node: more than round-off at the edge of its box.
@@ -67,6 +66,11 @@ struct HeatNodes
 template <int D>
 void heatToNodes(const State<D>& state, const HeatNodes<D>& nodes);
 
+/// The largest sum of the positive weights of a particle: 1 where no stencil extrapolates. Collective where
+/// there are cracks.
+template <int D>
+double largestPositiveSum(const State<D>& state);
+
 /// Temperature of the nodes from their sums.
 template <int D>
 void findTemperature(State<D>& state, const HeatNodes<D>& nodes);
@@ -86,7 +90,9 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& nodes, doubl
 ///
 /// A fraction of the differences between the particles of a cell that nodes do not resolve is removed: T +=
 /// fraction sum N_i (T_i - T - g.(x_i - x)) with the projected T_i and the gradient of before the step, which
-/// leaves linear fields and the heat of all particles alone. \param supply as `fluxToNodes` has it, for dt
+/// leaves linear fields and the heat of all particles alone. Of stored stencils, whose weights need not be
+/// positive, only the positive ones count, as in the means of the nodes. \param supply as `fluxToNodes` has
+/// it, for dt \param fraction at most 1 over largestPositiveSum
 template <int D>
 void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double fraction,
                        const View<double*>& supply, double dt);

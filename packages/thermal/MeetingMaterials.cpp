@@ -59,7 +59,7 @@ struct JoinBlock
                     [&](int node, double weight, const double*)
                     {
                       const double fraction = heat.meets(node, HeatNodes<D>::joinAt);
-                      if (fraction == 0.0)
+                      if (fraction == 0.0 || !(weight > 0.0)) // as in the nodes' means
                         return;
                       const Vector<D> x = positions(latticeNode(nodes, node));
                       double expected = temperature(p);

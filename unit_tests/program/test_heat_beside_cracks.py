@@ -4,6 +4,7 @@
 RHEGMA_SEED draws the same bodies and cracks again; RHEGMA_CRACKS sets how many."""
 
 import csv
+import math
 import os
 import random
 import sys
@@ -14,6 +15,7 @@ sys.dont_write_bytecode = True
 
 from combinations import Reference, factors, scene_of  # noqa: E402
 from program import ProgramTest, rhegma  # noqa: E402
+from scenes import Scene  # noqa: E402
 
 SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
 CRACKS = int(os.environ.get("RHEGMA_CRACKS", "16"))
@@ -44,6 +46,43 @@ class HeatBesideCracks(ProgramTest):
                     rows = list(csv.DictReader(file))
                 self.assertLess(max(float(row["temperature_highest"]) for row in rows), 301.0)
                 self.assertGreater(min(float(row["temperature_lowest"]) for row in rows), 299.0)
+
+    def test_heat_stays_in_an_insulated_body(self):
+        """Conduction without motion from a temperature that rises along a direction: the heat stays to rounding of the sums over particles and
+        steps, and no particle leaves the range at the start by more than 3 % of it: the nodes' means extrapolate by half a cell."""
+        numbers, cell = random.Random(SEED + 1), 1e-3
+        for number in range(CRACKS // 2):
+            low = [numbers.uniform(0.0, cell) for _ in range(2)]
+            high = [x + numbers.uniform(14.0, 18.0) * cell for x in low]
+            y, slope = 0.5 * (low[1] + high[1]) + numbers.uniform(-1.0, 1.0) * cell, numbers.uniform(-0.35, 0.35)
+            angle = numbers.uniform(0.0, 2.0 * math.pi)
+            along = f"{math.cos(angle)!r} * x + {math.sin(angle)!r} * y"
+            method = numbers.choice(("Explicit", "Implicit", "Super Time Stepping"))
+            shape, formulation = numbers.choice(("Linear", "GIMP")), numbers.choice(("Corrected Broken Cell", "Broken Cell", "Dual Field"))
+            formulation = "Corrected Broken Cell" if number % 2 == 0 else formulation
+            half = numbers.uniform(0.4, 0.6) * (high[0] - low[0])
+            scene = Scene({
+                "Domain": {"Dimension": 2, "Lower Corner": [-4 * cell] * 2, "Upper Corner": [24 * cell] * 2, "Cell Size": cell, "Shape Functions": shape},
+                "Time": {"Final Time": 2.0},
+                "Materials": {"Solid": {"Model": "Linear Elastic", "Density": 1200.0, "Young Modulus": 3e9, "Poisson Ratio": 0.33,
+                                        "Specific Heat": 1400.0, "Conductivity": 0.5}},
+                "Bodies": {"Block": {"Material": "Solid", "Shape": "Box", "Lower Corner": low, "Upper Corner": high,
+                                     "Temperature Field": f"300 + 2500 * ({along})"}},
+                "Cracks": {"Formulation": formulation, "Notch": {"Points": [low[0] - 0.3 * cell, y, low[0] + half, y + slope * half]}},
+                "Thermal": {"Initial Temperature": 300.0, "Mechanics": False, "Conduction": method},
+                "Output": {"History Interval": 0.2, "Fields": False, "Checkpoints": False},
+            })
+            with self.subTest(number=number, method=method, shape=shape, formulation=formulation):
+                answer = rhegma(self.write("scene.xml", scene.text()), "--output", self.path("out"), "--quiet")
+                self.assertEqual(answer.status, 0, answer)
+                with open(self.path("out", "history.csv"), encoding="utf-8") as file:
+                    rows = list(csv.DictReader(file))
+                first, last = rows[0], rows[-1]
+                span = float(first["temperature_highest"]) - float(first["temperature_lowest"])
+                heat = 1200.0 * 1400.0 * (high[0] - low[0]) * (high[1] - low[1]) * span
+                self.assertLess(abs(float(last["thermal"])), 1e-10 * heat)
+                self.assertLess(float(last["temperature_highest"]), float(first["temperature_highest"]) + 0.03 * span)
+                self.assertGreater(float(last["temperature_lowest"]), float(first["temperature_lowest"]) - 0.03 * span)
 
 
 if __name__ == "__main__":
