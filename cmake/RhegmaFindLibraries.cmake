@@ -36,8 +36,11 @@ set(RHEGMA_PICTURES)
 foreach(kind PNG TIFF)
   if(TARGET ${kind}::${kind})
     list(APPEND RHEGMA_PICTURES ${kind}::${kind})
+  elseif("${RHEGMA_PICTURES_NEEDED}" MATCHES "${kind}::${kind}") # of an installed Rhegma
+    message(FATAL_ERROR "Rhegma was built with ${kind}, which was not found. Install it (Debian: libpng-dev, libtiff-dev), or name the folder "
+      "that it is installed in with -DCMAKE_PREFIX_PATH=...")
   else()
-    message(STATUS "no lib${kind}: such pictures are read by tools/rhegma-mesh alone")
+    message(STATUS "no ${kind}: such pictures are read by tools/rhegma-mesh alone")
   endif()
 endforeach()
 

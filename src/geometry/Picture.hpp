@@ -16,9 +16,14 @@ struct Picture
   std::vector<std::uint16_t> samples; ///< of each pixel, its channels one after the other
 };
 
-/// \throws std::invalid_argument where the file can't be read
-Picture readPng(const std::string& path);
-/// All pages of a file. \throws std::invalid_argument where the file can't be read
-std::vector<Picture> readTiff(const std::string& path);
+/// \throws std::invalid_argument where pictures with so many samples need more memory than there is: six
+/// bytes for each while they are read
+void checkMemory(double samples, double available);
+
+/// \param available memory [bytes] \throws std::invalid_argument where the file can't be read
+Picture readPng(const std::string& path, double available);
+/// All pages of a file. \param available memory [bytes] \throws std::invalid_argument where the file can't be
+/// read
+std::vector<Picture> readTiff(const std::string& path, double available);
 
 } // namespace Rhegma::Geometry

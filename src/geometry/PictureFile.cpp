@@ -80,6 +80,14 @@ std::vector<std::uint16_t> greyOf(const Picture& picture)
 
 } // namespace
 
+void checkMemory(double samples, double available)
+{
+  constexpr double each = 6.0; // bytes: as read, as layers, and as a whole or as marks of where a value is
+  if (each * samples > available)
+    throw std::invalid_argument("the pictures need " + formatShort(each * samples * 1e-9) +
+                                " GB of memory, but only " + formatShort(available * 1e-9) + " GB are free");
+}
+
 bool isOfPictures(const std::string& path)
 {
   std::error_code error;
@@ -107,6 +115,7 @@ Pictures readPictures(const std::string& path, double available)
     throw std::invalid_argument("the folder has no PNG or TIFF files");
   Pictures all;
   std::vector<std::vector<std::uint16_t>> layers;
+  double samples = 0.0;
   for (const std::string& file : files)
   {
     const auto fail = [&](const std::string& what)
@@ -117,7 +126,7 @@ Pictures readPictures(const std::string& path, double available)
     try
     {
       std::vector<Picture> pages =
-          isPng(endingOf(file)) ? std::vector<Picture>{readPng(file)} : readTiff(file);
+          isPng(endingOf(file)) ? std::vector<Picture>{readPng(file, available)} : readTiff(file, available);
       for (const Picture& page : pages)
       {
         if (layers.empty())
@@ -126,12 +135,8 @@ Pictures readPictures(const std::string& path, double available)
           fail("it has " + std::to_string(page.columns) + " x " + std::to_string(page.rows) +
                " pixels and the first picture " + std::to_string(all.count[0]) + " x " +
                std::to_string(all.count[1]) + "; all pictures of a stack must have one size");
-        // The layers, the whole, and marks of where a value is.
-        const double need = 3.0 * sizeof(std::uint16_t) * double(page.columns) * double(page.rows) *
-                            double(std::max(files.size(), pages.size()));
-        if (need > available)
-          fail("the pictures need " + formatShort(need * 1e-9) + " GB of memory, but only " +
-               formatShort(available * 1e-9) + " GB are free");
+        samples += static_cast<double>(page.samples.size());
+        checkMemory(samples, available);
         layers.push_back(greyOf(page));
       }
     }

@@ -52,8 +52,6 @@ struct Reader
       return false;
     png_init_io(png, file);
     png_read_info(png, info);
-    if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE)
-      png_set_palette_to_rgb(png);
     const int bits = png_get_bit_depth(png, info);
     if (bits == 1 && png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY)
       png_set_packing(png);
@@ -75,7 +73,7 @@ struct Reader
 
 } // namespace
 
-Picture readPng(const std::string& path)
+Picture readPng(const std::string& path, double available)
 {
   Reader reader(path);
   if (reader.file == nullptr || reader.info == nullptr || !reader.begin())
@@ -84,6 +82,10 @@ Picture readPng(const std::string& path)
   picture.columns = png_get_image_width(reader.png, reader.info);
   picture.rows = png_get_image_height(reader.png, reader.info);
   picture.channels = png_get_channels(reader.png, reader.info);
+  if (png_get_color_type(reader.png, reader.info) == PNG_COLOR_TYPE_PALETTE)
+    throw std::invalid_argument("it has a palette of colours; save it in shades of grey");
+  checkMemory(static_cast<double>(picture.columns) * static_cast<double>(picture.rows) * picture.channels,
+              available);
   const std::size_t stride = png_get_rowbytes(reader.png, reader.info);
   std::vector<unsigned char> bytes(stride * static_cast<std::size_t>(picture.rows));
   std::vector<png_bytep> rows(static_cast<std::size_t>(picture.rows));
@@ -103,7 +105,7 @@ Picture readPng(const std::string& path)
 
 #else
 
-Picture readPng(const std::string&)
+Picture readPng(const std::string&, double)
 {
   throw std::invalid_argument(
       "this program was built without libpng; make a .npy file of the picture with tools/rhegma-mesh");

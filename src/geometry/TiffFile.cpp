@@ -16,7 +16,8 @@ namespace
 {
 
 /// The page that a file is at.
-Picture readPage(TIFF* file)
+/// \param before samples of the pages before it
+Picture readPage(TIFF* file, double before, double available)
 {
   std::uint32_t columns = 0, rows = 0;
   std::uint16_t channels = 1, bits = 1, format = SAMPLEFORMAT_UINT, planar = PLANARCONFIG_CONTIG,
@@ -40,6 +41,7 @@ Picture readPage(TIFF* file)
   picture.columns = columns;
   picture.rows = rows;
   picture.channels = channels;
+  checkMemory(before + static_cast<double>(columns) * static_cast<double>(rows) * channels, available);
   const std::size_t inRow = std::size_t{columns} * channels;
   std::vector<unsigned char> row(static_cast<std::size_t>(TIFFScanlineSize(file)));
   if (row.size() < (inRow * bits + 7) / 8)
@@ -66,7 +68,7 @@ Picture readPage(TIFF* file)
 
 } // namespace
 
-std::vector<Picture> readTiff(const std::string& path)
+std::vector<Picture> readTiff(const std::string& path, double available)
 {
   TIFFSetErrorHandler(nullptr); // the messages are those of this program
   TIFFSetWarningHandler(nullptr);
@@ -74,15 +76,22 @@ std::vector<Picture> readTiff(const std::string& path)
   if (file == nullptr)
     throw std::invalid_argument("it can't be read as a TIFF picture");
   std::vector<Picture> pages;
-  do
-    pages.push_back(readPage(file.get()));
-  while (TIFFReadDirectory(file.get()) != 0);
-  return pages;
+  double samples = 0.0;
+  while (true)
+  {
+    pages.push_back(readPage(file.get(), samples, available));
+    samples += static_cast<double>(pages.back().samples.size());
+    if (TIFFLastDirectory(file.get()) != 0)
+      return pages;
+    if (TIFFReadDirectory(file.get()) == 0)
+      throw std::invalid_argument("page " + std::to_string(pages.size() + 1) +
+                                  " can't be read; the file may be cut off");
+  }
 }
 
 #else
 
-std::vector<Picture> readTiff(const std::string&)
+std::vector<Picture> readTiff(const std::string&, double)
 {
   throw std::invalid_argument(
       "this program was built without libtiff; make a .npy file of the picture with tools/rhegma-mesh");

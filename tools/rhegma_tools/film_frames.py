@@ -61,8 +61,12 @@ def common_magnification(samples):
     """The least of all frames, so that the body grows in none beyond what is wanted; 1 with rigid tools, which are drawn where they are."""
     if any(s.tools is not None for s in samples):
         return 1.0
-    moved = [s for s in samples if s.displacement.any()]
-    return min((automatic_magnification(s.position, s.displacement, s.deformation) for s in moved), default=1.0)
+    def largest(s):
+        return float(np.max(np.linalg.norm(s.displacement, axis=1)))
+
+    # Frames in which hardly anything has moved, such as the first one, do not count.
+    least = 0.01 * max(map(largest, samples))
+    return min((automatic_magnification(s.position, s.displacement, s.deformation) for s in samples if largest(s) > least), default=1.0)
 
 
 def bounds(samples, view, magnification):

@@ -13,6 +13,7 @@ from .style import plt
 MOST = 4  # fronts drawn
 ROWS = 600  # samples drawn of a front
 ROWS_OF_PAGE = 200  # of a map that a page draws again at any zoom
+TIME_DIGITS = 12  # a part of a run may be much shorter than the time before it
 SHADES = 33  # colours of its scale
 SMALL = 0.1  # K_II and K_III are drawn where they exceed this fraction of the largest K
 GREY = "#CCCCCC"  # nodes without a value
@@ -93,9 +94,9 @@ def colours_of(quantity):
     return plt.get_cmap("RdBu_r" if quantity.signed else "viridis").copy()
 
 
-def numbers(values):
-    """A list with four digits; None where a value is not finite."""
-    return [float(f"{value:.4g}") if np.isfinite(value) else None for value in values]
+def numbers(values, digits=4):
+    """A list with so many digits; None where a value is not finite."""
+    return [float(f"{value:.{digits}g}") if np.isfinite(value) else None for value in values]
 
 
 def draw_map(axes, samples, quantity, norm, lengths, times):
@@ -161,7 +162,7 @@ class Maps:
     def panel(self, name, samples, quantity):
         """The same as numbers, of which the script of a page draws it. Strips are {t: its two times, s: edges, v: values between them}."""
         norm, colours = norm_of(self.chosen, quantity), colours_of(quantity)
-        strips = [{"t": numbers([early * self.times, late * self.times]), "s": numbers(edges * self.lengths),
+        strips = [{"t": numbers([early * self.times, late * self.times], TIME_DIGITS), "s": numbers(edges * self.lengths, 6),
                    "v": numbers(getattr(sample, quantity.name)[nodes] * quantity.factor)}
                   for early, late, sample in rows_of(samples, ROWS_OF_PAGE) for edges, nodes in strips_of(sample)]
         return {

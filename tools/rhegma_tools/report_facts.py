@@ -143,7 +143,7 @@ UNITS = (
 def unit_of_quantity(quantity):
     """The unit of a path in the summary, with room for a prefix; empty where it is not known."""
     name = next((part for part in reversed(str(quantity).split(".")) if not part.isdigit()), "")
-    return next((unit for unit, names in UNITS if name.startswith(names)), "")
+    return "" if name.endswith(("_fraction", "_share")) else next((unit for unit, names in UNITS if name.startswith(names)), "")
 
 
 def reference_rows(summary):

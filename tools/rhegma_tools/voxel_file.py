@@ -13,6 +13,8 @@ MOST = 20000  # edges of an outline; of more only the bounds are drawn
 
 def grey_values(picture, name):
     """Integers (rows, columns) of one picture of Pillow."""
+    if picture.mode == "P":
+        raise Problem(f"{name} has a palette of colours; save it in shades of grey.")
     values = np.asarray(picture)
     if values.dtype == bool:
         values = values.astype(np.uint8)

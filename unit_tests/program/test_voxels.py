@@ -7,6 +7,7 @@ import random
 import subprocess
 import sys
 import unittest
+import zlib
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
@@ -248,6 +249,17 @@ class Pictures(VoxelTest):
                 short.write(file.read()[:120])
         pages = [self.Image.fromarray(numpy.zeros((2, 3), dtype="uint8"))] * 2
         pages[0].save(self.path("stack.tif"), save_all=True, append_images=pages[1:])
+        with open(self.path("stack.tif"), "rb") as file:
+            content = file.read()
+        with open(self.path("short.tif"), "wb") as file:
+            file.write(content[:-20])
+        header = b"IHDR" + (60000).to_bytes(4, "big") * 2 + bytes([16, 6, 0, 0, 0])
+        data = b"IDAT" + zlib.compress(b"")
+        with open(self.path("huge.png"), "wb") as file:
+            file.write(b"\x89PNG\r\n\x1a\n")
+            for chunk in (header, data, b"IEND"):
+                file.write((len(chunk) - 4).to_bytes(4, "big") + chunk + zlib.crc32(chunk).to_bytes(4, "big"))
+        self.Image.fromarray(numpy.arange(6, dtype="uint8").reshape(2, 3)).convert("P").save(self.path("palette.png"))
         os.mkdir(self.path("mixed"))
         os.mkdir(self.path("empty"))
         self.save(numpy.zeros((2, 3), dtype="uint8"), "mixed/a.png")
@@ -255,7 +267,8 @@ class Pictures(VoxelTest):
         self.save(numpy.zeros((2, 3), dtype="uint8"), "grey.png")
         for name, upper, words in (("colour.png", [3e-3, 2e-3], ["in colour"]), ("colour.tif", [3e-3, 2e-3], ["in colour"]),
                                    ("float.tif", [3e-3, 2e-3], ["8 or 16 bits"]), ("short.png", [0.3, 0.2], ["can't be read as a PNG picture"]),
-                                   ("stack.tif", [3e-3, 2e-3], ["2 pictures", "2D needs one"]), ("empty", [3e-3, 2e-3, 1e-3], ["no PNG or TIFF files"]),
+                                   ("stack.tif", [3e-3, 2e-3], ["2 pictures", "2D needs one"]), ("short.tif", [3e-3, 2e-3, 2e-3], ["cut off"]),
+                                   ("huge.png", [3e-3, 2e-3], ["GB of memory"]), ("palette.png", [3e-3, 2e-3], ["palette"]), ("empty", [3e-3, 2e-3, 1e-3], ["no PNG or TIFF files"]),
                                    ("mixed", [3e-3, 2e-3, 1e-3], ["b.png", "3 x 3 pixels", "3 x 2"]), ("none.png", [3e-3, 2e-3], ["no such file"]),
                                    (self.write("text.png", "no picture") and "text.png", [3e-3, 2e-3], ["can't be read as a PNG picture"]),
                                    (self.write("text.tif", "no picture") and "text.tif", [3e-3, 2e-3], ["can't be read as a TIFF picture"]),
