@@ -67,7 +67,8 @@ NpyHeader readNpyHeader(std::istream& file)
   unsigned char start[12] = {};
   file.read(reinterpret_cast<char*>(start), 10);
   if (!file || std::string(start, start + 6) != magic)
-    throw std::invalid_argument("it is no .npy file; write an array with numpy.save, or name a picture that ends in .png or .tif");
+    throw std::invalid_argument(
+        "it is no .npy file; write an array with numpy.save, or name a picture that ends in .png or .tif");
   std::size_t length = start[8] + 256u * start[9], begin = 10;
   if (start[6] > 1)
   {

@@ -71,8 +71,8 @@ std::vector<std::uint16_t> greyOf(const Picture& picture)
     const std::uint16_t* const pixel = &picture.samples[k];
     const bool isGrey = colours == 1 || (pixel[0] == pixel[1] && pixel[1] == pixel[2]);
     if (!isGrey || (channels > colours && pixel[channels - 1] != picture.samples[channels - 1]))
-      throw std::invalid_argument(
-          "it is in colour; each material needs a grey value: save it in shades of grey");
+      throw std::invalid_argument("it is in colour or partly transparent; each material needs a grey value: "
+                                  "save it in shades of grey");
     grey.push_back(pixel[0]);
   }
   return grey;
@@ -101,9 +101,16 @@ std::vector<std::string> filesOfPictures(const std::string& path)
   if (!std::filesystem::is_directory(path, error))
     return {path};
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(path, error))
-    if (const std::string ending = endingOf(entry.path()); isPng(ending) || isTiff(ending))
+  std::filesystem::directory_iterator entries(path, error);
+  if (error)
+    throw std::invalid_argument("the folder can't be read");
+  for (const auto& entry : entries)
+  {
+    const std::string ending = endingOf(entry.path());
+    const bool hidden = entry.path().filename().string().front() == '.';
+    if ((isPng(ending) || isTiff(ending)) && !hidden && entry.is_regular_file(error))
       files.push_back(entry.path().string());
+  }
   std::sort(files.begin(), files.end(), isBefore);
   return files;
 }

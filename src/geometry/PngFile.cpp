@@ -76,7 +76,9 @@ struct Reader
 Picture readPng(const std::string& path, double available)
 {
   Reader reader(path);
-  if (reader.file == nullptr || reader.info == nullptr || !reader.begin())
+  if (reader.file == nullptr)
+    throw std::invalid_argument("it can't be opened");
+  if (reader.info == nullptr || !reader.begin())
     throw std::invalid_argument("it can't be read as a PNG picture (" + reader.error + ")");
   Picture picture;
   picture.columns = png_get_image_width(reader.png, reader.info);

@@ -218,7 +218,9 @@ BoxPart<D> partInSolid(const Solid<D>& solid, const Vector<D>& lower, const Vect
   for (int d = 0; d < D; ++d)
   {
     part.centroid[d] = sums.first[d] / sums.volume;
-    part.variance[d] = std::max(0.0, sums.second[d] / sums.volume - part.centroid[d] * part.centroid[d]);
+    // Not below that of a slab, whatever rounding makes of small differences.
+    const double slab = part.fraction * part.fraction / 12.0;
+    part.variance[d] = std::max(slab, sums.second[d] / sums.volume - part.centroid[d] * part.centroid[d]);
   }
   part.centroid[axis] *= up;
   return part;

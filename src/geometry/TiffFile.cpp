@@ -21,7 +21,7 @@ Picture readPage(TIFF* file, double before, double available)
 {
   std::uint32_t columns = 0, rows = 0;
   std::uint16_t channels = 1, bits = 1, format = SAMPLEFORMAT_UINT, planar = PLANARCONFIG_CONTIG,
-                colours = PHOTOMETRIC_MINISBLACK;
+                orientation = ORIENTATION_TOPLEFT, colours = PHOTOMETRIC_MINISBLACK;
   TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &columns);
   TIFFGetField(file, TIFFTAG_IMAGELENGTH, &rows);
   TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLESPERPIXEL, &channels);
@@ -29,6 +29,9 @@ Picture readPage(TIFF* file, double before, double available)
   TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &format);
   TIFFGetFieldDefaulted(file, TIFFTAG_PLANARCONFIG, &planar);
   TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &colours);
+  TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &orientation);
+  if (orientation != ORIENTATION_TOPLEFT)
+    throw std::invalid_argument("its tag Orientation turns or mirrors it; save it upright");
   if (colours == PHOTOMETRIC_PALETTE)
     throw std::invalid_argument("it has a palette of colours; save it in shades of grey");
   if ((format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_VOID) || (bits != 1 && bits != 8 && bits != 16))
