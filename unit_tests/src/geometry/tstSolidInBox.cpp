@@ -4,6 +4,7 @@
 #include "ShapeLists.hpp"
 #include "Surfaces.hpp"
 
+#include "geometry/Primitives.hpp"
 #include "geometry/ShapeFile.hpp"
 #include "geometry/SolidInBox.hpp"
 
