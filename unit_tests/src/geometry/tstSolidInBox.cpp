@@ -5,7 +5,7 @@
 #include "Surfaces.hpp"
 
 #include "geometry/Primitives.hpp"
-#include "geometry/ShapeFile.hpp"
+#include "geometry/Shape.hpp"
 #include "geometry/SolidInBox.hpp"
 
 #include <gtest/gtest.h>
