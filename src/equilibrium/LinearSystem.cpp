@@ -165,7 +165,7 @@ typename LinearSystem<D>::Method LinearSystem<D>::chooseMethod()
 }
 
 template <int D>
-std::vector<std::vector<double>> LinearSystem<D>::nearNullSpace() const
+Multigrid::Vectors LinearSystem<D>::nearNullSpace() const
 {
   double ends[2 * D]; // -lowest, highest
   std::fill(ends, ends + 2 * D, std::numeric_limits<double>::lowest());
@@ -182,7 +182,7 @@ std::vector<std::vector<double>> LinearSystem<D>::nearNullSpace() const
     low[d] = -ends[2 * d];
     high[d] = ends[2 * d + 1];
   }
-  std::vector<std::vector<double>> motions;
+  Multigrid::Vectors motions;
   for (int m = 0; m < rigidMotions<D>; ++m)
   {
     RigidMode<D> mode;
@@ -195,6 +195,15 @@ std::vector<std::vector<double>> LinearSystem<D>::nearNullSpace() const
     motions.push_back(std::move(motion));
   }
   return motions;
+}
+
+template <int D>
+Multigrid::Vectors LinearSystem<D>::coordinates() const
+{
+  Multigrid::Vectors along(D);
+  for (int k = 0; k < matrix_.rows(); ++k)
+    along[k % D].push_back(position_[matrix_.unknownOf(k) / D][k % D]);
+  return along;
 }
 
 template <int D>
@@ -221,7 +230,7 @@ void LinearSystem<D>::makeMultigrid()
   if (method_ != Method::Multigrid)
     return;
   double failed = 0.0;
-  const std::vector<std::vector<double>> motions = nearNullSpace();
+  const Multigrid::Vectors motions = nearNullSpace();
   if (approximate_ != nullptr)
   {
     if (!matrix_.isBuilt())
@@ -230,7 +239,7 @@ void LinearSystem<D>::makeMultigrid()
   }
   try
   {
-    multigrid_ = std::make_unique<Multigrid>(matrix_.sparse(), D, motions);
+    multigrid_ = std::make_unique<Multigrid>(matrix_.sparse(), D, motions, coordinates());
   }
   catch (const std::exception&) // a matrix that cannot be aggregated
   {

@@ -107,7 +107,9 @@ private:
   void prepare();
   void makeKrylov();
   Method chooseMethod();
-  std::vector<std::vector<double>> nearNullSpace() const;
+  Multigrid::Vectors nearNullSpace() const;
+  /// Of the nodes of this rank's rows, along each axis [m].
+  Multigrid::Vectors coordinates() const;
   void makeMultigrid();
   void precondition(const View<double*>& diagonal, const BorrowedView<const double*>& x,
                     const BorrowedView<double*>& y) const;

@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #ifdef RHEGMA_HAVE_MUELU
+#include "solver/ColumnValues.hpp"
+
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -56,30 +58,45 @@ Teuchos::ParameterList settings(int perNode)
   return list;
 }
 
-/// The couplings among the rows of this rank; the matrix itself with one rank.
-SparseMatrix amongOwnRows(const SparseMatrix& matrix)
+/// The unknowns of `count` columns of a matrix, on all its ranks.
+RCP<const Map> mapOf(const SparseMatrix& matrix, int count)
 {
   if (!matrix.ranks.many())
-    return matrix;
-  const int n = matrix.rows();
-  SparseMatrix own;
-  own.first = View<std::size_t*>("rhegma::Multigrid::first", n + 1);
-  for (int r = 0; r < n; ++r)
-  {
-    own.first(r + 1) = own.first(r);
-    for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
-      own.first(r + 1) += matrix.column(k) < n ? 1 : 0;
-  }
-  own.column = View<int*>("rhegma::Multigrid::column", own.first(n));
-  own.value = View<double*>("rhegma::Multigrid::ownValue", own.first(n));
-  std::size_t at = 0;
-  for (std::size_t k = 0; k < matrix.column.extent(0); ++k)
-    if (matrix.column(k) < n)
-    {
-      own.column(at) = matrix.column(k);
-      own.value(at++) = matrix.value(k);
-    }
-  return own;
+    return rcp(new Map(count, 0, rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF))));
+  std::vector<Map::global_ordinal_type> numbers;
+  for (int k = 0; k < count; ++k)
+    numbers.push_back(matrix.numberOf(k));
+  return rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                     Teuchos::arrayViewFromVector(numbers), 0, matrix.ranks.comm()));
+}
+
+/// Consecutive numbers on consecutive ranks.
+RCP<const Map> consecutive(const SparseMatrix& matrix, int count)
+{
+  return rcp(
+      new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), count, 0, matrix.ranks.comm()));
+}
+
+RCP<MultiVector> columnsOf(const RCP<const Map>& map, const Multigrid::Vectors& vectors)
+{
+  const RCP<MultiVector> columns = rcp(new MultiVector(map, vectors.size()));
+  for (std::size_t m = 0; m < vectors.size(); ++m)
+    for (std::size_t k = 0; k < vectors[m].size(); ++k)
+      columns->replaceLocalValue(static_cast<int>(k), m, vectors[m][k]);
+  return columns;
+}
+
+/// Rows of a rank below which coarse levels move to fewer ranks. The coarsest is then on one rank: spread
+/// over ranks, KLU2 of Trilinos 13.2 solves it wrongly (the cycle of a free body on two ranks took 30 times
+/// the iterations).
+constexpr int leastRowsOfRank = 2000;
+
+void gatherCoarseLevels(Teuchos::ParameterList& list)
+{
+  list.set("repartition: enable", true);
+  list.set("repartition: partitioner", "zoltan2");
+  list.set("repartition: start level", 1);
+  list.set("repartition: min rows per proc", leastRowsOfRank);
 }
 
 /// Fraction of the largest diagonal entry below which a row is weak. Rows between it and one belong to cells
@@ -89,20 +106,24 @@ constexpr double weakDiagonal = 1e-11;
 
 /// The values of a matrix with weak rows reduced to their diagonals; its own values where no row is weak. A
 /// node that hangs on a corner of a particle has 1e-13 of the stiffness of others: coarse levels of such rows
-/// are singular to rounding, and the smoother treats them as well.
+/// are singular to rounding, and the smoother treats them as well. Collective.
 View<double*> withoutWeakRows(const SparseMatrix& matrix)
 {
   const int n = matrix.rows();
-  std::vector<double> diagonal(n, 0.0);
+  const View<double*> own("rhegma::Multigrid::diagonal", n);
   double largest = 0.0;
   for (int r = 0; r < n; ++r)
     for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
       if (matrix.column(k) == r)
-        largest = std::max(largest, diagonal[r] = matrix.value(k));
-  const auto weak = [&](int r) { return diagonal[r] < weakDiagonal * largest; };
+        largest = std::max(largest, own(r) = matrix.value(k));
+  const double least = weakDiagonal * matrix.ranks.max(largest);
+  const ColumnValues columns(matrix);
+  const BorrowedView<const double*> diagonal =
+      columns.of(BorrowedView<const double*>(own.data(), own.extent(0)));
+  const auto weak = [&](int column) { return diagonal(column) < least; };
   bool any = false;
-  for (int r = 0; r < n; ++r)
-    any = any || weak(r);
+  for (std::size_t k = 0; k < diagonal.extent(0); ++k)
+    any = any || weak(static_cast<int>(k));
   if (!any)
     return matrix.value;
   View<double*> value("rhegma::Multigrid::value", matrix.value.extent(0));
@@ -124,24 +145,27 @@ struct Multigrid::Hierarchy
 
 bool Multigrid::available() { return true; }
 
-Multigrid::Multigrid(const SparseMatrix& ofRanks, int perNode,
-                     const std::vector<std::vector<double>>& rigidMotions)
+Multigrid::Multigrid(const SparseMatrix& matrix, int perNode, const Vectors& rigidMotions,
+                     const Vectors& coordinates)
     : hierarchy_(std::make_unique<Hierarchy>())
 {
-  const SparseMatrix matrix = amongOwnRows(ofRanks);
-  const auto n = static_cast<std::size_t>(matrix.rows());
-  if (n == 0)
+  const int n = matrix.rows();
+  if (matrix.ranks.sum(n) == 0.0)
     return;
-  hierarchy_->map = rcp(new Map(n, 0, rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF))));
+  hierarchy_->map = mapOf(matrix, n);
+  const RCP<const Map> columns =
+      matrix.ranks.many() ? mapOf(matrix, static_cast<int>(matrix.number.extent(0))) : hierarchy_->map;
   const RCP<Matrix> shared =
-      rcp(new Matrix(hierarchy_->map, hierarchy_->map, matrix.first, matrix.column, withoutWeakRows(matrix)));
+      rcp(new Matrix(hierarchy_->map, columns, matrix.first, matrix.column, withoutWeakRows(matrix)));
   shared->fillComplete();
-  const RCP<MultiVector> modes = rcp(new MultiVector(hierarchy_->map, rigidMotions.size()));
-  for (std::size_t m = 0; m < rigidMotions.size(); ++m)
-    for (std::size_t k = 0; k < n; ++k)
-      modes->replaceLocalValue(static_cast<int>(k), m, rigidMotions[m][k]);
   Teuchos::ParameterList list = settings(perNode);
-  list.sublist("user data").set("Nullspace", modes);
+  Teuchos::ParameterList& data = list.sublist("user data");
+  data.set("Nullspace", columnsOf(hierarchy_->map, rigidMotions));
+  if (matrix.ranks.many())
+  {
+    gatherCoarseLevels(list);
+    data.set("Coordinates", columnsOf(consecutive(matrix, n / perNode), coordinates));
+  }
   hierarchy_->cycle = MueLu::CreateTpetraPreconditioner(RCP<Operator>(shared), list);
 }
 
@@ -169,7 +193,7 @@ struct Multigrid::Hierarchy
 };
 
 bool Multigrid::available() { return false; }
-Multigrid::Multigrid(const SparseMatrix&, int, const std::vector<std::vector<double>>&)
+Multigrid::Multigrid(const SparseMatrix&, int, const Vectors&, const Vectors&)
 {
   throw std::logic_error("this build has no multigrid");
 }

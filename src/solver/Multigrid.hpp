@@ -1,5 +1,5 @@
 #pragma once
-/// Algebraic multigrid on this rank, by MueLu where Trilinos has it.
+/// Algebraic multigrid, by MueLu where Trilinos has it.
 
 #include "solver/SparseMatrix.hpp"
 
@@ -11,25 +11,27 @@ namespace Rhegma
 
 /// Smoothed aggregation (Vanek, Mandel and Brezina, Computing 56 (1996) 179) as a preconditioner of conjugate
 /// gradients. Nodes are aggregated along the couplings of the matrix, so that nodes on both sides of a crack
-/// stay apart. On several ranks each has a multigrid of the couplings among its own rows (block Jacobi), so
-/// that the number of iterations grows with the ranks, and no message is sent.
+/// stay apart. Aggregates do not cross ranks; small levels are on fewer ranks, the coarsest on one.
 class Multigrid
 {
 public:
+  using Vectors = std::vector<std::vector<double>>;
+
   /// Whether the Trilinos that the library was built with has MueLu; without it there is no instance.
   static bool available();
 
-  /// \param matrix symmetric, positive definite; its arrays are shared, not copied, unless rows are weak or
-  /// coupled with other ranks
+  /// Collective. \param matrix symmetric, positive definite; its arrays are shared, not copied, unless rows
+  /// are weak
   /// \param perNode unknowns of a node, next to each other
   /// \param rigidMotions vectors of this rank's rows whose energy is zero but for supports, which coarse
-  /// levels represent
-  Multigrid(const SparseMatrix& matrix, int perNode, const std::vector<std::vector<double>>& rigidMotions);
+  /// levels represent \param coordinates of this rank's nodes along each axis; needed with several ranks
+  Multigrid(const SparseMatrix& matrix, int perNode, const Vectors& rigidMotions,
+            const Vectors& coordinates = {});
   ~Multigrid();
   Multigrid(const Multigrid&) = delete;
   Multigrid& operator=(const Multigrid&) = delete;
 
-  /// y = one cycle applied to x.
+  /// y = one cycle applied to x. Collective.
   void apply(const BorrowedView<const double*>& x, const BorrowedView<double*>& y) const;
 
 private:
