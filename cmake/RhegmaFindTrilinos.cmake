@@ -24,9 +24,12 @@ endif()
 
 # MueLu, the multigrid of large equilibria, is used where Trilinos has it with all that it stands on: distributions
 # have packages of its headers that do not bring those of other parts.
+if(NOT DEFINED RHEGMA_USE_MUELU) # set where an application looks for Rhegma
+  option(RHEGMA_USE_MUELU "Use MueLu where Trilinos has it; else hypre, where it is found" ON)
+endif()
 set(RHEGMA_MUELU OFF)
 set(config ${Trilinos_DIR}/../MueLu/MueLuConfig.cmake)
-if(EXISTS ${config})
+if(RHEGMA_USE_MUELU AND EXISTS ${config})
   set(RHEGMA_MUELU ON)
   file(STRINGS ${config} needed REGEX "\\.\\./[A-Za-z0-9_]+/[A-Za-z0-9_]+Config.cmake")
   foreach(line ${needed})
@@ -38,8 +41,6 @@ if(EXISTS ${config})
 endif()
 if(RHEGMA_MUELU)
   include(${config})
-else()
-  message(STATUS "no MueLu: conjugate gradients of equilibria have no multigrid")
 endif()
 
 add_library(Rhegma::Trilinos INTERFACE IMPORTED)

@@ -411,14 +411,15 @@ LinearAnswer LinearSystem<D>::take(const LinearAnswer& answer, const Values& cha
 }
 
 template <int D>
-const char* LinearSystem<D>::method() const
+std::string LinearSystem<D>::method() const
 {
   switch (method_)
   {
   case Method::Direct:
     return "direct (MUMPS)";
   case Method::Multigrid:
-    return symmetric_ ? "conjugate gradients with multigrid (MueLu)" : "GMRES with multigrid (MueLu)";
+    return (symmetric_ ? "conjugate gradients with multigrid (" : "GMRES with multigrid (") +
+           std::string(Multigrid::name()) + ")";
   case Method::Diagonal:
     return symmetric_ ? "conjugate gradients with the diagonal" : "GMRES with the diagonal";
   case Method::Unknown:

@@ -93,7 +93,7 @@ public:
   static bool isLarge(int rows);
 
   /// What solved the last system, as the summary says it.
-  const char* method() const;
+  std::string method() const;
 
 private:
   enum class Method

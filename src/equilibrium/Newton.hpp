@@ -73,7 +73,7 @@ public:
   bool hasClippedStiffness() const { return boxes_.any() && !byProducts_; }
 
   int unknowns() const { return system_ ? system_->unknowns() : 0; }
-  const char* solver() const { return system_ ? system_->method() : "none"; }
+  std::string solver() const { return system_ ? system_->method() : "none"; }
   const std::shared_ptr<LinearSystem<D>>& system() const { return system_; }
   double matrixEntries() const { return static_cast<double>(D) * D * graph_.column.extent(0); }
   const std::vector<RigidMode<D>>& freeMotions() const { return modes_; }

@@ -1,10 +1,9 @@
 #include "solver/Multigrid.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #ifdef RHEGMA_HAVE_MUELU
-#include "solver/ColumnValues.hpp"
+#include "solver/WeakRows.hpp"
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -99,40 +98,6 @@ void gatherCoarseLevels(Teuchos::ParameterList& list)
   list.set("repartition: min rows per proc", leastRowsOfRank);
 }
 
-/// Fraction of the largest diagonal entry below which a row is weak. Rows between it and one belong to cells
-/// that an edge cuts, and need the coarse levels: with 1e-4, blocks anywhere in their cells take two to three
-/// times the iterations.
-constexpr double weakDiagonal = 1e-11;
-
-/// The values of a matrix with weak rows reduced to their diagonals; its own values where no row is weak. A
-/// node that hangs on a corner of a particle has 1e-13 of the stiffness of others: coarse levels of such rows
-/// are singular to rounding, and the smoother treats them as well. Collective.
-View<double*> withoutWeakRows(const SparseMatrix& matrix)
-{
-  const int n = matrix.rows();
-  const View<double*> own("rhegma::Multigrid::diagonal", n);
-  double largest = 0.0;
-  for (int r = 0; r < n; ++r)
-    for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
-      if (matrix.column(k) == r)
-        largest = std::max(largest, own(r) = matrix.value(k));
-  const double least = weakDiagonal * matrix.ranks.max(largest);
-  const ColumnValues columns(matrix);
-  const BorrowedView<const double*> diagonal =
-      columns.of(BorrowedView<const double*>(own.data(), own.extent(0)));
-  const auto weak = [&](int column) { return diagonal(column) < least; };
-  bool any = false;
-  for (std::size_t k = 0; k < diagonal.extent(0); ++k)
-    any = any || weak(static_cast<int>(k));
-  if (!any)
-    return matrix.value;
-  View<double*> value("rhegma::Multigrid::value", matrix.value.extent(0));
-  for (int r = 0; r < n; ++r)
-    for (std::size_t k = matrix.first(r); k < matrix.first(r + 1); ++k)
-      value(k) = matrix.column(k) != r && (weak(r) || weak(matrix.column(k))) ? 0.0 : matrix.value(k);
-  return value;
-}
-
 } // namespace
 
 struct Multigrid::Hierarchy
@@ -144,6 +109,7 @@ struct Multigrid::Hierarchy
 };
 
 bool Multigrid::available() { return true; }
+const char* Multigrid::name() { return "MueLu"; }
 
 Multigrid::Multigrid(const SparseMatrix& matrix, int perNode, const Vectors& rigidMotions,
                      const Vectors& coordinates)
@@ -186,13 +152,14 @@ void Multigrid::Hierarchy::apply(const BorrowedView<const double*>& x, const Bor
   Kokkos::deep_copy(y, Kokkos::subview(out.getLocalViewDevice(Tpetra::Access::ReadOnly), Kokkos::ALL(), 0));
 }
 
-#else
+#elif !defined(RHEGMA_HAVE_HYPRE)
 
 struct Multigrid::Hierarchy
 {
 };
 
 bool Multigrid::available() { return false; }
+const char* Multigrid::name() { return "none"; }
 Multigrid::Multigrid(const SparseMatrix&, int, const Vectors&, const Vectors&)
 {
   throw std::logic_error("this build has no multigrid");

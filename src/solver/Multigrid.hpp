@@ -1,5 +1,5 @@
 #pragma once
-/// Algebraic multigrid, by MueLu where Trilinos has it.
+/// Algebraic multigrid, by MueLu where Trilinos has it, else by hypre.
 
 #include "solver/SparseMatrix.hpp"
 
@@ -9,16 +9,19 @@
 namespace Rhegma
 {
 
-/// Smoothed aggregation (Vanek, Mandel and Brezina, Computing 56 (1996) 179) as a preconditioner of conjugate
-/// gradients. Nodes are aggregated along the couplings of the matrix, so that nodes on both sides of a crack
-/// stay apart. Aggregates do not cross ranks; small levels are on fewer ranks, the coarsest on one.
+/// A preconditioner of conjugate gradients: smoothed aggregation by MueLu (Vanek, Mandel and Brezina,
+/// Computing 56 (1996) 179), or BoomerAMG of hypre with interpolated rotations (Baker, Kolev and Yang, Numer.
+/// Linear Algebra Appl. 17 (2010) 495). Nodes are aggregated along the couplings of the matrix, so that nodes
+/// on both sides of a crack stay apart. Aggregates do not cross ranks; small levels are on fewer ranks, the
+/// coarsest on one.
 class Multigrid
 {
 public:
   using Vectors = std::vector<std::vector<double>>;
 
-  /// Whether the Trilinos that the library was built with has MueLu; without it there is no instance.
+  /// Whether the library was built with MueLu or hypre; without them there is no instance.
   static bool available();
+  static const char* name();
 
   /// Collective. \param matrix symmetric, positive definite; its arrays are shared, not copied, unless rows
   /// are weak

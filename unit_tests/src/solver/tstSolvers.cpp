@@ -193,7 +193,7 @@ TEST(DirectSolver, SingularMatricesAreRefused)
 TEST(Multigrid, IterationsDoNotGrowWithTheMatrix)
 {
   if (!Multigrid::available())
-    GTEST_SKIP() << "the library was built without MueLu";
+    GTEST_SKIP() << "the library was built without multigrid";
   for (const int n : {5000, 50000})
   {
     const SparseMatrix matrix = chain(n);
@@ -209,7 +209,7 @@ TEST(Multigrid, IterationsDoNotGrowWithTheMatrix)
 TEST(Multigrid, PointsThatHardlyHangAreNoHindrance)
 {
   if (!Multigrid::available())
-    GTEST_SKIP() << "the library was built without MueLu";
+    GTEST_SKIP() << "the library was built without multigrid";
   const int edge = 18, cube = edge * edge * edge, n = cube + cube / 7;
   Entries rows(n);
   for (int k = 0; k < cube; ++k)
@@ -234,7 +234,7 @@ TEST(Multigrid, PointsThatHardlyHangAreNoHindrance)
 TEST(Multigrid, FewStiffPointsInALargeMatrixAreFound)
 {
   if (!Multigrid::available())
-    GTEST_SKIP() << "the library was built without MueLu";
+    GTEST_SKIP() << "the library was built without multigrid";
   const int edge = 500, n = edge * edge;
   Entries rows(n);
   for (int k = 0; k < n; ++k)
