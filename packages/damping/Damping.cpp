@@ -349,7 +349,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {}, {},
       [settling](State<D>& s)
       { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row, s.clock.time); });
-  effect.report = [stop, until, end, settling, known, changes](const State<D>& s, nlohmann::json& summary)
+  effect.report = [=](const State<D>& s, nlohmann::json& summary)
   {
     reportRest(s.clock, *settling, known->estimated, stop ? changes.get() : nullptr, summary);
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
@@ -357,6 +357,10 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     if (!summary["ended_before_settled"])
       return;
     Unsettled run = *known;
+    run.drift = drift;
+    if (settling->isSlow())
+      run.change = settling->mayStillChange();
+    summary["may_still_change"] = run.change;
     if (end >= until)
       run.measured = settling->frequencyOfCreep();
     summary["warnings"].push_back(unsettledWarning(run));
