@@ -98,6 +98,12 @@ class Stage:
         self.axes.set_xlabel(f"{'xyz'[view.axes[0]]}{drawn_at} [{metres}]")
         self.axes.set_ylabel(f"{'xyz'[view.axes[1]]}{drawn_at} [{metres}]")
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        plt.close(self.figure)
+
     def draw(self, fields, clock, more="", dots=DOTS):
         """A frame as a PNG of any colours. clock: factor and unit of times; more: what follows the time; dots: per inch"""
         outlines, drawn = particle_outlines(fields, self.view, self.magnification)
@@ -111,11 +117,18 @@ class Stage:
             draw_tools(self.axes, tool_segments(fields, self.view) * self.length, 1.6)
         added += [c for c in self.axes.collections if c not in before]
         self.axes.set_title(f"t = {fields.time * clock[0]:.4g} {clock[1]}{more}", fontsize=10, fontweight="normal")
-        target = io.BytesIO()
-        self.figure.savefig(target, dpi=dots)
+        png = as_png(self.figure, dots)
         for artist in added:
             artist.remove()
-        return target.getvalue()
+        return png
+
+
+def as_png(figure, dots):
+    """A figure as a PNG. The first one finds where its parts go, and they stay there: all frames have a title of one line."""
+    target = io.BytesIO()
+    figure.savefig(target, dpi=dots)
+    figure.set_layout_engine("none")
+    return target.getvalue()
 
 
 def palette_of(colours):
@@ -158,10 +171,8 @@ def draw_film(folder, most_bytes, quantity="principal"):
     magnification = common_magnification(samples)
     stage = Stage(samples, view, quantity, magnification)
     clock = style.scale(max(abs(time) for time in times), "s")
-    try:
+    with stage:
         frames = [(time, few_colours(stage.draw(read_fields(folder, time), clock), stage.palette)) for time in times]
-    finally:
-        plt.close(stage.figure)
     where = ""
     if view.normal is not None:
         factor, unit = style.scale(abs(view.where), "m")
