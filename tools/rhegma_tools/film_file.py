@@ -54,7 +54,7 @@ class SolidStage:
         self.camera, self.side = camera_of(last, self.view, magnification, bounds=(low, high))
         values = np.concatenate([s.values for s in samples])
         self.factor, self.unit = unit_of(quantity, values)
-        self.colours, self.norm = scale_of(quantity, values * self.factor, last.counts)
+        self.colours, self.norm = scale_of(quantity, values * self.factor, last.counts, np.concatenate([s.near for s in samples]))
         self.figure, self.axes = plt.subplots(figsize=(8.2, 6.2), layout="constrained")
         self.axes.set_axis_off()
         self.shown = self.axes.imshow(np.full((self.camera.size[1], self.camera.size[0], 3), 255, dtype=np.uint8))

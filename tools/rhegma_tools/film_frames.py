@@ -13,6 +13,7 @@ from .deformation import automatic_magnification, magnified_faces
 from .colour_scales import add_bar, scale_of
 from .field_picture import choose_view, crack_segments, draw_crack, draw_particles, draw_tools, in_slice, limits
 from .field_picture import particle_outlines, picture_size, tool_segments
+from .front_region import at_fronts
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 
@@ -47,6 +48,7 @@ class Sample:
             every = every[in_slice(fields, view.normal, view.where)]
         every = every[:: max(len(every) // SAMPLE, 1)]
         self.position, self.displacement, self.values = fields.position[every], fields.displacement[every], fields.values(quantity)[every]
+        self.near = at_fronts(fields)[every]
         self.deformation = fields.deformation[every]
         self.size, self.counts = fields.size, fields.counts
         self.tools = None if fields.tools is None else points_of(tool_segments(fields, view))
@@ -86,7 +88,7 @@ class Stage:
         self.length, metres = style.scale(float(np.max(high - low)), "m")
         values = np.concatenate([s.values for s in samples])
         self.factor, self.unit = unit_of(quantity, values)
-        self.colours, self.norm = scale_of(quantity, values * self.factor, any(s.counts for s in samples))
+        self.colours, self.norm = scale_of(quantity, values * self.factor, any(s.counts for s in samples), np.concatenate([s.near for s in samples]))
         self.palette = palette_of(self.colours)
         _, size = picture_size((high - low) * self.length, False)
         self.figure, self.axes = plt.subplots(figsize=size, layout="constrained")
