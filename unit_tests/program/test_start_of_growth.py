@@ -11,7 +11,7 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
 from file_scene import FileScene  # noqa: E402
-from test_shear_at_rest import ShearTest, inclined, strip  # noqa: E402
+from test_shear_at_rest import PULL, ShearTest, inclined, strip  # noqa: E402
 from program import SOURCE, rhegma  # noqa: E402
 
 
@@ -105,6 +105,33 @@ class FacesThatPress(GrowthTest):
         self.assertNotIn("pressed together", " ".join(summary["answers"]))
         # What is left of K_I is the penalty layer's: an overlap of hundredths of a cell.
         self.assertLess(summary["cracks"][0]["largest_overlap"], 0.01 * 2e-3)
+
+
+class Yield(GrowthTest):
+    """A linear law with a yield stress: what yields in the run is said, also where its loads or its growth have fallen by the end."""
+
+    def said(self, scene, part):
+        summary = self.growth(scene.set("Materials > Polymer > Yield Stress", part * PULL))[1]
+        return summary, [line for line in summary["warnings"] if "the von Mises stress is larger in" in line]
+
+    def test_loads_that_have_fallen(self):
+        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 4}, "1e6", {"Notch": inclined(0.0, 0.012)}, "0:0, 0.5:1, 1:0.1",
+                      **{"Load Control": "Functions of Time"})
+        _, (line,) = self.said(scene, 0.5)
+        found = re.search(r"at t = 500 ms, the von Mises stress is larger in ([\d.]+) % of Bodies > Strip outside of the contours of the fronts, "
+                          r"at most ([\d.e+]+) Pa", line)
+        self.assertIsNotNone(found, line)
+        self.assertGreater(float(found.group(1)), 50.0)  # above twice the yield stress wherever the crack does not unload it
+        self.assertGreater(float(found.group(2)), PULL)
+        self.assertEqual(self.said(scene, 20.0)[1], [])
+
+    def test_the_load_factor_at_which_the_crack_starts(self):
+        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 3}, "150", {"Notch": inclined(0.0, 0.012)})
+        summary, none = self.said(scene, 1e3)
+        self.assertEqual(none, [])
+        factor = summary["propagation"]["largest_load"]["load_factor"]
+        _, (line,) = self.said(scene, 0.5 * factor)
+        self.assertRegex(line, r"at [\d.e+-]+ times the loads of Time > Final Time, the von Mises stress is larger in")
 
 
 class References(ShearTest):
