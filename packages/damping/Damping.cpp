@@ -291,6 +291,17 @@ void reportRest(const Clock& clock, const Settling& settling, const SlowMotion& 
     reportLoads(*changes, clock.time, summary);
 }
 
+/// \param damped up to the end \param run what is known of it
+void reportUnsettled(const Settling& settling, bool damped, Unsettled run, nlohmann::json& summary)
+{
+  if (damped)
+    run.measured = settling.frequencyOfCreep();
+  if (settling.isSlow())
+    run.change = settling.mayStillChange();
+  summary["may_still_change"] = run.change;
+  summary["warnings"].push_back(unsettledWarning(run));
+}
+
 /// Whether the equilibrium of a scene can be solved for as well: small strain of elastic bodies at rest.
 template <int D>
 bool isLinear(const State<D>& state, const RunOptions& options)
@@ -358,12 +369,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       return;
     Unsettled run = *known;
     run.drift = drift;
-    if (settling->isSlow())
-      run.change = settling->mayStillChange();
-    summary["may_still_change"] = run.change;
-    if (end >= until)
-      run.measured = settling->frequencyOfCreep();
-    summary["warnings"].push_back(unsettledWarning(run));
+    reportUnsettled(*settling, end >= until, run, summary);
   };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->serialize(archive); };
   return effect;
