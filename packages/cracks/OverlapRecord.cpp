@@ -18,6 +18,8 @@ namespace
 
 /// Least overlap that is reported, over the noise and over the largest opening.
 constexpr double ofNoise = 3.0, ofOpening = 0.1;
+/// Overlap that contact leaves, too [cells]: that of a crack that does not grow is no more of a fault.
+constexpr double ofCells = 0.02;
 /// Overlap that is recorded at all: more than rounding [cells].
 constexpr double least = 1e-9;
 
@@ -50,6 +52,12 @@ std::string warningOfRecord(const State<D>& state, int crack, const OverlapRecor
   if (!(record.overlap > ofNoise * record.noise && record.overlap > ofOpening * record.opening))
     return {};
   const double cells = record.overlap / state.mesh.grid.spacing;
+  const auto& fronts = state.cracks.fronts;
+  const bool grown =
+      std::any_of(fronts.begin(), fronts.end(),
+                  [&](const CrackFront<D>& front) { return front.crack == crack && front.grown; });
+  if (!grown && !(cells > ofCells))
+    return {};
   return "crack " + state.cracks.cracks[crack].name + ": its faces overlapped by up to " +
          readableLength(record.overlap) + " (" + formatShort(cells) + " cells" +
          (record.opening > record.overlap

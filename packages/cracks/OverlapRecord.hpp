@@ -29,12 +29,15 @@ template <int D>
 void recordOverlaps(const State<D>& state, std::vector<OverlapRecord>& records);
 
 /// A warning if the faces of a crack without contact have overlapped by more than three times the noise and
-/// by more than a tenth of its largest opening; else nothing.
+/// by more than a tenth of its largest opening, and if none of its fronts has grown by more than a fiftieth
+/// of a cell; else nothing.
 ///
 /// K of a front is proportional to the opening next to it, so that an overlap of a tenth of the largest
 /// opening makes a K_I of minus a tenth of the largest. Once all fronts have ended the opening is that of
 /// pieces that move apart, and says nothing of K. The noise is the strain next to the crack times the size of
-/// a cell: faces follow single nodes. \param advice what to write for contact (contactAdvice)
+/// a cell: faces follow single nodes. Contact leaves up to a fiftieth of a cell, too (unit test PennyGrowth);
+/// waves that come before the load of a crack make less, unless its growth begins with them. \param advice
+/// what to write for contact (contactAdvice)
 template <int D>
 std::string warningOfRecord(const State<D>& state, int crack, const OverlapRecord& record,
                             const std::string& advice);
