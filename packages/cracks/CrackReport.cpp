@@ -92,8 +92,8 @@ std::string warningOfTurnedContact(const State<D>& state)
 } // namespace
 
 template <int D>
-void reportCracks(const State<D>& state, bool grows, bool touching, bool startsInEquilibrium,
-                  nlohmann::json& summary)
+void reportCracks(const State<D>& state, const std::vector<OverlapRecord>& overlaps, bool grows,
+                  bool touching, bool startsInEquilibrium, nlohmann::json& summary)
 {
   for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
   {
@@ -101,9 +101,14 @@ void reportCracks(const State<D>& state, bool grows, bool touching, bool startsI
     entry["name"] = state.cracks.cracks[c].name;
     if (!entry.contains("fronts"))
       entry["fronts"] = nlohmann::json::array();
-    const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
-    const std::string warning =
-        touching ? "" : warningOfOverlap(state, static_cast<int>(c), startsInEquilibrium);
+    const int crack = static_cast<int>(c);
+    const Opening opening = measureOpening(state.cracks, crack);
+    const OverlapRecord past = c < overlaps.size() ? overlaps[c] : OverlapRecord();
+    std::string warning = touching ? "" : warningOfOverlap(state, crack, startsInEquilibrium);
+    if (warning.empty() && !touching)
+      warning = warningOfRecord(state, crack, past, adviceAgainstOverlap(state, crack, startsInEquilibrium));
+    entry["largest_overlap"] = past.overlap;
+    entry["time_of_largest_overlap"] = past.time;
     if (!warning.empty())
       summary["warnings"].push_back(warning);
     entry["opening"] = opening.largest;
@@ -137,7 +142,9 @@ void reportCracks(const State<D>& state, bool grows, bool touching, bool startsI
 
 template void addCrackColumns(State<2>&, bool);
 template void addCrackColumns(State<3>&, bool);
-template void reportCracks(const State<2>&, bool, bool, bool, nlohmann::json&);
-template void reportCracks(const State<3>&, bool, bool, bool, nlohmann::json&);
+template void reportCracks(const State<2>&, const std::vector<OverlapRecord>&, bool, bool, bool,
+                           nlohmann::json&);
+template void reportCracks(const State<3>&, const std::vector<OverlapRecord>&, bool, bool, bool,
+                           nlohmann::json&);
 
 } // namespace Rhegma::cracks

@@ -87,6 +87,7 @@ struct Parts
   Ghosts ghosts;
   CrackMotion<D> motion;
   AdvectedFronts<D> advected;
+  std::vector<OverlapRecord> overlaps; ///< of each crack, in the samples so far
   FrontSprings<D> springs;
   Junctions junctions;
   CrackGrowth<D> growth;
@@ -324,7 +325,7 @@ void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summar
     parts.advected.report(state, summary);
   if (parts.grows)
     summary["energy_in_flight"] = parts.springs.pendingEnergy(state, parts.surroundings.stamp);
-  reportCracks(state, parts.grows, parts.touching, parts.startsInEquilibrium, summary);
+  reportCracks(state, parts.overlaps, parts.grows, parts.touching, parts.startsInEquilibrium, summary);
   if (parts.grows)
     reportLigaments(state, parts.mirrors, summary);
 }
@@ -383,6 +384,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   {
     archive("steps", parts->surroundings.stamp);
     storeCracks(state, archive);
+    storeOverlaps(parts->overlaps, archive);
     if (parts->grows)
       parts->growth.serialize(state.cracks, archive);
     if (parts->joins)
@@ -399,7 +401,11 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion}, {quantity::crackGeometry},
               {}, [=](State<D>& s) { move(*parts, s); });
   effect.call(Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {},
-              [=](State<D>& s) { addCrackColumns(s, parts->grows); });
+              [=](State<D>& s)
+              {
+                addCrackColumns(s, parts->grows);
+                recordOverlaps(s, parts->overlaps);
+              });
   if constexpr (D == 2)
     if (parts->formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)

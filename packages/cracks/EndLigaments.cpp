@@ -4,6 +4,7 @@
 #include "base/PointText.hpp"
 #include "base/ShortNumber.hpp"
 #include "cracks/AvailableLength.hpp"
+#include "cracks/CracksOnPath.hpp"
 #include "cracks/GrowingCrack.hpp"
 #include "state/DistancesFromEnds.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -33,6 +34,8 @@ constexpr double inaccuracy = 0.3;
 /// found to a twentieth of a cell.
 constexpr double firstLength = 3.0, otherLengths = 10.0;
 constexpr int mostLengths = 1000;
+/// Another crack as near to the path ends the ligament [cells].
+constexpr double asNear = 0.1;
 
 /// Where the material ahead of a front is shortest.
 template <int D>
@@ -40,6 +43,7 @@ struct ShortestAhead
 {
   double length = infinity, cell = 1.0; ///< [m]; infinite: there is no node that it is known for
   Vector<D> at{};
+  int crack = -1; ///< at which it ends; -1: a surface
 };
 
 /// Length of the material along each path, up to the surface [m]; infinite where the path does not come to
@@ -77,6 +81,16 @@ std::vector<double> lengthsAhead(const State<D>& state, int crack, const std::ve
   return ahead;
 }
 
+/// A length that no path in the domain exceeds [m].
+template <int D>
+double longest(const State<D>& state)
+{
+  double square = 0.0;
+  for (int d = 0; d < D; ++d)
+    square += std::pow(state.mesh.grid.cells[d] * state.mesh.grid.spacing, 2);
+  return std::sqrt(square);
+}
+
 template <int D>
 bool isMirrored(const std::vector<MirrorPlane>& mirrors, const Vector<D>& x, double cell, double within)
 {
@@ -108,25 +122,31 @@ ShortestAhead<D> shortestAhead(const State<D>& state, const CrackFront<D>& front
   }
   ShortestAhead<D> shortest;
   const std::vector<double> lengths = lengthsAhead(state, front.crack, paths);
+  const CracksOnPath<D> others(state.cracks, front.crack);
   for (std::size_t k = 0; k < paths.size(); ++k)
-    if (std::isfinite(lengths[k]))
-    {
-      const Vector<D> end = paths[k].from + lengths[k] * paths[k].direction;
-      const double length = (isMirrored(mirrors, end, paths[k].cell, inaccuracy) ? 2.0 : 1.0) * lengths[k];
-      if (length < shortest.length)
-        shortest = {length, paths[k].cell, paths[k].from};
-    }
+  {
+    const auto& [from, direction, least, cell, gap] = paths[k];
+    const CrackOnPath met =
+        others.first(from, direction, std::min(lengths[k], longest(state)), asNear * cell);
+    if (met.crack < 0 && !std::isfinite(lengths[k]))
+      continue;
+    const Vector<D> end = from + met.length * direction;
+    const bool doubled = met.crack < 0 && isMirrored(mirrors, end, cell, inaccuracy);
+    if (const double length = (doubled ? 2.0 : 1.0) * met.length; length < shortest.length)
+      shortest = {length, cell, from, met.crack};
+  }
   return shortest;
 }
 
 /// What too few cells of material ahead of a front mean; empty if there are enough.
 template <int D>
-std::string warningOf(const ShortestAhead<D>& ahead)
+std::string warningOf(const CrackSet<D>& set, const ShortestAhead<D>& ahead)
 {
   const double cells = ahead.length / ahead.cell;
   if (cells >= fewestAhead)
     return {};
-  return ": only " + readableLength(ahead.length) + " of material are left ahead of it, at " +
+  return ": only " + readableLength(ahead.length) + " of material are left ahead of it" +
+         (ahead.crack < 0 ? "" : ", up to crack " + set.cracks[ahead.crack].name) + ", at " +
          formatPoint(ahead.at) + ", " + formatShort(cells) + " cells of " + readableLength(ahead.cell) +
          "; " +
          (cells < fewestAtAll
@@ -149,14 +169,15 @@ void reportLigaments(const State<D>& state, const std::vector<MirrorPlane>& mirr
     {
       const CrackFront<D>& front = set.fronts[crack.numbers[i]];
       nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-      entry["ligament"] = nullptr;
+      entry["ligament"] = entry["ligament_ends_at"] = nullptr;
       if (!(front.extension.largest > 0.0) || front.ended || state.clock.step == 0)
         continue;
       const ShortestAhead<D> ahead = shortestAhead(state, front, crack, crack.fronts[i], mirrors);
       if (ahead.length == infinity)
         continue;
       entry["ligament"] = ahead.length;
-      if (const std::string warning = warningOf(ahead); !(front.speed() > 0.0) && !warning.empty())
+      entry["ligament_ends_at"] = ahead.crack < 0 ? "surface" : "crack " + set.cracks[ahead.crack].name;
+      if (const std::string warning = warningOf(set, ahead); !(front.speed() > 0.0) && !warning.empty())
         summary["warnings"].push_back(frontName(set, front) + warning);
     }
 }

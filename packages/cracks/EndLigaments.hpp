@@ -15,7 +15,7 @@ namespace Rhegma::cracks
 /// Analysis of Cracks Handbook: loads at which it grows are too high by 1, 4.5, 8 and 9 to 22 % with 9.5, 8,
 /// 7 and 6 cells. Up to a plane of symmetry, behind which another front comes, it is twice the distance. In
 /// 3D no front nodes count that are less than three cells from where the front ends at the surface, along
-/// which they point. Collective.
+/// which they point. Another crack within a tenth of a cell of the path ends the ligament. Collective.
 template <int D>
 void reportLigaments(const State<D>& state, const std::vector<MirrorPlane>& mirrors, nlohmann::json& summary);
 

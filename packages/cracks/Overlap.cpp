@@ -64,15 +64,26 @@ Vector<D> firstVertex(const CrackSet<D>& cracks, int crack)
   return x;
 }
 
-/// Whether a crack has a front that may still advance; without one it ends at surfaces or other cracks.
+} // namespace
+
 template <int D>
-bool hasFront(const CrackSet<D>& cracks, int crack)
+double noiseOfFaces(const State<D>& state, int crack)
 {
-  return std::any_of(cracks.fronts.begin(), cracks.fronts.end(),
-                     [&](const CrackFront<D>& front) { return front.crack == crack && !front.ended; });
+  return strainNextTo(state, crack) * spacingAt(state, state.cracks.cracks[crack].numVertices > 0
+                                                           ? firstVertex(state.cracks, crack)
+                                                           : Vector<D>{});
 }
 
-} // namespace
+template <int D>
+std::string adviceAgainstOverlap(const State<D>& state, int crack, bool startsInEquilibrium)
+{
+  const bool cuts = !hasFront(state.cracks, crack);
+  return (cuts && state.method.equilibrium() ? "it has no front, so that it may cut its body: support each "
+                                               "piece (Boundaries), and "
+                                             : "") +
+         contactAdvice(state, cuts, startsInEquilibrium) +
+         (state.method.equilibrium() ? ", or run it with Time > Analysis = Dynamic and Contact" : "");
+}
 
 template <int D>
 std::string warningOfOverlap(const State<D>& state, int crack, bool startsInEquilibrium)
@@ -87,15 +98,12 @@ std::string warningOfOverlap(const State<D>& state, int crack, bool startsInEqui
   if (!state.ranks.many() && !(overlap > least))
     return {}; // without a look at all particles
   const double strain = strainNextTo(state, crack);
-  const double noise =
-      strain * spacingAt(state, state.cracks.cracks[crack].numVertices > 0 ? firstVertex(state.cracks, crack)
-                                                                           : Vector<D>{});
+  const double noise = noiseOfFaces(state, crack);
   const bool atRest = state.method.equilibrium() || state.clock.settled; // waves close faces for a while
   const double closed = measureOpening(state.cracks, crack, noise).closed;
   if (!(overlap > least) ||
       !(overlap > fraction * length * strain || (atRest && closed > ofLength * opening.size)))
     return {};
-  const bool cuts = !hasFront(state.cracks, crack);
   return "crack " + state.cracks.cracks[crack].name +
          ": its faces overlap at t = " + readableTime(state.clock.time) + " by up to " +
          readableLength(overlap) +
@@ -104,14 +112,14 @@ std::string warningOfOverlap(const State<D>& state, int crack, bool startsInEqui
               ? " over " + formatShort(std::round(100.0 * closed / opening.size)) + " % of the crack"
               : "") +
          ", because the scene has no contact; G and K are wrong from then on; " +
-         (cuts && state.method.equilibrium() ? "it has no front, so that it may cut its body: support each "
-                                               "piece (Boundaries), and "
-                                             : "") +
-         contactAdvice(state, cuts, startsInEquilibrium) +
-         (state.method.equilibrium() ? ", or run it with Time > Analysis = Dynamic and Contact" : "");
+         adviceAgainstOverlap(state, crack, startsInEquilibrium);
 }
 
 template std::string warningOfOverlap(const State<2>&, int, bool);
 template std::string warningOfOverlap(const State<3>&, int, bool);
+template double noiseOfFaces(const State<2>&, int);
+template double noiseOfFaces(const State<3>&, int);
+template std::string adviceAgainstOverlap(const State<2>&, int, bool);
+template std::string adviceAgainstOverlap(const State<3>&, int, bool);
 
 } // namespace Rhegma::cracks

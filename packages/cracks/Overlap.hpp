@@ -3,6 +3,7 @@
 
 #include "state/State.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace Rhegma::cracks
@@ -14,5 +15,22 @@ namespace Rhegma::cracks
 /// \param startsInEquilibrium as by Time > Initial State = Equilibrium, for the advice
 template <int D>
 std::string warningOfOverlap(const State<D>& state, int crack, bool startsInEquilibrium = false);
+
+/// By how much single vertices of a crack may overlap without meaning: its faces follow single nodes, by as
+/// much as a cell is strained next to it, without thermal strain [m]. Collective.
+template <int D>
+double noiseOfFaces(const State<D>& state, int crack);
+
+/// Whether a crack has a front that may still advance; without one it ends at surfaces or other cracks.
+template <int D>
+bool hasFront(const CrackSet<D>& cracks, int crack)
+{
+  return std::any_of(cracks.fronts.begin(), cracks.fronts.end(),
+                     [&](const CrackFront<D>& front) { return front.crack == crack && !front.ended; });
+}
+
+/// How to write contact for this crack, as the end of a message.
+template <int D>
+std::string adviceAgainstOverlap(const State<D>& state, int crack, bool startsInEquilibrium);
 
 } // namespace Rhegma::cracks

@@ -291,6 +291,17 @@ void reportRest(const Clock& clock, const Settling& settling, const SlowMotion& 
     reportLoads(*changes, clock.time, summary);
 }
 
+/// \param damped up to the end \param run what is known of it
+void reportUnsettled(const Settling& settling, bool damped, Unsettled run, nlohmann::json& summary)
+{
+  if (damped)
+    run.measured = settling.frequencyOfCreep();
+  if (settling.isSlow())
+    run.change = settling.mayStillChange();
+  summary["may_still_change"] = run.change;
+  summary["warnings"].push_back(unsettledWarning(run));
+}
+
 /// Whether the equilibrium of a scene can be solved for as well: small strain of elastic bodies at rest.
 template <int D>
 bool isLinear(const State<D>& state, const RunOptions& options)
@@ -349,7 +360,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {}, {},
       [settling](State<D>& s)
       { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row, s.clock.time); });
-  effect.report = [stop, until, end, settling, known, changes](const State<D>& s, nlohmann::json& summary)
+  effect.report = [=](const State<D>& s, nlohmann::json& summary)
   {
     reportRest(s.clock, *settling, known->estimated, stop ? changes.get() : nullptr, summary);
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
@@ -357,9 +368,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     if (!summary["ended_before_settled"])
       return;
     Unsettled run = *known;
-    if (end >= until)
-      run.measured = settling->frequencyOfCreep();
-    summary["warnings"].push_back(unsettledWarning(run));
+    run.drift = drift;
+    reportUnsettled(*settling, end >= until, run, summary);
   };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->serialize(archive); };
   return effect;

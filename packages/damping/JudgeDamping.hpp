@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -137,13 +138,35 @@ struct Unsettled
   std::optional<double> measured; ///< frequency by the decay of a motion that creeps [1/s]
   SlowMotion estimated;           ///< frequency 0: not known
   bool linear = false;            ///< equilibrium can be solved for
+  /// How far its energy release rates may still move, as a fraction (Settling::mayStillChange); not a number
+  /// where that is not known or its bodies still move.
+  double change = std::numeric_limits<double>::quiet_NaN();
+  double drift = 0.0; ///< Settled Drift
 };
+
+/// How near a run that has not settled is to rest: a change of a thousandth is below the errors of the cells.
+inline std::string distanceFromRest(const Unsettled& run)
+{
+  constexpr double small = 1e-3;
+  if (!std::isfinite(run.change))
+    return ", so its results are not static; ";
+  const std::string percent = formatShort(100.0 * run.change) + " %";
+  return run.change > small
+             ? ", so its results are not static: energy release rates (without a crack, the strain energy) "
+               "may "
+               "still change by up to " +
+                   percent + "; "
+             : " to within Settled Drift = " + formatReal(run.drift) +
+                   "; its results are static all the same, but for changes of energy release rates (without "
+                   "a crack, of the strain energy) by up to " +
+                   percent + "; raise Settled Drift, or ";
+}
 
 /// Warns of it and says what to change.
 inline std::string unsettledWarning(const Unsettled& run)
 {
-  std::string text = "the run ended before it had settled (Damping > Stop When Settled), so its results are "
-                     "not static; ";
+  std::string text =
+      "the run ended before it had settled (Damping > Stop When Settled)" + distanceFromRest(run);
   const double critical = 2.0 * run.measured.value_or(run.estimated.frequency);
   const std::string about = "about " + formatShort(critical) + " 1/s";
   const std::string why = run.estimated.name + " is critically damped there";

@@ -78,6 +78,12 @@ double Settling::mayStillChange() const
   return most;
 }
 
+bool Settling::isSlow() const
+{
+  return last_.size() >= samples_ &&
+         std::all_of(last_.begin(), last_.end(), [&](const Sample& s) { return s.ratio < ratio_; });
+}
+
 std::optional<double> Settling::decayTime() const
 {
   constexpr double steady = 2.0; // ratio of the rates of decay in the two halves

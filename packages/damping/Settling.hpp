@@ -44,6 +44,9 @@ public:
   /// samples.
   double mayStillChange() const;
 
+  /// Whether kinetic over strain energy is below the ratio in all of the last samples.
+  bool isSlow() const;
+
   /// By how much energies may still change, as a fraction, where mass damping r far above critical lets a
   /// mode of the frequency w creep to rest in the time s = r / w^2, by which its kinetic energy T falls as
   /// exp(-2 t / s): what is left of its motion has the energy T r s, and energies change by 2 sqrt(T r s /

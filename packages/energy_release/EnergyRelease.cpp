@@ -333,6 +333,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   samples->reached = ToughnessReached(options.toughness, mirrorPlanes(scene));
   const auto driving = std::make_shared<DrivingForces<D>>();
   const auto work = std::make_shared<SampleWork<D>>();
+  const auto yielded = std::make_shared<YieldRecords<D>>();
   Effect<D> effect;
   effect.name = "Energy Release";
   const auto strain = std::make_shared<StrainWatch>();
@@ -349,7 +350,10 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
               [=](State<D>& state)
               {
                 if (state.clock.observing)
+                {
                   sample(state, options, *samples, *work);
+                  yielded->sample(state, samples->last);
+                }
                 strain->sample(state.energy.strain);
               });
   if (run.growth)
@@ -357,6 +361,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     serialize(state, options, *samples, archive);
+    yielded->serialize(archive);
     if (archive.loads())
     {
       *work = SampleWork<D>(); // of other particles
@@ -369,7 +374,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   {
     reportSamples(state, options, *samples, summary);
     const ToughnessReached::Factors start = samples->reached.report(state, run, summary);
-    reportYield(state, samples->last, start, summary);
+    reportYield(state, samples->last, start, *yielded, summary);
     addAnswersOfHeldFronts(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);

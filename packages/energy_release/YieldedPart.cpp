@@ -1,5 +1,6 @@
 #include "energy_release/YieldedPart.hpp"
 
+#include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "material/Laws.hpp"
@@ -8,23 +9,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace Rhegma::energy_release
 {
 
 namespace
 {
-
-/// Of a body, as far as it is clear of fronts.
-template <int D>
-struct YieldedPart
-{
-  double volume = 0.0;  ///< of particles with a stress above the yield stress [m3]
-  double all = 0.0;     ///< of the whole body [m3]
-  double largest = 0.0; ///< von Mises stress [Pa]
-  Vector<D> at{};       ///< where that is [m]
-};
 
 template <int D>
 bool isAtFront(const std::vector<FrontSample<D>>& samples, const Vector<D>& x)
@@ -135,17 +128,69 @@ std::string beginAsText(const std::string& body, const YieldedPart<D>& part, dou
               : formatShort(part.largest / yield) + " of the yield stress of " + formatShort(yield) + " Pa");
 }
 
+constexpr double least = 1e-3; ///< of the volume of a body that yields: a warning
+
+template <int D>
+std::string warningOfYield(const State<D>& state, std::size_t b, double yield, const YieldedPart<D>& part,
+                           const std::string& loads)
+{
+  const auto& body = state.bodies.info[b];
+  return "Materials > " + state.materials.names[body.material] + " > Yield Stress is " + formatShort(yield) +
+         " Pa, and " + loads + ", the von Mises stress is larger in " +
+         formatShort(100.0 * part.volume / part.all) + " % of Bodies > " + body.name +
+         " outside of the contours of the fronts, at most " + formatShort(part.largest) + " Pa at " +
+         positionAsText<D>(part.at) +
+         ": the part yields there, which its law, Linear Elastic, leaves out; use a smaller load, or Model = "
+         "J2 Plastic";
+}
+
 } // namespace
 
 template <int D>
+void YieldRecords<D>::sample(const State<D>& state, const std::vector<FrontSample<D>>& samples)
+{
+  const std::vector<double> yield = yieldOfBodies(state);
+  if (!state.method.mechanics || std::none_of(yield.begin(), yield.end(), [](double y) { return y > 0.0; }))
+    return;
+  records_.resize(yield.size());
+  const std::vector<YieldedPart<D>> here = yieldedHere(state, samples, 1.0, yield);
+  for (std::size_t b = 0; b < yield.size(); ++b)
+  {
+    const YieldedPart<D> now = onAllRanks(state, here[b]), &most = records_[b].part;
+    if (now.volume > most.volume || (now.volume == most.volume && now.largest > most.largest))
+      records_[b] = {now, state.clock.time,
+                     state.method.analysis == Analysis::LoadFactor ? state.clock.factor.end : 1.0};
+  }
+}
+
+template <int D>
+void YieldRecords<D>::serialize(Archive& archive)
+{
+  constexpr std::size_t width = 5 + D;
+  std::vector<double> rows;
+  for (const YieldRecord<D>& r : records_)
+  {
+    rows.insert(rows.end(), {r.part.volume, r.part.all, r.part.largest, r.time, r.factor});
+    rows.insert(rows.end(), r.part.at.c, r.part.at.c + D);
+  }
+  archive("yielded", rows, width);
+  records_.clear();
+  for (std::size_t k = 0; k + width <= rows.size(); k += width)
+  {
+    records_.push_back({{rows[k], rows[k + 1], rows[k + 2], {}}, rows[k + 3], rows[k + 4]});
+    std::copy_n(&rows[k + 5], D, records_.back().part.at.c);
+  }
+}
+
+template <int D>
 void reportYield(const State<D>& state, const std::vector<FrontSample<D>>& samples,
-                 const ToughnessReached::Factors& start, nlohmann::json& summary)
+                 const ToughnessReached::Factors& start, const YieldRecords<D>& records,
+                 nlohmann::json& summary)
 {
   const bool scales = start.ofNow != 1.0 || start.ofScene != 1.0;
   const std::string loads =
       scales ? "at " + formatShort(start.ofScene) + " times the loads, at which the cracks start"
              : "at the end";
-  constexpr double least = 1e-3; // of the volume
   const std::vector<double> yield = yieldOfBodies(state);
   if (!state.method.mechanics || state.clock.step == 0 ||
       std::none_of(yield.begin(), yield.end(), [](double y) { return y > 0.0; }))
@@ -154,30 +199,28 @@ void reportYield(const State<D>& state, const std::vector<FrontSample<D>>& sampl
   for (std::size_t b = 0; b < yield.size(); ++b)
   {
     const YieldedPart<D> part = onAllRanks(state, here[b]);
-    const auto& body = state.bodies.info[b];
     if (!(part.largest > 0.0))
       continue;
-    if (!(part.volume > least * part.all))
-    {
-      summary["answers"].push_back(beginAsText(body.name, part, yield[b], start, loads));
-      continue;
-    }
-    std::ostringstream text;
-    text << "Materials > " << state.materials.names[body.material] << " > Yield Stress is "
-         << formatShort(yield[b]) << " Pa, and " << loads << ", the von Mises stress is larger in "
-         << formatShort(100.0 * part.volume / part.all) << " % of Bodies > " << body.name
-         << " outside of the contours of the fronts, at most " << formatShort(part.largest) << " Pa at "
-         << positionAsText<D>(part.at)
-         << ": the part yields there, which its law, Linear Elastic, leaves out; use a smaller load, or "
-            "Model = "
-            "J2 Plastic";
-    summary["warnings"].push_back(text.str());
+    const bool yields = part.volume > least * part.all;
+    if (!yields)
+      summary["answers"].push_back(beginAsText(state.bodies.info[b].name, part, yield[b], start, loads));
+    const YieldRecord<D> most = b < records.all().size() && !scales ? records.all()[b] : YieldRecord<D>();
+    if (most.part.volume > std::max(part.volume, least * most.part.all))
+      summary["warnings"].push_back(
+          warningOfYield(state, b, yield[b], most.part,
+                         state.method.analysis == Analysis::LoadFactor
+                             ? "at " + formatShort(most.factor) + " times the loads of Time > Final Time"
+                             : "at t = " + readableTime(most.time)));
+    else if (yields)
+      summary["warnings"].push_back(warningOfYield(state, b, yield[b], part, loads));
   }
 }
 
+template class YieldRecords<2>;
+template class YieldRecords<3>;
 template void reportYield(const State<2>&, const std::vector<FrontSample<2>>&,
-                          const ToughnessReached::Factors&, nlohmann::json&);
+                          const ToughnessReached::Factors&, const YieldRecords<2>&, nlohmann::json&);
 template void reportYield(const State<3>&, const std::vector<FrontSample<3>>&,
-                          const ToughnessReached::Factors&, nlohmann::json&);
+                          const ToughnessReached::Factors&, const YieldRecords<3>&, nlohmann::json&);
 
 } // namespace Rhegma::energy_release

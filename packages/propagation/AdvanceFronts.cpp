@@ -197,6 +197,9 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
                                                ruleAt(node.temperature, options), own.history)};
   if (made.increments == 0)
     return advance;
+  if (front.increments == 0)
+    front.first = {node.driving.release / ruleAt(node.temperature, options).initiation, node.driving.modeI,
+                   node.driving.modeII};
   front.count(own.history, made.increments);
   advance.length = made.increments * fraction * own.increment;
   advance.toughness = made.toughness;

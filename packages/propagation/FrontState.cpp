@@ -150,6 +150,9 @@ void FrontState<D>::serialize(Archive& archive)
   archive("last", lastTime);
   archive("speed_limit", speedLimit);
   archive("last_settled_speed", lastSettledSpeed);
+  archive("start_release", first.release);
+  archive("start_mode_i", first.modeI);
+  archive("start_mode_ii", first.modeII);
   if constexpr (D == 2)
   {
     storePath(start, path, archive);

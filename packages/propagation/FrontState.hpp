@@ -38,6 +38,13 @@ struct PathStart
   Vector<D> first{};     ///< of the first advance
 };
 
+/// The first advance of a front.
+struct FirstAdvance
+{
+  double release = 0.0;             ///< G over the initiation toughness; 0: there is none
+  double modeI = 0.0, modeII = 0.0; ///< stress intensities [Pa m^0.5]; of a front with one node
+};
+
 /// How close a front with one node that was never initiated came to its start by the largest hoop stress.
 struct HoopStart
 {
@@ -74,6 +81,7 @@ struct FrontState
   double lastTime = 0.0;          ///< and of the last [s]
   double speedLimit = 0.0;        ///< the largest of its nodes' [m/s]; 0: not known yet
   double lastSettledSpeed = 0.0;  ///< mean of the settled speeds of its last nodes [m/s]
+  FirstAdvance first;             ///< of its first node to advance
   PathStart<D> start;             ///< of a front with one node
   HoopStart hoop;                 ///< of a front with one node
   ContourDifference contours;     ///< of a front with one node

@@ -3,6 +3,7 @@
 #include "base/Counted.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "propagation/FirstAdvance.hpp"
 #include "propagation/FrontEnd.hpp"
 #include "propagation/FrontWarnings.hpp"
 #include "propagation/HoopStress.hpp"
@@ -61,13 +62,13 @@ std::string extensionAsText(const std::vector<CrackRun>&, const CrackFront<3>& f
 
 /// How far a front has grown in equilibrium, and where to.
 template <int D>
-std::string growthAsText(const CrackFront<D>& front)
+std::string growthAsText(const CrackFront<D>& front, const std::string& hold)
 {
   std::string text = "grew by " + readableLength(front.extension.largest);
   text += D == 3 ? " at most, " + readableLength(front.extension.mean) + " on average, new area " +
                        formatShort(front.extension.area) + " m2"
                  : " to " + formatShort(front.position[0]) + ", " + formatShort(front.position[1]) + " m";
-  return text + (front.arrival.happened() ? ", " + front.arrival.what : "");
+  return text + hold + (front.arrival.happened() ? ", " + front.arrival.what : "");
 }
 
 /// Angle from a to b, counter-clockwise [degrees].
@@ -79,14 +80,14 @@ double angleBetween(const Vector<2>& a, const Vector<2>& b)
 /// When, how often, how far, where to and how fast a front ran.
 template <int D>
 std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& front,
-                       const FrontState<D>& own, const nlohmann::json& entry)
+                       const FrontState<D>& own, const Options& options, const nlohmann::json& entry)
 {
-  std::string text = "initiated at t = " + readableTime(runs.front().initiation);
+  std::string text = "initiated at t = " + readableTime(runs.front().initiation) + holdAsText(options, entry);
   if (runs.size() > 1)
     text += ", arrested and reinitiated " + counted(static_cast<long>(runs.size()) - 1, "time");
-  const std::string shear = effectOfShear(entry);
+  const std::string shear = effectOfShear(entry), closure = closureAsText(entry);
   return text + ", " + extensionAsText(runs, front, own) +
-         (shear.empty() ? "" : "; " + shear + " at that time");
+         (shear.empty() ? "" : "; " + shear + " at that time") + (closure.empty() ? "" : "; " + closure);
 }
 
 /// Mean time and position of the points of a path between two times; not numbers where there are none.
@@ -110,8 +111,12 @@ PathPoint<2> settledMean(const std::vector<PathPoint<2>>& path, const std::pair<
 std::string ligamentAsText(const nlohmann::json& entry)
 {
   const auto found = entry.find("ligament");
+  const std::string end = entry.contains("ligament_ends_at") && entry["ligament_ends_at"].is_string()
+                              ? entry["ligament_ends_at"].get<std::string>()
+                              : std::string();
   return found != entry.end() && found->is_number()
-             ? "; " + readableLength(found->get<double>()) + " of material ahead of it"
+             ? "; " + readableLength(found->get<double>()) + " of material ahead of it" +
+                   (end.rfind("crack ", 0) == 0 ? ", up to " + end : std::string())
              : std::string();
 }
 
@@ -195,6 +200,7 @@ std::vector<CrackRun> reportFront(const State<D>& state, const CrackFront<D>& fr
   entry["status"] = statusOf(front, end);
   entry["closest_to_initiation"] = notYet; // of a front that was
   reportHoopStart(state, options, own, entry);
+  reportFirstAdvance(state, options, own, entry);
   entry["running"] = own.running(front) && !options.equilibrium;
   entry["ended"] = front.ended;
   entry["stopped"] = front.numStopped() > 0;
@@ -239,9 +245,11 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     warnOfStickSlip(state, front, own, options, summary);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
     if (moved && options.equilibrium && !stopped)
-      summary["answers"].push_back(name + ": " + growthAsText(front) + ligamentAsText(entry));
+      summary["answers"].push_back(name + ": " + growthAsText(front, holdAsText(options, entry)) +
+                                   ligamentAsText(entry));
     else if (moved || stopped)
-      summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front, own, entry) + ", " : "") +
+      summary["answers"].push_back(name + ": " +
+                                   (moved ? runsAsText(runs, front, own, options, entry) + ", " : "") +
                                    fateAsText(front, own, end) + ligamentAsText(entry));
     else if (end.fate == Fate::NotInitiated && state.method.analysis != Analysis::LoadFactor)
       reportRest(state, front, {own.closest(), own.early()}, ruleAt(options.temperature, options), summary);

@@ -13,6 +13,7 @@
 #include "thermal/JudgeHeat.hpp"
 #include "thermal/JudgeSteady.hpp"
 #include "thermal/JudgeTemperatures.hpp"
+#include "thermal/LibraryRanges.hpp"
 #include "thermal/Observations.hpp"
 #include "thermal/RepeatedStep.hpp"
 #include "thermal/Start.hpp"
@@ -48,6 +49,7 @@ struct Run
   int settledSamples = 0;
   PeakTemperature<D> peak;
   std::vector<TabulatedProperty> tables; ///< of all materials
+  std::vector<LibraryRange> library;     ///< materials of the library
   bool startCorrected = false;           ///< CellExpansion.hpp
 };
 
@@ -128,6 +130,8 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
         "Conductivity in Materials");
   judgeTemperatures(scene, run.conduction, run.finalTime, state);
   run.tables = tabulated(scene.sublist("Materials"));
+  run.library = libraryRanges(scene.sublist("Materials"));
+  warnOfRangesAtStart(state, run.library);
   startEnergy(state);
   run.conduction.frontTemperature.assign(state.cracks.fronts.size(), run.initial);
   for (CrackFront<D>& front : state.cracks.fronts)
@@ -153,6 +157,7 @@ void observe(State<D>& state, Run<D>& run)
 {
   const Extremes<D> now = extremes(state);
   run.peak.sample(now, state.clock.time);
+  sampleRanges(state, run.library);
   if (state.clock.time >= 0.95 * run.finalTime)
   {
     run.settledPeaks += now.highest;
@@ -200,6 +205,9 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
         !word.empty())
       summary["warnings"].push_back(word);
   reportTables(state, run, summary);
+  for (const LibraryRange& range : run.library)
+    if (const std::string warning = range.warning(); !warning.empty())
+      summary["warnings"].push_back(warning);
   const Extremes<D> now = extremes(state);
   nlohmann::json where = nlohmann::json::array();
   for (int d = 0; d < D; ++d)
@@ -292,6 +300,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       const Archive::Group peak(archive, "peak");
       run->peak.serialize(archive);
     }
+    storeRanges(run->library, archive);
     archive("pending", run->conduction.pending);
     archive("waited", run->conduction.waited);
     archive("steps taken", run->conduction.stepsTaken);

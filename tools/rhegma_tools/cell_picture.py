@@ -6,8 +6,9 @@ from matplotlib.patches import Patch
 
 from . import style
 from .deformation import magnified_faces
-from .colour_scales import scale_of
+from .colour_scales import add_bar, scale_of
 from .field_picture import choose_view, crack_segments, draw_crack, draw_particles, particle_outlines
+from .front_region import at_fronts
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 
@@ -53,9 +54,10 @@ def draw_cells(fields, title, path, stress="principal", asked=None):
     length_factor, length_unit = style.scale(float(np.max(body[1] - body[0])), "m")
     corner, opposite = close_up(low, high, level)
     position = view.flat(fields.position[drawn])
-    seen = values[drawn][np.all((position >= corner) & (position <= opposite), axis=1)]
+    shown = np.all((position >= corner) & (position <= opposite), axis=1)
+    seen = values[drawn][shown]
     stress_factor, stress_unit = unit_of(stress, seen)
-    colour_map, norm = scale_of(stress, seen * stress_factor)
+    colour_map, norm = scale_of(stress, seen * stress_factor, near=at_fronts(fields)[drawn][shown])
     rectangles = rectangle_outlines(low, high) * length_factor
     segments = []
     if fields.crack is not None:
@@ -112,8 +114,7 @@ def draw_cells(fields, title, path, stress="principal", asked=None):
         axes.grid(False)
         axes.set_ylabel(f"{names[1]} [{unit}]")
         axes.set_xlabel(f"{names[0]} [{unit}]")
-    bar = figure.colorbar(particles, ax=close, extend="both", shrink=0.95, aspect=22, pad=0.02)
-    bar.set_label(f"{label_of(stress)} [{stress_unit}]")
+    bar = add_bar(figure, particles, close, f"{label_of(stress)} [{stress_unit}]", shrink=0.95, aspect=22, pad=0.02)
     bar.outline.set_linewidth(0.6)
     style.save(figure, path)
     return len(fields.leaves.level)

@@ -9,6 +9,7 @@ from rhegma.summary import stop_time, stopped_part
 from . import boxes, style
 from .colour_scales import add_bar, scale_of
 from .deformation import automatic_magnification, crack_normals, curved_at_fronts, magnified_faces
+from .front_region import at_fronts
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 
@@ -289,7 +290,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     outlines = [outline * length_factor for outline in outlines]
     stress_factor, stress_unit = unit_of(stress, values[drawn])
     values = values[drawn] * stress_factor
-    colour_map, norm = scale_of(stress, values, fields.counts)
+    colour_map, norm = scale_of(stress, values, fields.counts, at_fronts(fields)[drawn])
 
     segments, fronts, nodes, parts = [], [], [], []
     if fields.crack is not None:

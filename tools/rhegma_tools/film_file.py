@@ -16,12 +16,12 @@ from rhegma.problem import Problem
 from . import style
 from .colour_scales import add_bar, scale_of
 from .field_picture import View, choose_view
-from .film_frames import Sample, Stage, common_magnification, spread
+from .film_frames import Sample, Stage, as_png, common_magnification, spread
 from .quantity import label_of, quantity_shown, unit_of
 from .spatial_picture import body_colours_at, camera_of, cut_text, scale_bar, triad
 from .spatial_pieces import body_piece, crack_pieces, cut_open
 from .style import plt
-from .vtk_window import render
+from .vtk_window import Window
 
 KNOWN = ("principal", "mises")
 SAMPLED = 24  # frames from which the scales are found
@@ -48,12 +48,13 @@ class SolidStage:
 
     def __init__(self, samples, last, quantity, magnification, asked):
         self.quantity, self.magnification, self.view = quantity, magnification, choose_view(last, asked)
+        self.window = Window()
         drawn = [s.position + (magnification - 1.0) * s.displacement for s in samples]
         low, high = np.min([d.min(axis=0) for d in drawn], axis=0) - last.size, np.max([d.max(axis=0) for d in drawn], axis=0) + last.size
         self.camera, self.side = camera_of(last, self.view, magnification, bounds=(low, high))
         values = np.concatenate([s.values for s in samples])
         self.factor, self.unit = unit_of(quantity, values)
-        self.colours, self.norm = scale_of(quantity, values * self.factor, last.counts)
+        self.colours, self.norm = scale_of(quantity, values * self.factor, last.counts, np.concatenate([s.near for s in samples]))
         self.figure, self.axes = plt.subplots(figsize=(8.2, 6.2), layout="constrained")
         self.axes.set_axis_off()
         self.shown = self.axes.imshow(np.full((self.camera.size[1], self.camera.size[0], 3), 255, dtype=np.uint8))
@@ -62,19 +63,25 @@ class SolidStage:
         label = label_of(quantity) + (f" [{self.unit}]" if self.unit else "")
         add_bar(self.figure, plt.cm.ScalarMappable(self.norm, self.colours), self.axes, label, shrink=0.7, aspect=26, pad=0.02)
 
+    def __enter__(self):
+        self.window.__enter__()
+        return self
+
+    def __exit__(self, *_):
+        self.window.__exit__()
+        plt.close(self.figure)
+
     def draw(self, fields, clock, more="", dots=DOTS):
         """A frame as a PNG, or None where VTK draws nothing."""
         kept = cut_open(fields, self.view.normal, self.view.where, self.side)
         kept = np.arange(len(fields.position)) if len(kept) == 0 else kept
         colours = body_colours_at(fields.values(self.quantity) * self.factor, self.colours, self.norm)
-        image = render([body_piece(fields, kept, self.magnification, colours)] + crack_pieces(fields, self.magnification), self.camera)
+        image = self.window.render([body_piece(fields, kept, self.magnification, colours)] + crack_pieces(fields, self.magnification), self.camera)
         if image is None:
             return None
         self.shown.set_data(image)
         self.axes.set_title(f"t = {fields.time * clock[0]:.4g} {clock[1]}{more}, {cut_text(self.view, self.side)}", fontsize=10, fontweight="normal")
-        target = io.BytesIO()
-        self.figure.savefig(target, dpi=dots)
-        return target.getvalue()
+        return as_png(self.figure, dots)
 
 
 def read_frame(folder, wanted, time=None):
@@ -118,14 +125,12 @@ def draw_frames(folder, wanted, say=lambda text: None):
     more = ",  true displacement" if magnification == 1.0 else f",  displacement × {magnification:,.7g}"
     stage = SolidStage(samples, last, wanted.quantity, magnification, wanted.asked) if solid else Stage(samples, view, wanted.quantity, magnification)
     frames = []
-    try:
+    with stage:
         for time in times:
             frames.append((time, stage.draw(read_frame(folder, wanted, time), clock, more, DOTS)))
             if frames[-1][1] is None:
                 return None
             say(f"frame {len(frames)} of {len(times)}")
-    finally:
-        plt.close(stage.figure)
     return Film(frames, magnification, stage, solid)
 
 

@@ -13,6 +13,7 @@ from .deformation import automatic_magnification, magnified_faces
 from .colour_scales import add_bar, scale_of
 from .field_picture import choose_view, crack_segments, draw_crack, draw_particles, draw_tools, in_slice, limits
 from .field_picture import particle_outlines, picture_size, tool_segments
+from .front_region import at_fronts
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
 
@@ -47,6 +48,7 @@ class Sample:
             every = every[in_slice(fields, view.normal, view.where)]
         every = every[:: max(len(every) // SAMPLE, 1)]
         self.position, self.displacement, self.values = fields.position[every], fields.displacement[every], fields.values(quantity)[every]
+        self.near = at_fronts(fields)[every]
         self.deformation = fields.deformation[every]
         self.size, self.counts = fields.size, fields.counts
         self.tools = None if fields.tools is None else points_of(tool_segments(fields, view))
@@ -86,7 +88,7 @@ class Stage:
         self.length, metres = style.scale(float(np.max(high - low)), "m")
         values = np.concatenate([s.values for s in samples])
         self.factor, self.unit = unit_of(quantity, values)
-        self.colours, self.norm = scale_of(quantity, values * self.factor, any(s.counts for s in samples))
+        self.colours, self.norm = scale_of(quantity, values * self.factor, any(s.counts for s in samples), np.concatenate([s.near for s in samples]))
         self.palette = palette_of(self.colours)
         _, size = picture_size((high - low) * self.length, False)
         self.figure, self.axes = plt.subplots(figsize=size, layout="constrained")
@@ -97,6 +99,12 @@ class Stage:
         drawn_at = "" if magnification == 1.0 else ", magnified"
         self.axes.set_xlabel(f"{'xyz'[view.axes[0]]}{drawn_at} [{metres}]")
         self.axes.set_ylabel(f"{'xyz'[view.axes[1]]}{drawn_at} [{metres}]")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        plt.close(self.figure)
 
     def draw(self, fields, clock, more="", dots=DOTS):
         """A frame as a PNG of any colours. clock: factor and unit of times; more: what follows the time; dots: per inch"""
@@ -111,11 +119,18 @@ class Stage:
             draw_tools(self.axes, tool_segments(fields, self.view) * self.length, 1.6)
         added += [c for c in self.axes.collections if c not in before]
         self.axes.set_title(f"t = {fields.time * clock[0]:.4g} {clock[1]}{more}", fontsize=10, fontweight="normal")
-        target = io.BytesIO()
-        self.figure.savefig(target, dpi=dots)
+        png = as_png(self.figure, dots)
         for artist in added:
             artist.remove()
-        return target.getvalue()
+        return png
+
+
+def as_png(figure, dots):
+    """A figure as a PNG. The first one finds where its parts go, and they stay there: all frames have a title of one line."""
+    target = io.BytesIO()
+    figure.savefig(target, dpi=dots)
+    figure.set_layout_engine("none")
+    return target.getvalue()
 
 
 def palette_of(colours):
@@ -158,10 +173,8 @@ def draw_film(folder, most_bytes, quantity="principal"):
     magnification = common_magnification(samples)
     stage = Stage(samples, view, quantity, magnification)
     clock = style.scale(max(abs(time) for time in times), "s")
-    try:
+    with stage:
         frames = [(time, few_colours(stage.draw(read_fields(folder, time), clock), stage.palette)) for time in times]
-    finally:
-        plt.close(stage.figure)
     where = ""
     if view.normal is not None:
         factor, unit = style.scale(abs(view.where), "m")

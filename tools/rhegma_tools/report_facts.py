@@ -6,6 +6,7 @@ from . import style
 from .answers import is_number
 
 SHORT = 6  # digits of a number without a known unit
+STATIC = 1e-3  # change of energy release rates that is still to come, of a run that counts as static
 
 # Lists and objects of a summary that the page uses: [shape of each entry] and {name: shape}.
 FRONT = {"runs": [{}], "position": [], "stop": {"node_positions": []}, "arrival": {}, "front_nodes": {}}
@@ -123,10 +124,14 @@ def certainty(summary):
     if is_number(residual):
         part = f" ({100 * abs(residual) / supplied:.2g} % of the energy supplied)" if is_number(supplied) and supplied > 0 else ""
         found.append(("Error of the energy balance", readable(residual, "J") + part))
-    if is_number(summary.get("may_still_change")):
-        found.append(("Settled", f"energy release rates may still change by at most {100 * summary['may_still_change']:.2g} %"))
+    change = summary.get("may_still_change")
+    moves = f"energy release rates may still change by at most {100 * change:.2g} %" if is_number(change) else ""
     if summary.get("ended_before_settled"):
-        found.append(("Settled", "no: the run was to stop at rest and was not; its results are not static"))
+        static = is_number(change) and change <= STATIC
+        found.append(("Settled", "no: the run was to stop at rest and was not"
+                      + (f" to within Settled Drift; {moves}" if static else "; its results are not static" + (f": {moves}" if moves else ""))))
+    elif moves:
+        found.append(("Settled", moves))
     return found
 
 

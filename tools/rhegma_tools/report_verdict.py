@@ -62,6 +62,15 @@ def motion_from(summary):
     return found["time"] if isinstance(found, dict) and is_number(found.get("time")) else None
 
 
+def held(entry):
+    """What kept a front at rest although G had reached its toughness, as text; empty where nothing did."""
+    if not entry.get("held_until_start_time"):
+        return ""
+    reached = entry.get("start_release")
+    by = f", by when G had reached {short(reached, 3)} times the initiation toughness" if is_number(reached) else ""
+    return f", held until then by Propagation > Start Time{by}"
+
+
 def since(entry, summary, first):
     """From when on a front grew, as text. first: whether this front is the first"""
     motion = motion_from(summary)
@@ -93,7 +102,7 @@ def growth_of(grown, count, summary=None):
     for entry in grown[:NAMED]:
         length = grown_by(entry[2])
         text = f"{name_of(entry)}, grew" + ("" if length is None else f" by {readable(length, 'm')}") + where_to(entry[2])
-        texts.append(text if summary is None else text + since(entry[2], summary, entry is grown[0]) + arrived(entry[2]))
+        texts.append(text if summary is None else text + since(entry[2], summary, entry is grown[0]) + held(entry[2]) + arrived(entry[2]))
     more = f"; {len(grown) - NAMED} more" if len(grown) > NAMED else ""
     return "; ".join(texts) + more + (f" ({len(grown)} of {count} fronts grew)" if count > 1 else "")
 

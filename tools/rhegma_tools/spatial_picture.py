@@ -9,6 +9,7 @@ from .answers import is_number
 from .deformation import automatic_magnification
 from .colour_scales import add_bar, scale_of
 from .field_picture import choose_view, stop_after
+from .front_region import at_fronts
 from .history_picture import initiation_toughness
 from .quantity import label_of, quantity_shown, unit_of
 from .report_facts import all_fronts, readable
@@ -225,7 +226,7 @@ def draw_cut_body(fields, summary, title, path, stress="principal", magnificatio
         kept = np.arange(len(fields.position))
     values = fields.values(quantity)
     factor, unit = unit_of(quantity, values)
-    colour_map, norm = scale_of(quantity, values * factor, fields.counts)
+    colour_map, norm = scale_of(quantity, values * factor, fields.counts, at_fronts(fields))
     pieces = [body_piece(fields, kept, magnification, body_colours_at(values * factor, colour_map, norm))] + crack_pieces(fields, magnification)
     if cells and fields.leaves is not None:
         pieces.append(cell_piece(fields, view, side))

@@ -1,14 +1,13 @@
-"""Draws the pieces of a file by VTK, off screen, and writes a PNG. Started by vtk_window.py: VTK ends its process where it finds no display."""
+"""Draws the pieces of files by VTK, off screen. Started by vtk_window.py: VTK ends its process where it finds no display."""
 
 import json
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTubeFilter
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the back end registers itself)
 
@@ -85,35 +84,55 @@ def actors(points, cells, colours, look):
     return [result]
 
 
-def main(source, target):
-    """source: npz with looks and camera as JSON and the arrays of each piece; target: a PNG"""
-    found = np.load(source)
-    camera = json.loads(str(found["camera"]))
-    renderer, window = vtkRenderer(), vtkRenderWindow()
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    for i, look in enumerate(json.loads(str(found["looks"]))):
-        for one in actors(found[f"points{i}"], found[f"cells{i}"], found[f"colours{i}"], look):
-            renderer.AddActor(one)
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetAlphaBitPlanes(1)
-    window.SetSize(*camera["size"])
-    window.AddRenderer(renderer)
-    view = renderer.GetActiveCamera()
-    view.ParallelProjectionOn()
-    view.SetFocalPoint(*camera["focus"])
-    view.SetPosition(*camera["position"])
-    view.SetViewUp(*camera["up"])
-    view.SetParallelScale(camera["half_height"])
-    renderer.ResetCameraClippingRange()
-    window.Render()
-    grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.SetFileName(target)
-    writer.Write()
+class Window:
+    """An off-screen window for pictures of pieces."""
+
+    def __init__(self):
+        self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
+        self.renderer.SetBackground(1.0, 1.0, 1.0)
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(8)
+        self.window.SetAlphaBitPlanes(1)
+        self.window.AddRenderer(self.renderer)
+
+    def show(self, found):
+        """found: looks and camera as JSON and the arrays of each piece"""
+        camera = json.loads(str(found["camera"]))
+        self.renderer.RemoveAllViewProps()
+        for i, look in enumerate(json.loads(str(found["looks"]))):
+            for one in actors(found[f"points{i}"], found[f"cells{i}"], found[f"colours{i}"], look):
+                self.renderer.AddActor(one)
+        self.window.SetSize(*camera["size"])
+        view = self.renderer.GetActiveCamera()
+        view.ParallelProjectionOn()
+        view.SetFocalPoint(*camera["focus"])
+        view.SetPosition(*camera["position"])
+        view.SetViewUp(*camera["up"])
+        view.SetParallelScale(camera["half_height"])
+        self.renderer.ResetCameraClippingRange()
+        self.window.Render()
+
+    def pixels(self):
+        """What is shown (rows, columns, 3), from the top."""
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.window)
+        grab.ReadFrontBufferOff()
+        grab.Update()
+        image = grab.GetOutput()
+        columns, rows, _ = image.GetDimensions()
+        return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[::-1, :, :3]
+
+
+def main(lines, answers):
+    """lines: of an npz to read and an npy to write, as JSON; a line is answered once its picture is written"""
+    window = Window()
+    for line in lines:
+        source, target = json.loads(line)
+        with np.load(source) as found:
+            window.show(found)
+        np.save(target, window.pixels())
+        print("drawn", file=answers, flush=True)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main(sys.stdin, sys.stdout)

@@ -7,9 +7,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 
 import numpy as np
-from PIL import Image
 
 from .interpreter import SYSTEM_PYTHON
 
@@ -92,22 +92,66 @@ class Display:
             self.server.wait()
 
 
-def render(pieces, camera):
-    """A picture (rows, columns, 3) of pieces, or None where there is no VTK or no display."""
-    python = python_with_vtk()
-    if python is None:
-        return None
-    with tempfile.TemporaryDirectory(prefix="rhegma-picture-") as folder:
-        source, target = os.path.join(folder, "pieces.npz"), os.path.join(folder, "picture.png")
+class Window:
+    """One VTK process on one display, that draws pictures one after another; each costs no start of either. Use it in a with statement."""
+
+    def __enter__(self):
+        self.python, self.child, self.number = python_with_vtk(), None, 0
+        if self.python is not None:
+            self.display, self.folder = Display(), tempfile.TemporaryDirectory(prefix="rhegma-picture-")
+            environment = self.display.__enter__()
+            try:
+                self.child = subprocess.Popen([self.python, CHILD], env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                              stderr=subprocess.DEVNULL, universal_newlines=True)
+            except OSError:
+                self.child = None  # it draws nothing
+        return self
+
+    def __exit__(self, *_):
+        if self.python is None:
+            return
+        if self.child is not None:
+            for end in (self.child.stdin, self.child.stdout):
+                try:
+                    end.close()  # the process ends with what it reads
+                except OSError:
+                    pass
+            try:
+                self.child.wait(timeout=10)
+            except subprocess.TimeoutExpired:
+                self.child.kill()
+                self.child.wait()
+        self.display.__exit__()
+        self.folder.cleanup()
+
+    def render(self, pieces, camera):
+        """A picture (rows, columns, 3) of pieces, or None where there is no VTK or no display."""
+        if self.child is None:
+            return None
+        self.number += 1
+        source, target = (os.path.join(self.folder.name, f"{self.number}.{ending}") for ending in ("npz", "npy"))
         shown = [piece for piece in pieces if len(piece.cells)]
         arrays = {f"{name}{i}": getattr(piece, name) for i, piece in enumerate(shown) for name in ("points", "cells", "colours")}
         np.savez(source, camera=camera.as_json(), looks=json.dumps([piece.look for piece in shown]), **arrays)
-        with Display() as environment:
-            try:
-                subprocess.run([python, CHILD, source, target], env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=LONGEST)
-            except (OSError, subprocess.TimeoutExpired):
-                return None
-        if not os.path.exists(target):
+        late = threading.Timer(LONGEST, self.child.kill)
+        late.start()
+        try:
+            self.child.stdin.write(json.dumps([source, target]) + "\n")
+            self.child.stdin.flush()
+            drawn = self.child.stdout.readline()  # empty where VTK has ended the process, as it does without a display
+        except OSError:
+            drawn = ""
+        finally:
+            late.cancel()
+        if not drawn or not os.path.exists(target):
             return None
-        with Image.open(target) as picture:
-            return np.asarray(picture.convert("RGB")).copy()
+        image = np.load(target)
+        os.remove(source)
+        os.remove(target)
+        return image
+
+
+def render(pieces, camera):
+    """One picture (rows, columns, 3) of pieces, or None where there is no VTK or no display."""
+    with Window() as window:
+        return window.render(pieces, camera)

@@ -3,6 +3,8 @@
 
 import json
 import os
+import random
+import re
 import sys
 import time
 import unittest
@@ -105,6 +107,32 @@ class HeldTemperatures(ProgramTest):
                     temperature = np.asarray(file[sorted(names)[-1]])
                 self.assertGreater(temperature.min(), 283.0)
                 self.assertLess(temperature.max(), 303.0)
+
+
+class MaterialsOfTheLibrary(ProgramTest):
+    """4340 Steel of the library is valid from 250 to 500 K."""
+
+    def said(self, initial, held):
+        steel = {"Material From Library": "4340 Steel", "Model": "Linear Elastic"}
+        scene = strip("Dynamic", "Implicit", final=1.0).set("Materials", {"Glass": steel}).set("Thermal > Initial Temperature", initial)
+        scene.set("Thermal > Mechanics", False).remove("Time").set("Time > Final Time", 5.0).set("Boundaries > Cold > Temperature", held)
+        answer = rhegma(self.write("scene.xml", scene.text()), "--quiet")
+        self.assertEqual(answer.status, 0, answer)
+        return [line for line in answer.messages.splitlines() if "in the library are valid from 250 to 500 K" in line]
+
+    def test_warn_outside_of_their_range(self):
+        seed = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
+        print(f"RHEGMA_SEED = {seed}")
+        rng = random.Random(seed)
+        self.assertEqual(self.said(rng.uniform(251.0, 499.0), rng.uniform(251.0, 499.0)), [])
+        hot = rng.uniform(700.0, 1200.0)
+        (line,) = self.said(300.0, hot)
+        found = re.search(r"Materials > Glass: the constants of 4340 Steel .* its bodies came to ([\d.]+) K at t = 5 s", line)
+        self.assertIsNotNone(found, line)
+        self.assertTrue(500.0 < float(found.group(1)) <= hot, line)
+        cold = round(rng.uniform(100.0, 240.0))
+        (line,) = self.said(cold, cold)
+        self.assertIn(f"its bodies start at {cold} K;", line)
 
 
 if __name__ == "__main__":

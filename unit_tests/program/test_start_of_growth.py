@@ -10,20 +10,23 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from test_shear_at_rest import ShearTest, inclined, strip  # noqa: E402
-from program import rhegma  # noqa: E402
+from file_scene import FileScene  # noqa: E402
+from test_shear_at_rest import PULL, ShearTest, inclined, strip  # noqa: E402
+from program import SOURCE, rhegma  # noqa: E402
 
 
-class StartTime(ShearTest):
-    def scene(self, start, history="t", final=1.0):
-        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 4, "Final Time": final, "Maximum Steps": 4}, "150",
-                      {"Notch": inclined(0.0, 0.012)}, history, **{"Load Control": "Functions of Time", "Start Time": start})
-        return scene.set("Propagation > Increment", 1.0)
-
+class GrowthTest(ShearTest):
     def growth(self, scene):
         answer = rhegma(self.write("scene.xml", scene.text()), "--quiet", "--output", self.path("out"))
         with open(self.path("out", "summary.json"), encoding="utf-8") as file:
             return answer, json.load(file)
+
+
+class StartTime(GrowthTest):
+    def scene(self, start, history="t", final=1.0):
+        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 4, "Final Time": final, "Maximum Steps": 4}, "150",
+                      {"Notch": inclined(0.0, 0.012)}, history, **{"Load Control": "Functions of Time", "Start Time": start})
+        return scene.set("Propagation > Increment", 1.0)
 
     def test_growth_counts_at_the_end_of_a_load_step(self):
         summary = self.growth(self.scene(0.0))[1]
@@ -35,6 +38,36 @@ class StartTime(ShearTest):
             self.assertIsNotNone(initiation["time"], summary["warnings"])
             self.assertEqual(initiation["from"], 0.75)
             self.assertAlmostEqual(initiation["time"], max(free, start), delta=1e-3 if free < start else 0.05)
+
+    def test_is_named_where_it_delays_growth(self):
+        """G follows the square of the loads, so that at the start time it is that of the load, as long as nothing has grown."""
+        free, summary = self.growth(self.scene(0.0))
+        self.assertNotIn("held by", " ".join(summary["answers"]), free)
+        self.assertFalse(summary["cracks"][0]["fronts"][0]["held_until_start_time"])
+        began = summary["propagation"]["initiation"]["time"]
+        for start in (0.9, 1.0):
+            answer, summary = self.growth(self.scene(start))
+            front = summary["cracks"][0]["fronts"][0]
+            self.assertTrue(front["held_until_start_time"], answer)
+            until = f"{start * 1e3:g} ms" if start < 1.0 else "1 s"
+            self.assertIn(f"held by Propagation > Start Time until {until}, by when G had reached ", " ".join(summary["answers"]))
+            # Of the end of the load step in which it starts; began is found to within a few thousandths of it.
+            self.assertAlmostEqual(front["start_release"], (1.0 / began) ** 2, delta=0.02 * (1.0 / began) ** 2)
+
+    def test_is_named_where_it_delays_growth_in_motion(self):
+        def scene(start):
+            return strip({"Final Time": 4e-4}, "20", {"Notch": inclined(0.0, 0.012)}, "0:0, 1e-4:1", **{"Start Time": start}).remove("Time > Rigid Modes")
+        free, summary = self.growth(scene(0.0))
+        self.assertNotIn("held by", " ".join(summary["answers"]), free)
+        began = summary["cracks"][0]["fronts"][0]["initiated"]
+        self.assertIsNotNone(began, free)
+        answer, summary = self.growth(scene(1.5 * began))
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertTrue(front["held_until_start_time"], answer)
+        self.assertAlmostEqual(front["initiated"], 1.5 * began, delta=1e-9 * began)
+        said = re.search(r"held by Propagation > Start Time until [\d.]+ us, by when G had reached ([\d.]+) times", " ".join(summary["answers"]))
+        self.assertIsNotNone(said, answer)
+        self.assertGreater(float(said.group(1)), 1.0)
 
     def test_is_named_where_it_prevents_growth(self):
         answer, _ = self.growth(self.scene(0.7, "0:0, 0.5:1, 0.75:0.1, 1:0.1"))
@@ -52,6 +85,53 @@ class StartTime(ShearTest):
         answer, summary = self.growth(scene)
         self.assertEqual(summary["cracks"][0]["fronts"][0]["status"], "not initiated", answer)
         self.assertIn("Before Propagation > Start Time = 390 us G reached ", answer.messages)
+
+
+class FacesThatPress(GrowthTest):
+    """The notch of a plate that is struck: the first wave presses its faces together while it shears them."""
+
+    def test_are_said_with_the_overlap_and_with_K(self):
+        scene = FileScene(os.path.join(SOURCE, "xml_inputs", "verification", "kalthoff.xml")).set("Time > Final Time", 4e-5)
+        answer, summary = self.growth(scene)
+        said = " ".join(summary["answers"])
+        found = re.search(r"its faces pressed together as it started \(K_I = (-[\d.]+), K_II = (-[\d.]+) MPa m\^0\.5\)", said)
+        self.assertIsNotNone(found, said)
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertAlmostEqual(float(found.group(1)) * 1e6, front["start_K_I"], delta=1e-3 * abs(front["start_K_I"]))
+        self.assertRegex(answer.messages, r"crack Notch: its faces overlapped by up to [\d.]+ um \([\d.]+ cells.*\) at t = .* us, because the scene has no "
+                                          "contact; .* add a section Contact")
+        answer, summary = self.growth(scene.set("Contact", {}))
+        self.assertNotIn("overlap", answer.messages)
+        self.assertNotIn("pressed together", " ".join(summary["answers"]))
+        # What is left of K_I is the penalty layer's: an overlap of hundredths of a cell.
+        self.assertLess(summary["cracks"][0]["largest_overlap"], 0.01 * 2e-3)
+
+
+class Yield(GrowthTest):
+    """A linear law with a yield stress: what yields in the run is said, also where its loads or its growth have fallen by the end."""
+
+    def said(self, scene, part):
+        summary = self.growth(scene.set("Materials > Polymer > Yield Stress", part * PULL))[1]
+        return summary, [line for line in summary["warnings"] if "the von Mises stress is larger in" in line]
+
+    def test_loads_that_have_fallen(self):
+        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 4}, "1e6", {"Notch": inclined(0.0, 0.012)}, "0:0, 0.5:1, 1:0.1",
+                      **{"Load Control": "Functions of Time"})
+        _, (line,) = self.said(scene, 0.5)
+        found = re.search(r"at t = 500 ms, the von Mises stress is larger in ([\d.]+) % of Bodies > Strip outside of the contours of the fronts, "
+                          r"at most ([\d.e+]+) Pa", line)
+        self.assertIsNotNone(found, line)
+        self.assertGreater(float(found.group(1)), 50.0)  # above twice the yield stress wherever the crack does not unload it
+        self.assertGreater(float(found.group(2)), PULL)
+        self.assertEqual(self.said(scene, 20.0)[1], [])
+
+    def test_the_load_factor_at_which_the_crack_starts(self):
+        scene = strip({"Analysis": "Quasi-Static", "Load Steps": 3}, "150", {"Notch": inclined(0.0, 0.012)})
+        summary, none = self.said(scene, 1e3)
+        self.assertEqual(none, [])
+        factor = summary["propagation"]["largest_load"]["load_factor"]
+        _, (line,) = self.said(scene, 0.5 * factor)
+        self.assertRegex(line, r"at [\d.e+-]+ times the loads of Time > Final Time, the von Mises stress is larger in")
 
 
 class References(ShearTest):

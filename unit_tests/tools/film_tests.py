@@ -6,6 +6,7 @@ import random
 import shutil
 import subprocess
 import unittest
+from unittest import mock
 
 from tool import ToolTest, run  # first, as it finds the Python for all others
 
@@ -14,7 +15,7 @@ import numpy as np
 from PIL import Image
 from spatial_tests import DRAWS
 
-from rhegma_tools import film_file, style
+from rhegma_tools import film_file, style, vtk_window
 from rhegma_tools.film_file import Wanted, draw_frames, write_film
 from rhegma_tools.interpreter import Problem
 
@@ -101,6 +102,17 @@ class Frames(ToolTest):
         one, other = (pixels_of(png) for _, png in film.frames)
         self.assertGreater((np.abs(one - other).max(axis=2) > 40).mean(), 0.1)  # other colours of another stress
         self.assertFalse(draw_frames(self.folder, Wanted(solid=False)).solid)
+
+    @unittest.skipUnless(DRAWS, "needs VTK for Python and a display such as Xvfb")
+    def test_one_process_draws_all_frames(self):
+        """The frame of a stress is the same, whether it is the only one of its process or follows others."""
+        growing(self.folder, [4e6, 1e6, 2e6, 4e6], edge=0.1, shape=(6, 6, 6))
+        started, popen = [], subprocess.Popen
+        with mock.patch.object(subprocess, "Popen", lambda *a, **more: started.append(a[0]) or popen(*a, **more)):
+            film = draw_frames(self.folder, Wanted("stress:xx", magnification=1.0))
+        self.assertEqual(len([command for command in started if vtk_window.CHILD in command]), 1)
+        first, last = (pixels_of(film.frames[i][1])[60:] for i in (0, -1))  # below the title, which has the time
+        np.testing.assert_array_equal(first[:, : first.shape[1] * 3 // 4], last[:, : last.shape[1] * 3 // 4])
 
 
 class Files(ToolTest):

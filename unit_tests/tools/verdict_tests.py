@@ -88,6 +88,9 @@ class Verdict(ToolTest):
         self.assertTrue(verdict(summary_of(running, propagation={})).endswith("to (998.8, 0) mm from t = 33 µs on, on average at 120 m/s and at 250 m/s at the end."))
         arrived = dict(front, arrival={"what": "reached the surface of its body", "time": 78e-6})
         self.assertTrue(verdict(summary_of(arrived, propagation={})).endswith("120 m/s, and it reached the surface of its body at t = 78 µs."))
+        held = verdict(summary_of(dict(front, held_until_start_time=True, start_release=3.21), propagation={}))
+        self.assertIn(", held until then by Propagation > Start Time, by when G had reached 3.21 times the initiation toughness", held)
+        self.assertNotIn("Start Time", verdict(summary_of(dict(front, held_until_start_time=False, start_release=1.0), propagation={})))
 
     def test_growth_in_motion(self):
         text = verdict(summary_of({"initiated": 33e-6, "runs": [{"length": 0.01}, {"length": 0.02}]}, {"initiated": None}, propagation={}))

@@ -4,7 +4,10 @@
 #include "src/step/ElasticBox.hpp"
 
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -44,6 +47,26 @@ inline std::vector<double> regularPolygon(const Vector<3>& centre, double radius
   }
   return points;
 }
+
+/// Numbers from RHEGMA_SEED of the environment, or from a seed that is printed.
+class Draws
+{
+public:
+  Draws()
+  {
+    const char* const given = std::getenv("RHEGMA_SEED");
+    const unsigned long seed = given != nullptr ? std::strtoul(given, nullptr, 10) : std::random_device{}();
+    std::cout << "RHEGMA_SEED=" << seed << "\n";
+    random_.seed(seed);
+  }
+  double operator()(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+
+private:
+  std::mt19937_64 random_;
+};
 
 template <int D>
 std::unique_ptr<Run<D>> start(Teuchos::ParameterList scene)

@@ -1,6 +1,7 @@
 #include "CubeScene.hpp"
 
 #include "cracks/CrackGrowth.hpp"
+#include "cracks/CracksOnPath.hpp"
 #include "cracks/EndLigaments.hpp"
 
 #include <initializer_list>
@@ -181,4 +182,72 @@ TEST(LigamentAhead, IsSaidAtTheEnd)
         EXPECT_NE(text.find("of material are left ahead of it"), std::string::npos) << text;
         EXPECT_EQ(text.find("fewer than three cells") != std::string::npos, left < 3.0) << text;
       }
+}
+
+/// A crack across the path, at any angle, or straight ahead ends the ligament before the surface does; one
+/// next to it does not.
+TEST(LigamentAhead, EndsAtAnotherCrack)
+{
+  Draws draw;
+  for (const char* kind : {"across", "ahead", "aside"})
+  {
+    const double front = draw(3.0, 5.0), at = draw(10.0, 14.0), angle = draw(0.7, 2.4);
+    const Vector<2> along{std::cos(angle), std::sin(angle)};
+    Teuchos::ParameterList scene = blockScene({20.0 * cell, 10.0 * cell});
+    setCrack(scene, {0.0, line * cell, (front - 1.0) * cell, line * cell, front * cell, line * cell});
+    const bool across = kind == std::string("across");
+    const double height = kind == std::string("aside") ? line + 2.0 : line;
+    scene.sublist("Cracks").sublist("Other").set(
+        "Points", across ? numbers({(at - 3.0 * along[0]) * cell, (line - 3.0 * along[1]) * cell,
+                                    (at + 3.0 * along[0]) * cell, (line + 3.0 * along[1]) * cell})
+                         : numbers({at * cell, height * cell, (at + 4.0) * cell, height * cell}));
+    const auto run = start<2>(scene);
+    State<2>& state = run->state();
+    advance(state, cell);
+    state.clock.step = 1;
+    nlohmann::json summary = {{"warnings", nlohmann::json::array()}};
+    reportLigaments(state, {}, summary);
+    const nlohmann::json& entry = summary["cracks"][0]["fronts"][0];
+    const bool aside = kind == std::string("aside");
+    // Up to a crack exact to the tenth of a cell within which it is met, less far where the path is oblique
+    // to it; up to a surface to 0.4 cells, as above.
+    EXPECT_NEAR(entry.at("ligament").get<double>() / cell, (aside ? 20.0 : at) - front - 1.0,
+                aside ? 0.4 : 0.1)
+        << kind << " " << angle;
+    EXPECT_EQ(entry.at("ligament_ends_at").get<std::string>(), aside ? "surface" : "crack Other") << kind;
+  }
+}
+
+/// In 3D, from any point in any direction to a square across it: the length up to its plane, or none.
+TEST(LigamentAhead, FindsTheFirstCrackIn3D)
+{
+  Draws draw;
+  Teuchos::ParameterList scene = blockScene({8.0 * cell, 8.0 * cell, 8.0 * cell});
+  setCrack(scene, {0.0, 0.0, 2.0 * cell, 3.0 * cell, 0.0, 2.0 * cell, 3.0 * cell, 8.0 * cell, 2.0 * cell, 0.0,
+                   8.0 * cell, 2.0 * cell});
+  scene.sublist("Cracks").sublist("Other").set(
+      "Points", numbers({6.0 * cell, 0.0, 4.5 * cell, 6.0 * cell, 8.0 * cell, 4.5 * cell, 6.0 * cell,
+                         8.0 * cell, 7.0 * cell, 6.0 * cell, 0.0, 7.0 * cell}));
+  const auto run = start<3>(scene);
+  const CracksOnPath<3> others(run->state().cracks, 0);
+  constexpr double near = 1e-3 * cell;
+  for (int k = 0; k < 20; ++k)
+  {
+    const Vector<3> from{draw(0.0, 5.0) * cell, draw(1.0, 7.0) * cell, draw(1.0, 7.0) * cell};
+    const Vector<3> to{6.0 * cell, draw(1.0, 7.0) * cell, draw(2.0, 7.0) * cell};
+    const double length = norm(to - from);
+    const CrackOnPath found = others.first(from, (1.0 / length) * (to - from), 1.5 * length, near);
+    if (to[2] > 4.5 * cell)
+    {
+      EXPECT_EQ(found.crack, 1);
+      // Met at the distance `near` from its plane, which is longer along an oblique path.
+      const double cosine = (to[0] - from[0]) / length;
+      EXPECT_NEAR(found.length, length, near * (1.0 / cosine - 1.0) + 1e-9 * cell);
+    }
+    else if (to[2] < 4.4 * cell)
+    {
+      EXPECT_EQ(found.crack, -1);
+      EXPECT_EQ(found.length, 1.5 * length);
+    }
+  }
 }

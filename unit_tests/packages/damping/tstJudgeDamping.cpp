@@ -175,6 +175,23 @@ TEST(Settling, ThatIsMissedSaysWhichWay)
   EXPECT_TRUE(said("or damp by a Mass Rate of about 20 1/s instead of a viscosity"));
 }
 
+/// It is called not static only where more than a thousandth may still change, or that is not known.
+TEST(Settling, ThatIsMissedSaysByHowMuch)
+{
+  damping::Unsettled run{100.0, std::nullopt, {10.0, "the opening", true}, false};
+  run.drift = 1e-5;
+  const auto said = [&](const std::string& text)
+  { return damping::unsettledWarning(run).find(text) != std::string::npos; };
+  EXPECT_TRUE(said("so its results are not static; "));
+  run.change = 0.07;
+  EXPECT_TRUE(said("so its results are not static: energy release rates"));
+  EXPECT_TRUE(said("may still change by up to 7 %"));
+  run.change = 5e-5;
+  EXPECT_FALSE(said("not static"));
+  EXPECT_TRUE(said("to within Settled Drift = 1e-05"));
+  EXPECT_TRUE(said("by up to 0.005 %"));
+}
+
 /// Five samples are compared, which take four intervals.
 TEST(Settling, InSamplesThatAreNotTakenIsSaid)
 {
