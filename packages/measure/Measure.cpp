@@ -9,6 +9,7 @@
 #include "measure/SideEnergy.hpp"
 #include "measure/StressAlternation.hpp"
 #include "scene/Compatibility.hpp"
+#include "scene/NearestName.hpp"
 #include "state/ParticleDamage.hpp"
 
 #include <algorithm>
@@ -169,7 +170,7 @@ std::string whyNot(const State<D>& state, const std::string& field)
                ? ""
                : "the scene has no temperature; add a section Thermal or choose another field";
   if (field == "Damage" && !hasDamage(state))
-    return "no material has a damage; write Materials > NAME > Model = " + asText(lawsWithDamage(), " or ") +
+    return "no material has a damage; write Materials > NAME > Model = " + asText(lawsWithDamage()) +
            " or choose another field";
   return state.method.mechanics ? "" : "without mechanics only Temperature changes; write that";
 }

@@ -5,6 +5,7 @@
 #include "material/MaterialTable.hpp"
 #include "scene/CoreBodies.hpp"
 #include "scene/HeatParameters.hpp"
+#include "scene/NearestName.hpp"
 #include "scene/Schema.hpp"
 
 namespace Rhegma
@@ -295,8 +296,8 @@ Section boundaries(const std::vector<Section>& types)
 /// Whether no material of the section has a law with a damage.
 bool haveNoDamage(const Teuchos::ParameterList& materials)
 {
-  for (const auto& [name, entry] : materials)
-    if (const auto* material = valueIf<Teuchos::ParameterList>(entry))
+  for (const auto& entry : materials)
+    if (const auto* material = valueIf<Teuchos::ParameterList>(entry.second))
       if (const auto* model = valueIf<std::string>(*material, "Model"))
         for (const std::string& law : lawsWithDamage())
           if (*model == law)
@@ -333,7 +334,7 @@ Section output()
       "broken material, 0 where the law has none. Needs a law that has one.");
   s.refuse({when::is("Output", "Damage", {"true"}),
             when::satisfies("Materials", "without a law that has a damage", haveNoDamage)},
-           "no material has a damage; write Materials > NAME > Model = " + asText(lawsWithDamage(), " or ") +
+           "no material has a damage; write Materials > NAME > Model = " + asText(lawsWithDamage()) +
                ", or Damage = false");
   s.choice("Front Values", {"With Fields", "With History", "None"})
       .onlyIn(3)
