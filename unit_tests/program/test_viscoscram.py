@@ -18,15 +18,18 @@ from cracked_solid import LASTING, MODULI, RATES, CrackedSolid  # noqa: E402
 from program import ProgramTest, rhegma  # noqa: E402
 from scenes import Scene  # noqa: E402
 
-STRAIN = 2e-4  # so small that the equations of small strain hold: what they leave out is of the order of the strain
+STRAIN = 1e-4  # so small that the equations of small strain hold: what they leave out is of the order of the strain
 
 
-def drawn(seed):
-    """A solid like PBX 9501, with cracks that grow at this strain; 298 K is the temperature of its relaxation times."""
-    draw = random.Random(seed)
-    print(f"seed {seed}")
+SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
+
+
+def drawn(case):
+    """A solid like PBX 9501, with cracks that grow at this strain, by the seed RHEGMA_SEED, which is printed."""
+    draw = random.Random(f"{SEED} {case}")
+    print(f"seed {SEED} (RHEGMA_SEED)")
     near = lambda value: value * draw.uniform(0.8, 1.25)  # noqa: E731
-    return draw, CrackedSolid(toughness=near(6e3), scale=near(1e-4), radius=near(3e-5), friction=near(0.4), exponent=near(9.0), speed=near(300.0),
+    return draw, CrackedSolid(toughness=near(4e3), scale=near(1e-4), radius=near(3e-5), friction=near(0.4), exponent=near(9.0), speed=near(300.0),
                               moduli=[near(G) for G in MODULI], rates=[near(k) for k in RATES], lasting=near(LASTING))
 
 
@@ -69,15 +72,14 @@ class OneElement(Case):
         element and the growth; twice as many change less than 1e-6."""
         for dimension in (2, 3):
             for rate in (30.0, 300.0, 3000.0):
-                seed = random.SystemRandom().randrange(10**6)
-                draw, solid = drawn(seed)
+                draw, solid = drawn(f"{dimension} {rate}")
                 gradient = numpy.zeros((3, 3))
                 for i in range(dimension):
                     for j in range(i, dimension):
                         gradient[i, j] = gradient[j, i] = draw.uniform(-1.0, 1.0)
                 gradient *= rate / numpy.abs(gradient).max()
                 duration = STRAIN / rate
-                with self.subTest(dimension=dimension, rate=rate, seed=seed):
+                with self.subTest(dimension=dimension, rate=rate, seed=SEED):
                     stress, radius = solid.strained(gradient, duration, 3000)
                     particles = self.strained(solid, gradient, duration)
                     expected = stress[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]]
@@ -98,8 +100,7 @@ class Relaxation(Case):
     def test_of_a_held_block_without_growth(self):
         """A block between planes of symmetry is stretched in one short load step and held: the mean stress along it is that of the moduli left
         at the end."""
-        seed = random.SystemRandom().randrange(10**6)
-        draw, solid = drawn(seed)
+        draw, solid = drawn("held")
         solid.rates[1:] = [10 ** draw.uniform(-1.0, 1.0) for _ in RATES]
         solid.toughness, solid.radius = 1e9, 1e-4 * solid.scale
         strain, held = 1e-4, 2.0
@@ -135,7 +136,8 @@ def pressed():
         "Bodies": {
             "Charge": {"Material": "Explosive", "Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [10 * cell, 10 * cell],
                        "Velocity": [50.0, 0.0]},
-            "Block": {"Material": "Anvil", "Shape": "Box", "Lower Corner": [10 * cell, 0.0], "Upper Corner": [20 * cell, 10 * cell]},
+            "Block": {"Material": "Anvil", "Shape": "Box", "Lower Corner": [10 * cell, 0.0], "Upper Corner": [20 * cell, 10 * cell],
+                      "Bonded To": "Charge"},
         },
         "Output": {"Damage": True, "History Interval": 1e-6},
         "Measure": {"Extremes": {"Worst": {"Field": "Damage"}, "Anvil": {"Field": "Damage", "Body": "Block"}}},
@@ -154,7 +156,6 @@ class Damage(Case):
         start = 3e-5**3 / (1e-3**3 + 3e-5**3)
         self.assertGreater(damage[charge].max(), 10 * start)
         self.assertLess(damage.max(), 1.0)
-        self.assertAlmostEqual(damage[charge].min() / start, 1.0, delta=10.0)
         self.assertGreaterEqual(damage[charge].min(), start * (1 - 1e-12))
         self.assertEqual(set(damage[~charge]), {0.0})
         self.assertEqual(float(last["Worst.largest"]), damage.max())
@@ -173,17 +174,18 @@ class Damage(Case):
         self.assertIn("Measure > Extremes > Worst > Field = Damage: no material has a damage", answer.messages)
 
     def test_goes_on_from_a_checkpoint(self):
-        """A run in two parts has the damage of one."""
+        """The damage goes on from that of the checkpoint. The step at 5e-6 s is cut to end there, a few percent of the steps of the run."""
         whole = pressed()
-        self.run_scene(whole)
-        expected = numpy.sort(self.last_fields()["damage"].ravel())
-        half = pressed().set("Time > Final Time", 5e-6)
-        self.run_scene(half.set("Output > Checkpoint Interval", 5e-6))
+        expected = self.run_scene(whole)["energy"]["plastic"]
+        half = pressed().set("Time > Final Time", 5e-6).set("Output > Checkpoint Interval", 5e-6)
+        start = self.run_scene(half)["extremes"]["Worst"]["largest"]
         answer = rhegma(self.write("scene.xml", whole.text()), "--restart", self.path("out", "checkpoint.h5"), "--output", self.path("out"), "--quiet")
         self.assertEqual(answer.status, 0, answer)
-        found = numpy.sort(self.last_fields()["damage"].ravel())
-        # The step at 5e-6 s is cut to end there: a difference of the size of a step's error.
-        numpy.testing.assert_allclose(found, expected, rtol=0.02)
+        worst = [float(row["Worst.largest"]) for row in self.history()]
+        self.assertEqual(worst, sorted(worst))
+        self.assertIn(start, worst)
+        self.assertGreater(worst[-1], start)
+        self.assertAlmostEqual(float(self.history()[-1]["plastic"]) / expected, 1.0, delta=0.02)
 
 
 if __name__ == "__main__":
