@@ -58,7 +58,7 @@ def by_program(program, solid, rate):
             print(answer.stderr)
         with open(os.path.join(folder, "history.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
-    # The power of the right edge is stress times rate per undeformed volume.
+    # The work per undeformed volume and strain: the Kirchhoff stress, J times the true stress.
     time, work = (numpy.array([float(row[name]) for row in rows]) for name in ("time", "external_work"))
     return rate * 0.5 * (time[1:] + time[:-1]), numpy.diff(work) / numpy.diff(time) / rate
 
