@@ -38,7 +38,8 @@ constexpr const char* motionName = "motion";
 static RequestedFields requestedFields(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& output = scene.sublist("Output");
-  return {output.get<bool>("Principal Stress"), output.get<bool>("Energy Density")};
+  return {output.get<bool>("Principal Stress"), output.get<bool>("Energy Density"),
+          output.get<bool>("Damage")};
 }
 
 template <int D>

@@ -1,5 +1,6 @@
 #include "measure/Extremes.hpp"
 
+#include "state/ParticleDamage.hpp"
 #include "state/ParticlePlace.hpp"
 #include "state/ParticleStress.hpp"
 
@@ -121,7 +122,8 @@ Extremes<D> extremesWith(const State<D>& state, int body, const Value& value)
 const std::vector<std::string>& measurableFields()
 {
   static const std::vector<std::string> names = {
-      "Principal Stress", "Von Mises Stress", "Energy Density", "Speed", "Displacement", "Temperature"};
+      "Principal Stress", "Von Mises Stress", "Energy Density", "Damage", "Speed",
+      "Displacement",     "Temperature"};
   return names;
 }
 
@@ -135,6 +137,8 @@ Extremes<D> extremesOf(const State<D>& state, const std::string& field, int body
     return extremesWith(state, body, VonMisesOf<D>{ParticleStress<D>(particles)});
   if (field == "Energy Density")
     return extremesWith(state, body, EnergyDensityOf<D>{ParticleEnergy<D>(state)});
+  if (field == "Damage")
+    return extremesWith(state, body, DamageOf<D>(state));
   if (field == "Speed")
     return extremesWith(state, body, LengthOf<D>{particles.template real<D>(fields::velocity)});
   if (field == "Displacement")

@@ -28,8 +28,8 @@ struct Extremes
 };
 
 /// Collective.
-/// \param field one of measurableFields(): principal and von Mises stress [Pa], energy density [J/m3], speed
-/// [m/s], displacement [m], temperature [K]
+/// \param field one of measurableFields(): principal and von Mises stress [Pa], energy density [J/m3],
+/// damage, speed [m/s], displacement [m], temperature [K]
 /// \param body only its particles count; -1: those of all bodies
 template <int D>
 Extremes<D> extremesOf(const State<D>& state, const std::string& field, int body);

@@ -2,12 +2,15 @@
 
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "material/MaterialTable.hpp"
 #include "measure/Extremes.hpp"
 #include "measure/FrontShape.hpp"
 #include "measure/Pieces.hpp"
 #include "measure/SideEnergy.hpp"
 #include "measure/StressAlternation.hpp"
 #include "scene/Compatibility.hpp"
+#include "scene/NearestName.hpp"
+#include "state/ParticleDamage.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -25,8 +28,9 @@ Section extremes()
   entry.choice("Field", measurableFields())
       .meaning(
           "Principal Stress: the largest principal Cauchy stress, in 2D including that across the plane "
-          "[Pa]. Von Mises Stress [Pa]. Energy Density: elastic energy per undeformed volume [J/m3]. Speed "
-          "[m/s]. Displacement: its magnitude [m]. Temperature [K].");
+          "[Pa]. Von Mises Stress [Pa]. Energy Density: elastic energy per undeformed volume [J/m3]. Damage: "
+          "that of the law, from 0 of a whole to 1 of a broken material. Speed [m/s]. Displacement: its "
+          "magnitude [m]. Temperature [K].");
   entry.text("Body").notEmpty().optional().meaning(
       "Only the particles of this body count. Default: all bodies.");
   Section s("Extremes",
@@ -165,6 +169,9 @@ std::string whyNot(const State<D>& state, const std::string& field)
     return state.particles.has(fields::temperature)
                ? ""
                : "the scene has no temperature; add a section Thermal or choose another field";
+  if (field == "Damage" && !hasDamage(state))
+    return "no material has a damage; write Materials > NAME > Model = " + asText(lawsWithDamage()) +
+           " or choose another field";
   return state.method.mechanics ? "" : "without mechanics only Temperature changes; write that";
 }
 

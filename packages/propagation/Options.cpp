@@ -59,7 +59,8 @@ void addRulesOfEquilibrium(Section& s)
   const char* const byTrial =
       "the load factor is found by trials, each of which would leave plastic or relaxed "
       "strain; write Functions of Time";
-  s.refuse({factor, when::is("Materials > *", "Model", {"J2 Plastic", "Viscoelastic"}), when::equilibrium()},
+  s.refuse({factor, when::is("Materials > *", "Model", {"J2 Plastic", "Viscoelastic", "ViscoSCRAM"}),
+            when::equilibrium()},
            byTrial);
   s.refuse({factor, when::given("Materials > *", "Johnson-Cook A"), when::equilibrium()}, byTrial);
   s.refuse({self, when::above("Adaptivity", "Front Cells", 0.0), when::equilibrium()},

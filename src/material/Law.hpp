@@ -82,6 +82,9 @@ struct LawDefaults
   /// Index in the history of the energy dissipated so far per undeformed volume [J/m3]; -1: none.
   template <int D>
   static constexpr int dissipationIndex = -1;
+  /// Whether the law has a damage: a law with `damages = true` has double damage<D>(numbers, history), from 0
+  /// of a whole to 1 of a broken material.
+  static constexpr bool damages = false;
   /// How a history variable averages when particles merge.
   template <int D>
   KOKKOS_INLINE_FUNCTION static constexpr Mean meanOf(int /*variable*/)

@@ -7,6 +7,7 @@
 #include "material/LinearElastic.hpp"
 #include "material/MooneyRivlin.hpp"
 #include "material/NeoHookean.hpp"
+#include "material/ViscoScram.hpp"
 #include "material/Viscoelastic.hpp"
 
 #include <type_traits>
@@ -22,7 +23,8 @@ struct LawList
 };
 
 /// Properties::law is an index in it.
-using Laws = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid>;
+using Laws =
+    LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid, ViscoScram>;
 
 /// Index of a law in a list.
 template <class Law, class... Listed>

@@ -35,6 +35,19 @@ bool anyWarms(const std::string& model, LawList<Law...> /*list*/)
   return ((Law::warms && model == Law::name) || ...);
 }
 
+template <class... Law>
+std::vector<std::string> damagingLaws(LawList<Law...> /*list*/)
+{
+  std::vector<std::string> names;
+  const auto add = [&](bool damages, const char* name)
+  {
+    if (damages)
+      names.emplace_back(name);
+  };
+  (add(Law::damages, Law::name), ...);
+  return names;
+}
+
 } // namespace
 
 Properties makeProperties(const Teuchos::ParameterList& material, const std::string& name, Plane plane)
@@ -43,6 +56,12 @@ Properties makeProperties(const Teuchos::ParameterList& material, const std::str
 }
 
 bool warmsWithoutHeat(const std::string& model) { return anyWarms(model, Laws{}); }
+
+const std::vector<std::string>& lawsWithDamage()
+{
+  static const std::vector<std::string> names = damagingLaws(Laws{});
+  return names;
+}
 
 const char* refusesHeat(const Properties& properties)
 {

@@ -6,6 +6,7 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <string>
+#include <vector>
 
 namespace Rhegma
 {
@@ -20,6 +21,9 @@ bool warmsWithoutHeat(const std::string& model);
 
 /// Why the law of a material can't be used in a scene with heat; null where it can.
 const char* refusesHeat(const Properties& properties);
+
+/// Names of the laws that have a damage; at least one.
+const std::vector<std::string>& lawsWithDamage();
 
 /// Stress in tension at which a material first flows; 0 where it does not [Pa].
 double firstYield(const Properties& properties);

@@ -128,6 +128,29 @@ struct DissipationCall
   }
 };
 
+struct DamageCall
+{
+  const Properties& properties;
+  const double* history;
+  template <class Law, int D, Plane>
+  KOKKOS_INLINE_FUNCTION double run() const
+  {
+    if constexpr (Law::damages)
+      return Law::template damage<D>(properties, history);
+    else
+      return 0.0;
+  }
+};
+
+struct DamagesCall
+{
+  template <class Law, int D, Plane>
+  KOKKOS_INLINE_FUNCTION bool run() const
+  {
+    return Law::damages;
+  }
+};
+
 struct MeanCall
 {
   int variable;
@@ -193,6 +216,19 @@ template <int D>
 KOKKOS_INLINE_FUNCTION double dissipatedEnergy(const Properties& properties, const double* history)
 {
   return withLaw<D>(properties.law, properties.plane, DissipationCall{history});
+}
+
+/// Damage, from 0 of a whole to 1 of a broken material; 0 for laws without one.
+template <int D>
+KOKKOS_INLINE_FUNCTION double damageOf(const Properties& properties, const double* history)
+{
+  return withLaw<D>(properties.law, properties.plane, DamageCall{properties, history});
+}
+
+/// Whether a law has a damage.
+inline bool damages(const Properties& properties)
+{
+  return withLaw<3>(properties.law, Plane::Solid, DamagesCall{});
 }
 
 /// Numbers that a law stores per particle.

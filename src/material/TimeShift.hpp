@@ -14,6 +14,19 @@ constexpr double williamsLandelFerry = 1.0;
 constexpr double arrhenius = 2.0;
 } // namespace ShiftKind
 
+/// Numbers of a shift; they lie together in Properties::own.
+namespace ShiftNumber
+{
+enum
+{
+  shift = 0, ///< ShiftKind
+  first,     ///< C1 of Williams, Landel, Ferry, or the activation temperature [K]
+  second,    ///< C2 of Williams, Landel, Ferry [K]
+  reference, ///< temperature of the relaxation times [K]
+  size
+};
+} // namespace ShiftNumber
+
 /// 1 / a_T, by which relaxation is faster at a temperature [K].
 /// Williams, Landel, Ferry (J. Am. Chem. Soc. 77 (1955) 3701): log10 a_T = -c1 (T - T0) / (c2 + T - T0).
 /// Arrhenius: ln a_T = c1 (1/T - 1/T0), c1 the activation energy over the gas constant [K].
@@ -67,5 +80,25 @@ KOKKOS_INLINE_FUNCTION MaxwellStep maxwellStep(double ratio)
   const double gain = 1.0 - x * delay;
   return {x * gain, gain, delay};
 }
+
+/// Maxwell elements over a step of a material without heat, or of one particle.
+template <int Most>
+struct MaxwellSteps
+{
+  int count;
+  MaxwellStep step[Most];
+
+  /// \param times relaxation times, `count` of them [s] \param shift ShiftNumber of them
+  KOKKOS_INLINE_FUNCTION MaxwellSteps(double elements, const double* times, const double* shift, double dt,
+                                      double temperature)
+      : count(static_cast<int>(std::lround(elements)))
+  {
+    using namespace ShiftNumber;
+    const double faster =
+        inverseTimeShift(shift[0], shift[first], shift[second], shift[reference], temperature);
+    for (int i = 0; i < count; ++i)
+      step[i] = maxwellStep(dt * faster / times[i]);
+  }
+};
 
 } // namespace Rhegma

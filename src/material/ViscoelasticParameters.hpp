@@ -2,15 +2,13 @@
 /// Parameters of the law Viscoelastic: their description in a scene, and their reading.
 
 #include "material/LawParameters.hpp"
+#include "material/MaxwellElements.hpp"
 #include "material/TimeShift.hpp"
 
 #include <vector>
 
 namespace Rhegma
 {
-
-/// Most Maxwell elements that one material has.
-constexpr int maxwellElements = 5;
 
 /// Indices in Properties::own of the law Viscoelastic.
 namespace PronyNumber
@@ -24,17 +22,15 @@ enum
   longShear,                      ///< shear modulus after relaxation [Pa]
   longBulk,                       ///< bulk modulus after relaxation [Pa]
   volumetric,                     ///< 1 where the bulk modulus relaxes, else 0
-  shift,                          ///< ShiftKind
-  first,                          ///< C1 of Williams, Landel, Ferry, or the activation temperature [K]
-  second,                         ///< C2 of Williams, Landel, Ferry [K]
-  reference,                      ///< temperature of the relaxation times [K]
-  size
+  shift,                          ///< the first ShiftNumber
+  size = shift + ShiftNumber::size
 };
 static_assert(size <= lawNumbers);
 } // namespace PronyNumber
 
+/// Elasticity at once, and how the shear modulus relaxes.
 template <class Section>
-void describeViscoelasticity(Section& s)
+void describeRelaxation(Section& s)
 {
   describeDensity(s);
   s.real("Young Modulus").unit("Pa").positive().meaning("Young's modulus at once, before relaxation.");
@@ -46,9 +42,12 @@ void describeViscoelasticity(Section& s)
       .meaning(
           "Fraction of the shear modulus that relaxes with each time: G(t) / G(0) = 1 - sum g (1 - exp(-t / "
           "time)). Not negative; their sum is at most 1.");
-  s.realArray("Bulk Fractions")
-      .optional("all 0")
-      .meaning("The same for the bulk modulus. Their sum must be below 1.");
+}
+
+/// How relaxation times depend on temperature, and heat of what is dissipated.
+template <class Section>
+void describeTimeShift(Section& s)
+{
   s.choice("Time Shift", {"None", "Williams-Landel-Ferry", "Arrhenius"})
       .byDefault("None")
       .meaning("How relaxation times depend on temperature.");
@@ -69,8 +68,18 @@ void describeViscoelasticity(Section& s)
   s.real("Plastic Heat Fraction")
       .range(0.0, 1.0)
       .byDefault(1.0)
-      .meaning("Fraction of the viscous work that becomes heat. Used with the section Thermal.");
+      .meaning("Fraction of the dissipated work that becomes heat. Used with the section Thermal.");
   s.allOrNoneOf({"WLF C1", "WLF C2"});
+}
+
+template <class Section>
+void describeViscoelasticity(Section& s)
+{
+  describeRelaxation(s);
+  s.realArray("Bulk Fractions")
+      .optional("all 0")
+      .meaning("The same for the bulk modulus. Their sum must be below 1.");
+  describeTimeShift(s);
 }
 
 namespace detail
@@ -101,14 +110,30 @@ std::vector<double> readFractions(const Reader& reader, const std::string& name,
   return values;
 }
 
+/// Relaxation times, 1 to maxwellElements.
+template <class Reader>
+std::vector<double> readTimes(const Reader& reader)
+{
+  std::vector<double> times = reader.numbers("Relaxation Times");
+  if (times.empty() || times.size() > maxwellElements)
+    reader.refuse("Relaxation Times", "has " + std::to_string(times.size()) + " numbers; give 1 to " +
+                                          std::to_string(maxwellElements) + " relaxation times [s].");
+  for (const double t : times)
+    if (!(t > 0.0))
+      reader.refuse("Relaxation Times", "has " + Reader::text(t) + "; every time must be > 0 s.");
+  return times;
+}
+
 } // namespace detail
 
+/// Sets the numbers that `inverseTimeShift` needs. \param numbers ShiftNumber of them, in Properties::own
 template <class Reader>
-void readTimeShift(const Reader& reader, Properties& m)
+void readTimeShift(const Reader& reader, Properties& m, double* numbers)
 {
-  using namespace PronyNumber;
-  m.own[reference] = reader.has("Shift Temperature") ? reader.positive("Shift Temperature", "temperature [K]")
-                                                     : m.temperature;
+  using namespace ShiftNumber;
+  numbers[reference] = reader.has("Shift Temperature")
+                           ? reader.positive("Shift Temperature", "temperature [K]")
+                           : m.temperature;
   const std::string kind = reader.choice("Time Shift", "None");
   const bool hasWlf = reader.has("WLF C1") || reader.has("WLF C2");
   if (hasWlf && kind != "Williams-Landel-Ferry")
@@ -121,19 +146,20 @@ void readTimeShift(const Reader& reader, Properties& m)
                                     "remove it.");
   if (kind == "Williams-Landel-Ferry")
   {
-    m.own[shift] = ShiftKind::williamsLandelFerry;
-    m.own[first] = reader.positive("WLF C1", "constant");
-    m.own[second] = reader.positive("WLF C2", "constant [K]");
-    if (!(m.temperature > m.own[reference] - m.own[second]))
-      reader.refuse("WLF C2", "is " + Reader::text(m.own[second]) + " K: the shift of Williams, Landel and " +
+    numbers[shift] = ShiftKind::williamsLandelFerry;
+    numbers[first] = reader.positive("WLF C1", "constant");
+    numbers[second] = reader.positive("WLF C2", "constant [K]");
+    if (!(m.temperature > numbers[reference] - numbers[second]))
+      reader.refuse("WLF C2", "is " + Reader::text(numbers[second]) +
+                                  " K: the shift of Williams, Landel and " +
                                   "Ferry holds for Reference Temperature = " + Reader::text(m.temperature) +
                                   " K > Shift Temperature - WLF C2 = " +
-                                  Reader::text(m.own[reference] - m.own[second]) + " K only.");
+                                  Reader::text(numbers[reference] - numbers[second]) + " K only.");
   }
   else if (kind == "Arrhenius")
   {
-    m.own[shift] = ShiftKind::arrhenius;
-    m.own[first] = reader.positive("Activation Temperature", "activation energy over the gas constant [K]");
+    numbers[shift] = ShiftKind::arrhenius;
+    numbers[first] = reader.positive("Activation Temperature", "activation energy over the gas constant [K]");
   }
   else if (kind != "None")
     reader.refuse("Time Shift", "is \"" + kind + "\"; write None, Williams-Landel-Ferry or Arrhenius.");
@@ -144,13 +170,7 @@ void readViscoelasticity(const Reader& reader, Properties& m)
 {
   using namespace PronyNumber;
   readElasticity(reader, -1.0, m);
-  const std::vector<double> times = reader.numbers("Relaxation Times");
-  if (times.empty() || times.size() > maxwellElements)
-    reader.refuse("Relaxation Times", "has " + std::to_string(times.size()) + " numbers; give 1 to " +
-                                          std::to_string(maxwellElements) + " relaxation times [s].");
-  for (const double t : times)
-    if (!(t > 0.0))
-      reader.refuse("Relaxation Times", "has " + Reader::text(t) + "; every time must be > 0 s.");
+  const std::vector<double> times = detail::readTimes(reader);
   const std::vector<double> g = detail::readFractions(reader, "Shear Fractions", times.size(), false);
   const std::vector<double> k = detail::readFractions(reader, "Bulk Fractions", times.size(), true);
   m.own[count] = static_cast<double>(times.size());
@@ -166,7 +186,7 @@ void readViscoelasticity(const Reader& reader, Properties& m)
     m.own[volumetric] = k[i] > 0.0 ? 1.0 : m.own[volumetric];
   }
   m.own[longShear] = m.own[longShear] > 0.0 ? m.own[longShear] : 0.0;
-  readTimeShift(reader, m);
+  readTimeShift(reader, m, m.own + shift);
 }
 
 } // namespace Rhegma

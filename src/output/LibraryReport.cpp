@@ -3,6 +3,8 @@
 #include "base/EntryValue.hpp"
 #include "scene/FillFromLibrary.hpp"
 
+#include <Teuchos_Array.hpp>
+
 namespace Rhegma
 {
 
@@ -17,6 +19,8 @@ void reportLibrary(const Teuchos::ParameterList& scene, const SceneSchema& schem
         one["values"][value.name] = *number;
       else if (const auto* text = valueIf<std::string>(value.entry))
         one["values"][value.name] = *text;
+      else if (const auto* numbers = valueIf<Teuchos::Array<double>>(value.entry))
+        one["values"][value.name] = std::vector<double>(numbers->begin(), numbers->end());
     summary["library"].push_back(one);
   }
 }

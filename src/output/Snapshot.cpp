@@ -1,6 +1,7 @@
 #include "output/Snapshot.hpp"
 
 #include "output/CellMesh.hpp"
+#include "state/ParticleDamage.hpp"
 #include "state/ParticleStress.hpp"
 
 #include <algorithm>
@@ -99,6 +100,8 @@ void addRequested(const State<D>& state, const RequestedFields& fields, OutputMe
         derived("principal_stress", state, PrincipalStressOf<D>{ParticleStress<D>(state.particles)}));
   if (fields.energyDensity)
     mesh.data.push_back(derived("energy_density", state, EnergyDensityOf<D>{ParticleEnergy<D>(state)}));
+  if (fields.damage && hasDamage(state))
+    mesh.data.push_back(derived("damage", state, DamageOf<D>(state)));
 }
 
 /// F row by row, nine columns.

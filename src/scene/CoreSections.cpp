@@ -1,8 +1,11 @@
 #include "scene/CoreSections.hpp"
 
+#include "base/EntryValue.hpp"
 #include "material/Laws.hpp"
+#include "material/MaterialTable.hpp"
 #include "scene/CoreBodies.hpp"
 #include "scene/HeatParameters.hpp"
+#include "scene/NearestName.hpp"
 #include "scene/Schema.hpp"
 
 namespace Rhegma
@@ -239,7 +242,7 @@ void addRulesOfTime(Section& s)
   s.refuse({when::given("Materials > *", "Bulk Fractions"), when::present("Thermal")},
            "thermal strain does not reach relaxing bulk moduli; leave Bulk Fractions out, or remove Thermal");
   s.refuse(
-      {when::is("Materials > *", "Model", {"Viscoelastic", "High-Rate Solid"}),
+      {when::is("Materials > *", "Model", {"Viscoelastic", "High-Rate Solid", "ViscoSCRAM"}),
        when::isNot("Time", "Initial State", {"Unloaded"})},
       "the equilibrium at the start has no time in which it could relax or flow; write Time > Initial State "
       "= Unloaded");
@@ -250,7 +253,7 @@ void addRulesOfStatic(Section& s)
 {
   const Condition isStatic = when::is("Time", "Analysis", {"Static"});
   s.refuse(
-      {when::is("Materials > *", "Model", {"Viscoelastic"}), isStatic},
+      {when::is("Materials > *", "Model", {"Viscoelastic", "ViscoSCRAM"}), isStatic},
       "a static analysis has no time in which it could relax; write Time > Analysis = Quasi-Static, with "
       "loads as functions of time");
   s.refuse({when::above("Materials > *", "Johnson-Cook C", 0.0), isStatic},
@@ -290,6 +293,18 @@ Section boundaries(const std::vector<Section>& types)
   return s;
 }
 
+/// Whether no material of the section has a law with a damage.
+bool haveNoDamage(const Teuchos::ParameterList& materials)
+{
+  for (const auto& entry : materials)
+    if (const auto* material = valueIf<Teuchos::ParameterList>(entry.second))
+      if (const auto* model = valueIf<std::string>(*material, "Model"))
+        for (const std::string& law : lawsWithDamage())
+          if (*model == law)
+            return false;
+  return true;
+}
+
 Section output()
 {
   Section s("Output", "Which results are written, and how often.");
@@ -314,6 +329,13 @@ Section output()
       .byDefault(false)
       .meaning("Whether the fields have the elastic energy of each particle per undeformed volume, "
                "energy_density [J/m3].");
+  s.boolean("Damage").byDefault(false).meaning(
+      "Whether the fields have the damage of each particle, damage: from 0 of a whole to 1 of a "
+      "broken material, 0 where the law has none. Needs a law that has one.");
+  s.refuse({when::is("Output", "Damage", {"true"}),
+            when::satisfies("Materials", "without a law that has a damage", haveNoDamage)},
+           "no material has a damage; write Materials > NAME > Model = " + asText(lawsWithDamage()) +
+               ", or Damage = false");
   s.choice("Front Values", {"With Fields", "With History", "None"})
       .onlyIn(3)
       .byDefault("With Fields")

@@ -8,6 +8,8 @@
 #include "scene/NearestName.hpp"
 #include "scene/Validation.hpp"
 
+#include <Teuchos_Array.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -102,9 +104,11 @@ ParameterEntry entryOf(const LibraryConstant& constant, const Parameter& paramet
   std::optional<double> number = parseReal(constant.value);
   if (const double atRest = constant.atRest(); !number && !parameter.mayBeTable && std::isfinite(atRest))
     number = atRest;
-  if (parameter.type != ParameterType::Real || !number)
+  if (const auto numbers = parseReals(constant.value); numbers && parameter.type == ParameterType::RealArray)
+    entry.setValue(Teuchos::Array<double>(*numbers)); // in SI units
+  else if (parameter.type != ParameterType::Real || !number)
     entry.setValue(constant.value);
-  else if (constant.unit.empty())
+  else if (constant.unit.empty() || constant.unit == parameter.unit)
     entry.setValue(*number);
   else
     entry.setValue(conversionOf(constant.unit, parameter.unit, parameter.temperature)(*number));
@@ -202,13 +206,18 @@ private:
 /// A value for a message.
 std::string valueText(const LibraryUse::Value& value)
 {
-  const auto* number = valueIf<double>(value.entry);
-  const auto* text = valueIf<std::string>(value.entry);
-  return value.name + " = " +
-         (number != nullptr ? formatShort(*number)
-          : text != nullptr ? *text
-                            : "") +
-         (value.unit.empty() ? "" : " " + value.unit);
+  std::string text;
+  if (const auto* number = valueIf<double>(value.entry))
+    text = formatShort(*number);
+  else if (const auto* word = valueIf<std::string>(value.entry))
+    text = *word;
+  else if (const auto* numbers = valueIf<Teuchos::Array<double>>(value.entry))
+  {
+    for (const double one : *numbers)
+      text += (text.empty() ? "{" : ", ") + formatShort(one);
+    text += "}";
+  }
+  return value.name + " = " + text + (value.unit.empty() ? "" : " " + value.unit);
 }
 
 } // namespace

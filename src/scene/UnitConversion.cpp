@@ -230,7 +230,9 @@ UnitConversion conversionOf(const std::string& given, const std::string& expecte
 {
   const std::lock_guard<std::mutex> lock(unitMutex());
   const auto to = unitSystem().measure(expected);
-  if (!to)
+  if ((!to || hasRoot(expected)) && given == expected)
+    return {1.0, 0.0};
+  if (!to || hasRoot(expected))
     throw std::invalid_argument("is given in " + given + ", but its unit " + expected +
                                 " is not converted; write its numbers in that unit and leave the unit out.");
   if (const std::string mistake = mistakeInUnitText(given, expected); !mistake.empty())
@@ -260,7 +262,7 @@ UnitConversion conversionOf(const std::string& given, const std::string& expecte
 bool isConvertible(const std::string& unit)
 {
   const std::lock_guard<std::mutex> lock(unitMutex());
-  return unitSystem().measure(unit).has_value();
+  return !hasRoot(unit) && unitSystem().measure(unit).has_value();
 }
 
 } // namespace Rhegma

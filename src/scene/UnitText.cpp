@@ -59,18 +59,6 @@ bool isInPower(const std::string& unit, std::size_t point)
   return at > 0 && (isLetter(unit[at - 1]) || unit[at - 1] == '^' || unit[at - 1] == '*');
 }
 
-/// Whether a unit has a root or a power that is not whole.
-bool hasFractionalPower(const std::string& unit)
-{
-  for (const char* sign : {"sqrt", "\xE2\x88\x9A" /* root */, "\xC2\xBD" /* one half */, "1/2"})
-    if (unit.find(sign) != std::string::npos)
-      return true;
-  for (std::size_t k = unit.find('.'); k != std::string::npos; k = unit.find('.', k + 1))
-    if (k + 1 < unit.size() && isDigit(unit[k + 1]) && isInPower(unit, k))
-      return true;
-  return false;
-}
-
 /// Whether all numbers of a unit are whole powers of one digit, but for the 1 of "1/K".
 bool hasOnlyPowers(const std::string& unit)
 {
@@ -94,6 +82,17 @@ bool hasOnlyPowers(const std::string& unit)
 }
 
 } // namespace
+
+bool hasRoot(const std::string& unit)
+{
+  for (const char* sign : {"sqrt", "\xE2\x88\x9A" /* root */, "\xC2\xBD" /* one half */, "1/2"})
+    if (unit.find(sign) != std::string::npos)
+      return true;
+  for (std::size_t k = unit.find('.'); k != std::string::npos; k = unit.find('.', k + 1))
+    if (k + 1 < unit.size() && isDigit(unit[k + 1]) && isInPower(unit, k))
+      return true;
+  return false;
+}
 
 std::optional<QuantityText> quantityOf(const std::string& text)
 {
@@ -128,8 +127,8 @@ std::string mistakeInUnitText(const std::string& given, const std::string& expec
   if (given.size() > longest)
     return "has a unit of more than " + std::to_string(longest) + " characters; write one such as " +
            expected + ".";
-  if (hasFractionalPower(given))
-    return start + ", a unit with a root, which no parameter has; " +
+  if (hasRoot(given))
+    return start + ", a unit with a root, which this parameter does not have; " +
            (expected == "J/m2" ? "a toughness K is given as the energy Gc = K^2 / E in plane stress, "
                                  "K^2 (1 - nu^2) / E in plane strain, in J/m2."
                                : "write a unit such as " + expected + ".");

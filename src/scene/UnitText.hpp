@@ -17,6 +17,9 @@ struct QuantityText
 /// Divides "2.5 MPa", "2.5MPa" or "{0, 1} mm". None if the text is anything else, such as an expression.
 std::optional<QuantityText> quantityOf(const std::string& text);
 
+/// Whether a unit has a root or a power that is not whole.
+bool hasRoot(const std::string& unit);
+
 /// Why no unit is written in this form: numbers other than whole powers, fractional powers, characters. Empty
 /// if it may be one. libudunits2 would read "m^0.5" as 0.5 and "10 mm" as 0.01 m.
 /// \param given    the unit

@@ -25,7 +25,7 @@ _OF_PARTS = {
 
 FIELD_UNITS = {
     "stress": "Pa", "von_mises": "Pa", "principal_stress": "Pa", "velocity": "m/s", "displacement": "m", "position": "m",
-    "temperature": "K", "mass": "kg", "energy_density": "J/m3", "edge": "m", "edges": "m",
+    "temperature": "K", "mass": "kg", "energy_density": "J/m3", "damage": "", "edge": "m", "edges": "m",
 }
 
 

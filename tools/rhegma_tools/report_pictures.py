@@ -56,12 +56,12 @@ def body_picture(fields, summary, title, quantity, view):
     asked = None if view.normal is None else (view.normal, view.where)
     factor, unit = draw_fields(fields, summary, title, target, quantity, asked=asked)
     name = label_of(quantity_shown(fields, quantity))
-    what = f"{name[0].upper()}{name[1:]} [{unit}] at t = {seconds(fields.time)}{section_of(view)}; {magnified(factor)}."
+    what = f"{name[0].upper()}{name[1:]}{f' [{unit}]' if unit else ''} at t = {seconds(fields.time)}{section_of(view)}; {magnified(factor)}."
     cracks = "" if fields.crack is None else " Lines are crack faces; a white dot is a crack front, a red one a front that stopped numerically."
     zero = not fields.values(quantity).any()
     scale = f" The {name} is zero everywhere." if zero else " The most extreme half percent of the values has the colours at the ends of the scale."
-    return Shown("png", target.getvalue(), f"{title}: the body, coloured by the {name} in {unit}, at t = {seconds(fields.time)}, {magnified(factor)}",
-                 what + cracks + (scale if name != "temperature" else ""))
+    return Shown("png", target.getvalue(), f"{title}: the body, coloured by the {name}{f' in {unit}' if unit else ''}, at t = "
+                 f"{seconds(fields.time)}, {magnified(factor)}", what + cracks + (scale if name != "temperature" else ""))
 
 
 def spatial_pictures(fields, summary, title, view):
@@ -103,6 +103,8 @@ def field_pictures(folder, summary, title):
     found = [body_picture(fields, summary, title, "principal", view)]
     if fields.temperature is not None and fields.stress is not None:
         found.append(body_picture(fields, summary, title, "temperature", view))
+    if "damage" in fields.names:
+        found.append(body_picture(read_fields(folder, None, "damage"), summary, title, "damage", view))
     first = read_fields(folder, fields.written[0]) if len(fields.written) > 1 else None
     if first is not None and first.values("principal").any():  # a picture of zeros shows nothing
         found.append(body_picture(first, summary, title, "principal", view))

@@ -141,6 +141,9 @@ def material(model):
         soft.update({"Yield Stress": 4e6, "Hardening Modulus": 1e8})
     elif model == "Viscoelastic":
         soft.update({"Relaxation Times": [1e-5, 1e-3], "Shear Fractions": [0.3, 0.2]})
+    elif model == "ViscoSCRAM":
+        soft.update({"Relaxation Times": [1e-5, 1e-3], "Shear Fractions": [0.3, 0.2], "Initial Crack Radius": 3e-5, "Crack Length Scale": 1e-4,
+                     "Crack Toughness": 3e4, "Crack Friction": 0.3, "Crack Growth Exponent": 10.0, "Maximum Crack Speed": 200.0})
     elif model == "High-Rate Solid":
         soft.update({"Johnson-Cook A": 4e6, "Johnson-Cook B": 1e7, "Johnson-Cook n": 0.3, "Johnson-Cook C": 0.02})
     return soft

@@ -1,7 +1,16 @@
 """Scenes with wrong materials, bodies, domains, times and loads."""
 
+from cracked_solid import CrackedSolid
 from scenes import ball, plate
 from wrong_rows import DENSITY, HISTORY, INF, MODULUS, NAN, RATIO, box, one
+
+CRACKED = CrackedSolid().parameters()
+
+
+def cracked(parameter, value):
+    """A plate of PBX 9501 with another constant."""
+    return plate().set("Materials", {"Polymer": {**CRACKED, parameter: value}})
+
 
 MATERIALS = [
     ("negative_modulus", plate().set(MODULUS, -3e9), one(MODULUS, "-3000000000", "above 0")),
@@ -9,6 +18,18 @@ MATERIALS = [
      plate().set("Time > Analysis", "Static").set("Materials > Polymer > Model", "Viscoelastic")
      .set("Materials > Polymer > Shear Fractions", [0.5]).set("Materials > Polymer > Relaxation Times", [1.0]),
      one("Materials > Polymer > Model", "no time", "Quasi-Static")),
+    ("static_analysis_of_a_body_that_relaxes_and_cracks",
+     plate().set("Materials", {"Polymer": CRACKED}).set("Time > Analysis", "Static"),
+     one("Materials > Polymer > Model", "no time", "Quasi-Static")),
+    ("cracks_larger_than_their_scale", cracked("Initial Crack Radius", 1e-3),
+     one("Materials > Polymer > Initial Crack Radius", "< Crack Length Scale = 0.001 m")),
+    ("toughness_of_cracks_in_wrong_units", cracked("Crack Toughness", 500.0),
+     one("Materials > Polymer > Crack Toughness", "J/m2 must be >= 0.001 J/m2", "kPa m^0.5")),
+    ("friction_without_a_limit", cracked("Crack Friction", 1.23), one("Materials > Polymer > Crack Friction", "2 mu^2 < 3 must hold")),
+    ("cracks_faster_than_waves", cracked("Maximum Crack Speed", 2000.0),
+     one("Materials > Polymer > Maximum Crack Speed", "is 2000 m/s; it must be <", "Rayleigh")),
+    ("damage_of_a_law_without_damage", plate().set("Output", {"Damage": True}),
+     one("Output > Damage", "no material has a damage", "ViscoSCRAM")),
     ("static_analysis_of_a_rate_of_flow",
      plate().set("Time > Analysis", "Static").set("Materials > Polymer > Model", "High-Rate Solid")
      .set("Materials > Polymer > Johnson-Cook A", 1e8).set("Materials > Polymer > Johnson-Cook C", 0.01),

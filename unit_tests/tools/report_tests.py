@@ -246,6 +246,17 @@ class Report(ToolTest):
         self.assertNotIn("Does the crack run?", page.text)
         self.assertIn("Temperature [K] at t = 2 s", page.text)
 
+    def test_damage_is_drawn_where_it_is_written(self):
+        start = np.c_[made_up_run.lattice(np.arange(0.5, 8), np.arange(0.5, 4)), np.zeros(32)]
+        body = made_up_run.particles(start, np.zeros((32, 3)), np.ones((32, 6)), 1.0)
+        for damage in (None, start[:, 0] / 8.0):
+            if damage is not None:
+                body["damage"] = damage
+            made_up_run.write_fields(self.folder, [(2.0, {"particles": body})])
+            made_up_run.write_history(self.folder, {"time": np.linspace(0.0, 2.0, 20), "strain": np.linspace(0.0, 1.0, 20)})
+            made_up_run.write_summary(self.folder)
+            self.assertEqual("Damage at t = 2 s" in self.page().text, damage is not None)
+
     def test_installed_copy(self):
         """Laid out as the rules of cmake/RhegmaInstall.cmake do, the tool finds its style and its script."""
         made_up_run.beam(self.folder)
