@@ -52,7 +52,8 @@ void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
     pairs.impulse = View<double* [D]>("rhegma::impulsesOfPairs", 2 * most);
     pairs.normal = View<double* [D]>("rhegma::normalsOfPairs", 2 * most);
     pairs.gap = View<double*>("rhegma::gapsOfPairs", 2 * most);
-    pairs.sticks = View<int*>("rhegma::stickingPairs", 2 * most);
+    pairs.loses = View<double* [2]>("rhegma::lossOfPairs", 2 * most);
+    pairs.aim = View<double* [D]>("rhegma::aimOfPairs", 2 * most);
     pairs.taken = View<double* [2]>("rhegma::energyOfPairs", 2 * most);
   }
   const NodalPairs<D> all = pairs;
