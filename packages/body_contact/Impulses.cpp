@@ -112,7 +112,7 @@ struct ExchangeImpulses
     Vector<D> aim{}, rest = free, pulling = force;
     for (int part = 0; part < 2; ++part)
     {
-      const double xi = dt * dt * stiffnessOf(q, n, part) / reduced, implicit = xi * xi / (1.0 + xi);
+      const double xi = dt * dt * stiffnessOf(s, q, n, part) / reduced, implicit = xi * xi / (1.0 + xi);
       const Vector<D> v = part == 0 ? dot(free, n) * n : rest, f = part == 0 ? dot(force, n) * n : pulling;
       rest = rest - v;
       pulling = pulling - f;
@@ -128,14 +128,16 @@ struct ExchangeImpulses
     return exchange(q, reduced * (aim - free));
   }
 
-  /// Stiffness of a node's springs along its normal (part 0), and the largest along the faces, at least what
-  /// couples the two where normals differ [N/m].
-  KOKKOS_INLINE_FUNCTION double stiffnessOf(int q, const Vector<D>& n, int part) const
+  /// Stiffness of a node's springs along its normal (part 0), and the largest along the faces, on free axes;
+  /// more where normals differ, by what couples the two [N/m].
+  KOKKOS_INLINE_FUNCTION double stiffnessOf(int s, int q, const Vector<D>& n, int part) const
   {
     Vector<D> product{};
     double trace = 0.0;
     for (int i = 0; i < D; ++i)
     {
+      if (held(s, i) != 0)
+        continue;
       trace += pairs.springs.stiffness(q, i, i);
       for (int j = 0; j < D; ++j)
         product[i] += pairs.springs.stiffness(q, i, j) * n[j];
