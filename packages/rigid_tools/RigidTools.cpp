@@ -4,6 +4,7 @@
 #include "base/Attempts.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "rigid_tools/ContactShares.hpp"
 #include "rigid_tools/Outline.hpp"
 #include "rigid_tools/PressedNodes.hpp"
 #include "rigid_tools/StartOverlap.hpp"
@@ -135,6 +136,14 @@ void press(Tools<D>& tools, State<D>& state)
     measureGaps(state, one.tool, one.touches, one.near, one.gaps);
     listContacts(state, one.tool, one.gaps, one.contacts);
     touching += one.contacts.count > 0 ? 1 : 0;
+  }
+  if (touching > 1)
+  {
+    std::vector<ToolContacts<D>*> contacts;
+    for (ToolInRun<D>& one : tools.all)
+      if (one.contacts.count > 0)
+        contacts.push_back(&one.contacts);
+    separateTools(state, contacts);
   }
   const int sweeps = touching > 1 ? mostSweeps : std::min(touching, 1);
   double changed = 0.0;

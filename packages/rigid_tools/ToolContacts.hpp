@@ -37,8 +37,13 @@ struct ToolContacts
   View<char*> sticks;        ///< not 0 where the two do not move along each other
   View<double* [2]> taken; ///< energy that contact takes in this step, and the part of it along the faces [J]
   View<double*> work;      ///< of the tool on the body in this step [J]
-  int count = 0;           ///< number of contacts
-  int cut = 0; ///< of a tool with a mass: contacts with less friction than their law has (FreeVelocity)
+  View<int*> shares;       ///< number of fields among which the impulse is divided; 0: left out
+  View<int * [1 << D]> shareRow; ///< their rows
+  View<double * [1 << D]> share; ///< of each; they add to 1 [-]
+  View<double*>
+      mass; ///< that takes the impulse: its velocity is that of the body at the contact [kg]; 0: left out
+  int count = 0; ///< number of contacts
+  int cut = 0;   ///< of a tool with a mass: contacts with less friction than their law has (FreeVelocity)
 
   // Kept from step to step, to be used again.
   View<int*> indexOfRow; ///< of each row of nodal values: its contact, or -1
