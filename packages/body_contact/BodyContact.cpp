@@ -5,6 +5,7 @@
 #include "body_contact/InterfacePoints.hpp"
 #include "scene/FrictionSection.hpp"
 #include "state/BodyGroup.hpp"
+#include "transfer/PressedNodes.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -167,6 +168,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [parts](State<D>& state) { start(parts, state); };
   effect.adds.push_back(
       {fields::bodyGroup, 1, "", "group of bodies that are bonded to each other, from 1 on", true});
+  effect.addsNodal.push_back(pressedNodesField(eachOther));
   effect.call(Stage::BetweenSteps, "bodies near each other", {quantity::particleOrder}, {}, {},
               [parts](State<D>& s) { watch(parts, s); });
   effect.call(Stage::Solve, "impulses between bodies",
@@ -179,6 +181,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                 if (parts->pairs.count > 0)
                 {
                   joinProjection(s, parts->shared, parts->pairs);
+                  keepPressedNodes(s, eachOther, parts->pairs.count, parts->pairs.node, parts->pairs.impulse);
                   moveInterfaces(s, parts->pairs, parts->interfaces);
                 }
                 parts->record->add(s, parts->pairs, parts->interfaces);

@@ -3,6 +3,7 @@
 #include "base/SmallLoops.hpp"
 #include "body_contact/NodalContact.hpp"
 #include "boundary/HeldMarks.hpp"
+#include "transfer/PressedNodes.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -31,6 +32,8 @@ struct ExchangeImpulses
   NodalPairs<D> pairs;
   PairLaws laws;
   View<char* [D]> held;
+  PressedNodes pressed;
+  double reach; ///< gap up to which nodes that pressed in the last step still do [m]
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int s) const
@@ -41,7 +44,7 @@ struct ExchangeImpulses
     {
       double changed = 0.0, largest = 0.0;
       for (int q = begin; q < end; ++q)
-        if (const bool joined = pairs.springs.join(q); joined || pairs.gap(q) <= 0.0)
+        if (const bool joined = pairs.springs.join(q); joined || touches(q))
         {
           changed = std::fmax(changed, joined ? pull(s, q) : press(s, q));
           for (int d = 0; d < D; ++d)
@@ -50,6 +53,13 @@ struct ExchangeImpulses
       if (!(changed > settledChange * largest))
         return;
     }
+  }
+
+  /// Whether two fields touch, or still do. Else faces between rows of nodes are soft by what they approach
+  /// until their domains meet again in each step.
+  KOKKOS_INLINE_FUNCTION bool touches(int q) const
+  {
+    return pairs.gap(q) <= (pressed(pairs.node(q)) ? reach : 0.0);
   }
 
   /// Brings the impulse of a pair to the one with which its law holds, the others as they are. \return the
@@ -276,7 +286,14 @@ void exchangeImpulses(const State<D>& state, const SharedNodes<D>& shared, const
     return;
   const View<char* [D]> held("rhegma::heldSharedNodes", shared.count);
   markHeldAxes(state, shared.node, shared.count, held);
-  const ExchangeImpulses<D> exchange{state.mesh.nodes, shared, pairs, laws, held, state.clock.dt};
+  const ExchangeImpulses<D> exchange{state.mesh.nodes,
+                                     shared,
+                                     pairs,
+                                     laws,
+                                     held,
+                                     pressedNodes(state, eachOther),
+                                     stillClosed * state.mesh.grid.spacing,
+                                     state.clock.dt};
   parallelForSmall("rhegma::exchangeImpulses", shared.count, exchange);
 }
 

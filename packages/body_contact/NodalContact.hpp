@@ -28,6 +28,7 @@ struct NodalPairs
   View<int*> first;          ///< pairs of shared node s: first(s) .. first(s + 1) - 1
   View<int* [2]> group;      ///< the two groups, the lower number first
   View<int* [2]> row;        ///< rows of their fields
+  View<int*> node;           ///< at which they are
   View<double* [D]> impulse; ///< in this step [N s]; zero where the two do not press on each other
   View<double* [D]> normal;  ///< unit normal from the first to the second, along axes that no support holds
   View<double*> gap;         ///< between their particles' domains along the normal; negative: overlap [m]
@@ -39,6 +40,9 @@ struct NodalPairs
   View<double* [2]> taken; ///< energy that contact takes in this step, and the part of it along the faces [J]
   int count = 0;           ///< number of pairs
 };
+
+/// What nodes press on where bodies meet (pressedNodesField).
+inline const std::string eachOther = "each other";
 
 /// What a pair of groups has exchanged in a step.
 template <int D>

@@ -6,10 +6,10 @@
 #include "base/ShortNumber.hpp"
 #include "rigid_tools/ContactShares.hpp"
 #include "rigid_tools/Outline.hpp"
-#include "rigid_tools/PressedNodes.hpp"
 #include "rigid_tools/StartOverlap.hpp"
 #include "rigid_tools/ToolRecord.hpp"
 #include "rigid_tools/ToolSection.hpp"
+#include "transfer/PressedNodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -194,7 +194,7 @@ void move(Tools<D>& tools, State<D>& state)
     if (!one.tool.hasMass())
       state.energy.externalWork += sums.work;
     state.energy.externalWork += one.tool.endStep(state.clock.dt);
-    keepPressedNodes(state, one.tool.name(), one.contacts);
+    keepPressedNodes(state, one.tool.name(), one.contacts.count, one.contacts.node, one.contacts.impulse);
   }
   state.energy.tools = kineticEnergyOf(tools);
 }

@@ -3,8 +3,8 @@
 #include "base/SmallLoops.hpp"
 #include "boundary/HeldMarks.hpp"
 #include "rigid_tools/ContactShares.hpp"
-#include "rigid_tools/PressedNodes.hpp"
 #include "transfer/ParticleViews.hpp"
+#include "transfer/PressedNodes.hpp"
 
 #include <algorithm>
 #include <utility>

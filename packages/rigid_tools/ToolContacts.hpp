@@ -6,9 +6,6 @@
 namespace Rhegma::rigid_tools
 {
 
-/// Largest gap of particles that touch a tool, at nodes that pressed on it in the last step [cells].
-constexpr double stillClosed = 0.1;
-
 /// How far the domains of the particles next to a tool are from it.
 template <int D>
 struct ParticleGaps
@@ -46,6 +43,7 @@ struct ToolContacts
   int cut = 0;   ///< of a tool with a mass: contacts with less friction than their law has (FreeVelocity)
 
   // Kept from step to step, to be used again.
+  View<char*> several;   ///< of each lattice node: not 0 while those with more than one field are marked
   View<int*> indexOfRow; ///< of each row of nodal values: its contact, or -1
   View<int*> marked;     ///< rows at which particles touch the tool, before they are sorted
   View<int*> first;      ///< particles of contact k: particle(first(k)) .. particle(first(k + 1) - 1)
