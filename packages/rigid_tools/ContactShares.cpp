@@ -28,7 +28,8 @@ struct ShareContact
   NodePositions<D> positions;
   ToolContacts<D> contacts;
   Vector<D> centre;
-  bool alone; ///< whether contacts keep their own nodes
+  bool alone;          ///< whether contacts keep their own nodes
+  View<char*> several; ///< of each lattice node: whether it has several fields; empty: none has
 
   KOKKOS_INLINE_FUNCTION void operator()(const int c) const
   {
@@ -62,6 +63,15 @@ struct ShareContact
     contacts.share(c, 0) = 1.0;
   }
 
+  /// Whether one of the nodes has several fields, so that its own row may be another body's.
+  KOKKOS_INLINE_FUNCTION bool anySeveral(const int (&row)[1 << D], const double (&weight)[1 << D]) const
+  {
+    bool any = false;
+    for (int e = 0; e < (1 << D) && several.extent(0) > 0; ++e)
+      any = any || (weight[e] > 0.0 && several(row[e]) != 0);
+    return any;
+  }
+
   /// \return whether the contact is divided among nodes with mass
   KOKKOS_INLINE_FUNCTION bool divide(int c, const Vector<D>& foot) const
   {
@@ -83,6 +93,8 @@ struct ShareContact
       row[e] = grid.nodeIndex(at);
       heaviest = std::fmax(heaviest, weight[e] > 0.0 ? nodes.sums(row[e], Nodes<D>::massAt) : 0.0);
     }
+    if (anySeveral(row, weight))
+      return false;
     int kept = 0;
     for (int e = 0; e < (1 << D); ++e)
       if (weight[e] > 1e-9 && nodes.sums(row[e], Nodes<D>::massAt) > lightest * heaviest)
@@ -100,6 +112,16 @@ struct ShareContact
   }
 };
 
+/// Sets the marks of nodes with several fields.
+template <int D>
+void markSeveral(const State<D>& state, const View<char*>& several, char mark)
+{
+  const View<int*> parent = state.mesh.nodes.parent;
+  parallelForSmall(
+      "rhegma::markNodesWithSeveralFields", state.mesh.nodes.numEnriched,
+      KOKKOS_LAMBDA(const int r) { several(parent(r)) = mark; });
+}
+
 /// Gives all contacts of a tool their own node again if one of its nodes is another tool's, too.
 template <int D>
 void keepOwnNodes(const State<D>& state, const ToolContacts<D>& contacts, const std::map<int, int>& toolOf)
@@ -116,20 +138,29 @@ void keepOwnNodes(const State<D>& state, const ToolContacts<D>& contacts, const 
   }
   if (!common)
     return;
-  const ShareContact<D> share{state.mesh.grid, state.mesh.nodes, nodePositions(state),
-                              contacts,        Vector<D>{},      true};
+  const ShareContact<D> share{
+      state.mesh.grid, state.mesh.nodes, nodePositions(state), contacts, Vector<D>{}, true, {}};
   parallelForSmall("rhegma::keepOwnNodesOfTool", contacts.count, share);
 }
 
 } // namespace
 
 template <int D>
-void shareContacts(const State<D>& state, const Vector<D>& centre, const ToolContacts<D>& contacts)
+void shareContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts)
 {
-  const bool alone = state.mesh.tree.refined() || state.mesh.nodes.numEnriched > 0;
-  parallelForSmall(
-      "rhegma::shareContactsOfTool", contacts.count,
-      ShareContact<D>{state.mesh.grid, state.mesh.nodes, nodePositions(state), contacts, centre, alone});
+  const bool alone = state.mesh.tree.refined(), fields = state.mesh.nodes.numEnriched > 0;
+  if (fields && static_cast<int>(contacts.several.extent(0)) < state.mesh.nodes.numLattice)
+    contacts.several = View<char*>("rhegma::nodesWithSeveralFields", state.mesh.nodes.numLattice);
+  markSeveral(state, contacts.several, 1);
+  const ShareContact<D> share{state.mesh.grid,
+                              state.mesh.nodes,
+                              nodePositions(state),
+                              contacts,
+                              centre,
+                              alone,
+                              fields ? contacts.several : View<char*>()};
+  parallelForSmall("rhegma::shareContactsOfTool", contacts.count, share);
+  markSeveral(state, contacts.several, 0);
   if (alone)
     return;
   // An axis is held if a support holds one of the nodes along it.
@@ -177,8 +208,8 @@ void separateTools(const State<D>& state, const std::vector<ToolContacts<D>*>& a
     keepOwnNodes(state, *contacts, toolOf);
 }
 
-template void shareContacts(const State<2>&, const Vector<2>&, const ToolContacts<2>&);
-template void shareContacts(const State<3>&, const Vector<3>&, const ToolContacts<3>&);
+template void shareContacts(const State<2>&, const Vector<2>&, ToolContacts<2>&);
+template void shareContacts(const State<3>&, const Vector<3>&, ToolContacts<3>&);
 template void separateTools(const State<2>&, const std::vector<ToolContacts<2>*>&);
 template void separateTools(const State<3>&, const std::vector<ToolContacts<3>*>&);
 

@@ -15,7 +15,7 @@ namespace Rhegma::rigid_tools
 /// half a cell, whose point another one has too. Where cells are refined, or nodes have several fields, the
 /// contact keeps its own node. \param centre of rotation of the tool, now [m]
 template <int D>
-void shareContacts(const State<D>& state, const Vector<D>& centre, const ToolContacts<D>& contacts);
+void shareContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts);
 
 /// Velocity of the body at the point of a contact, of nodal values whose first D columns it is. [m/s]
 template <int D, class Velocity>

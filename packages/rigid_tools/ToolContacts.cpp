@@ -283,7 +283,7 @@ void listParticles(const State<D>& state, const ParticleGaps<D>& gaps, ToolConta
 
 /// Clears the marks of the rows, and takes held axes out of the normals.
 template <int D>
-void finishContacts(const State<D>& state, const Vector<D>& centre, const ToolContacts<D>& contacts)
+void finishContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts)
 {
   markHeldAxes(state, contacts.node, contacts.count, contacts.held);
   shareContacts(state, centre, contacts);
