@@ -170,7 +170,7 @@ KOKKOS_INLINE_FUNCTION void turn(const double (&g)[2][2], double dt, Vector<2>& 
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       rate += n[i] * g[i][j] * t[j];
-  // From t towards n is against the clock if t is n turned clockwise.
+  // From t towards n is counter-clockwise if t is n turned clockwise.
   const double c = std::cos(rate * dt), s = std::sin(rate * dt);
   n = {c * n[0] - s * n[1], s * n[0] + c * n[1]};
   jump = {c * jump[0] - s * jump[1], s * jump[0] + c * jump[1]};

@@ -4,7 +4,7 @@
 #include "base/Attempts.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
-#include "rigid_tools/ContactShares.hpp"
+#include "rigid_tools/ContactParts.hpp"
 #include "rigid_tools/Outline.hpp"
 #include "rigid_tools/StartOverlap.hpp"
 #include "rigid_tools/ToolRecord.hpp"

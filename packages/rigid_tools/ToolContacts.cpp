@@ -2,7 +2,7 @@
 
 #include "base/SmallLoops.hpp"
 #include "boundary/HeldMarks.hpp"
-#include "rigid_tools/ContactShares.hpp"
+#include "rigid_tools/ContactParts.hpp"
 #include "transfer/ParticleViews.hpp"
 #include "transfer/PressedNodes.hpp"
 
@@ -212,9 +212,9 @@ void reserve(ToolContacts<D>& contacts, int count)
   contacts.sticks = View<char*>("rhegma::stickingAtTool", rows);
   contacts.taken = View<double* [2]>("rhegma::energyAtTool", rows);
   contacts.work = View<double*>("rhegma::workOfTool", rows);
-  contacts.shares = View<int*>("rhegma::sharesAtTool", rows);
-  contacts.shareRow = View<int * [1 << D]>("rhegma::rowsOfSharesAtTool", rows);
-  contacts.share = View<double * [1 << D]>("rhegma::shareAtTool", rows);
+  contacts.parts = View<int*>("rhegma::partsAtTool", rows);
+  contacts.partRow = View<int * [1 << D]>("rhegma::rowsOfPartsAtTool", rows);
+  contacts.part = View<double * [1 << D]>("rhegma::partAtTool", rows);
   contacts.mass = View<double*>("rhegma::massAtTool", rows);
   contacts.first = View<int*>("rhegma::firstParticleAtTool", rows + 1);
 }
@@ -286,7 +286,7 @@ template <int D>
 void finishContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts)
 {
   markHeldAxes(state, contacts.node, contacts.count, contacts.held);
-  shareContacts(state, centre, contacts);
+  divideContacts(state, centre, contacts);
   const ToolContacts<D> at = contacts;
   parallelForSmall(
       "rhegma::freeNormalsAtTool", contacts.count, KOKKOS_LAMBDA(const int c) {

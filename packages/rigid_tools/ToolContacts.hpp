@@ -34,9 +34,9 @@ struct ToolContacts
   View<char*> sticks;        ///< not 0 where the two do not move along each other
   View<double* [2]> taken; ///< energy that contact takes in this step, and the part of it along the faces [J]
   View<double*> work;      ///< of the tool on the body in this step [J]
-  View<int*> shares;       ///< number of fields among which the impulse is divided; 0: left out
-  View<int * [1 << D]> shareRow; ///< their rows
-  View<double * [1 << D]> share; ///< of each; they add to 1 [-]
+  View<int*> parts;        ///< number of fields among which the impulse is divided; 0: left out
+  View<int * [1 << D]> partRow; ///< their rows
+  View<double * [1 << D]> part; ///< of each; they add to 1 [-]
   View<double*>
       mass; ///< that takes the impulse: its velocity is that of the body at the contact [kg]; 0: left out
   int count = 0; ///< number of contacts

@@ -1,7 +1,7 @@
 #include "rigid_tools/ToolImpulses.hpp"
 
 #include "base/SmallLoops.hpp"
-#include "rigid_tools/ContactShares.hpp"
+#include "rigid_tools/ContactParts.hpp"
 #include "rigid_tools/FreeVelocity.hpp"
 
 #include <algorithm>
@@ -149,10 +149,10 @@ struct ApplyImpulses
       if (change == 0.0)
         continue;
       contacts.impulse(c, d) = fraction == 1.0 ? contacts.wanted(c, d) : contacts.impulse(c, d) + change;
-      for (int e = 0; e < contacts.shares(c); ++e)
+      for (int e = 0; e < contacts.parts(c); ++e)
       {
-        const int row = contacts.shareRow(c, e);
-        const double mass = nodes.sums(row, Nodes<D>::massAt), part = contacts.share(c, e) * change;
+        const int row = contacts.partRow(c, e);
+        const double mass = nodes.sums(row, Nodes<D>::massAt), part = contacts.part(c, e) * change;
         nodes.motion(row, d) += part / mass;
         nodes.motion(row, Nodes<D>::accelerationAt + d) += part / (mass * dt);
       }
@@ -243,11 +243,11 @@ struct JoinProjection
       toTool[d] = contacts.held(c, d) != 0 ? 0.0 : surface[d] - velocity[d];
     const Vector<D> normal = dot(toTool, n) * n;
     const Vector<D> face = contacts.sticks(c) != 0 ? toTool - normal : Vector<D>{};
-    for (int e = 0; e < contacts.shares(c); ++e)
+    for (int e = 0; e < contacts.parts(c); ++e)
     {
-      const int row = contacts.shareRow(c, e);
+      const int row = contacts.partRow(c, e);
       // One of nodes in the same proportion as an impulse would change them.
-      const double part = contacts.share(c, e) * contacts.mass(c) / nodes.sums(row, Nodes<D>::massAt);
+      const double part = contacts.part(c, e) * contacts.mass(c) / nodes.sums(row, Nodes<D>::massAt);
       for (int d = 0; d < D; ++d)
       {
         force[d] += part * nodes.sums(row, Nodes<D>::forceAt + d);
@@ -316,11 +316,11 @@ constexpr int mostSweepsOfContacts = 60;
 template <int D>
 bool haveCommonNodes(const ToolContacts<D>& contacts)
 {
-  const auto rows = onHost(contacts.shareRow);
-  const auto shares = onHost(contacts.shares);
+  const auto rows = onHost(contacts.partRow);
+  const auto parts = onHost(contacts.parts);
   std::vector<int> all;
   for (int c = 0; c < contacts.count; ++c)
-    for (int e = 0; e < shares(c); ++e)
+    for (int e = 0; e < parts(c); ++e)
       all.push_back(rows(c, e));
   std::sort(all.begin(), all.end());
   return std::adjacent_find(all.begin(), all.end()) != all.end();

@@ -19,7 +19,7 @@ void addFrictionLaw(Section& section);
 struct OtherLaw
 {
   std::string name;
-  std::string meaning; ///< a sentence, after those on friction
+  std::string meaning; ///< added to that of the laws of friction
 };
 
 /// The same for a list whose law is that of its section if it has none of its own. \param more laws that the

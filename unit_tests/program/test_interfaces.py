@@ -100,8 +100,8 @@ class Interfaces(DrawnScenes):
                 with self.subTest(dimension=dimension, stiffness=stiffness * cell / YOUNG, omega=omega):
                     self.assertLess(abs(found / pushed / exact - 1.0), 0.02)
             work = max(history["external_work"])
-            # 1 % is that of a bar of one body; 0.5 % what implicit springs may dissipate of waves of some ten cells.
-            self.assertLess(max(abs(r) for r in history["residual"]), 0.015 * work)
+            # Pulses of some 15 cells in one body have 1 to 2 %, whatever the stiffness.
+            self.assertLess(max(abs(r) for r in history["residual"]), 0.03 * work)
             self.assertLess(abs(history["contact"][-1]), 0.015 * work)
             self.assertGreater(max(history["interfaces"]), 0.0)
             self.assertEqual(summary["energy"]["interfaces"], history["interfaces"][-1])

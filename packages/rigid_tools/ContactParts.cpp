@@ -1,4 +1,4 @@
-#include "rigid_tools/ContactShares.hpp"
+#include "rigid_tools/ContactParts.hpp"
 
 #include "base/SmallLoops.hpp"
 #include "boundary/HeldMarks.hpp"
@@ -12,7 +12,7 @@ namespace
 {
 
 /// Nodes with a smaller fraction of the heaviest one's mass get nothing: rounding decides whether the body
-/// touches them. All others get their share, however light they are. The stress of a particle whose domain
+/// touches them. All others get their part, however light they are. The stress of a particle whose domain
 /// reaches into the cell beyond by a fraction e acts on the node there with e, and is in balance if e of the
 /// pressure acts there, too; without it the light node moves off until the particle has no stress.
 constexpr double lightest = 1e-9;
@@ -21,7 +21,7 @@ constexpr double lightest = 1e-9;
 constexpr double deepInside = -0.5;
 
 template <int D>
-struct ShareContact
+struct DivideContact
 {
   Grid<D> grid;
   Nodes<D> nodes;
@@ -45,22 +45,22 @@ struct ShareContact
       const int own = contacts.node(c);
       const double height = dot(positions(own) - foot, n);
       if (divide(c, foot) && height < deepInside * grid.spacing)
-        contacts.shares(c) = 0;
+        contacts.parts(c) = 0;
     }
     double sum = 0.0;
-    for (int e = 0; e < contacts.shares(c); ++e)
+    for (int e = 0; e < contacts.parts(c); ++e)
     {
-      const double mass = nodes.sums(contacts.shareRow(c, e), Nodes<D>::massAt);
-      sum += mass > 0.0 ? contacts.share(c, e) * contacts.share(c, e) / mass : 0.0;
+      const double mass = nodes.sums(contacts.partRow(c, e), Nodes<D>::massAt);
+      sum += mass > 0.0 ? contacts.part(c, e) * contacts.part(c, e) / mass : 0.0;
     }
     contacts.mass(c) = sum > 0.0 ? 1.0 / sum : 0.0;
   }
 
   KOKKOS_INLINE_FUNCTION void keepOwnNode(int c) const
   {
-    contacts.shares(c) = 1;
-    contacts.shareRow(c, 0) = contacts.row(c);
-    contacts.share(c, 0) = 1.0;
+    contacts.parts(c) = 1;
+    contacts.partRow(c, 0) = contacts.row(c);
+    contacts.part(c, 0) = 1.0;
   }
 
   /// Whether one of the nodes has several fields, so that its own row may be another body's.
@@ -99,15 +99,15 @@ struct ShareContact
     for (int e = 0; e < (1 << D); ++e)
       if (weight[e] > 1e-9 && nodes.sums(row[e], Nodes<D>::massAt) > lightest * heaviest)
       {
-        contacts.shareRow(c, kept) = row[e];
-        contacts.share(c, kept++) = weight[e];
+        contacts.partRow(c, kept) = row[e];
+        contacts.part(c, kept++) = weight[e];
         sum += weight[e];
       }
     if (!(sum > 0.0))
       return false;
-    contacts.shares(c) = kept;
+    contacts.parts(c) = kept;
     for (int e = 0; e < kept; ++e)
-      contacts.share(c, e) /= sum;
+      contacts.part(c, e) /= sum;
     return true;
   }
 };
@@ -126,56 +126,56 @@ void markSeveral(const State<D>& state, const View<char*>& several, char mark)
 template <int D>
 void keepOwnNodes(const State<D>& state, const ToolContacts<D>& contacts, const std::map<int, int>& toolOf)
 {
-  const auto rows = onHost(contacts.shareRow);
-  const auto shares = onHost(contacts.shares);
+  const auto rows = onHost(contacts.partRow);
+  const auto parts = onHost(contacts.parts);
   const auto own = onHost(contacts.row);
   bool common = false;
   for (int c = 0; c < contacts.count; ++c)
   {
     common = common || toolOf.at(own(c)) < 0;
-    for (int e = 0; e < shares(c); ++e)
+    for (int e = 0; e < parts(c); ++e)
       common = common || toolOf.at(rows(c, e)) < 0;
   }
   if (!common)
     return;
-  const ShareContact<D> share{
+  const DivideContact<D> divide{
       state.mesh.grid, state.mesh.nodes, nodePositions(state), contacts, Vector<D>{}, true, {}};
-  parallelForSmall("rhegma::keepOwnNodesOfTool", contacts.count, share);
+  parallelForSmall("rhegma::keepOwnNodesOfTool", contacts.count, divide);
 }
 
 } // namespace
 
 template <int D>
-void shareContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts)
+void divideContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts)
 {
   const bool alone = state.mesh.tree.refined(), fields = state.mesh.nodes.numEnriched > 0;
   if (fields && static_cast<int>(contacts.several.extent(0)) < state.mesh.nodes.numLattice)
     contacts.several = View<char*>("rhegma::nodesWithSeveralFields", state.mesh.nodes.numLattice);
   markSeveral(state, contacts.several, 1);
-  const ShareContact<D> share{state.mesh.grid,
-                              state.mesh.nodes,
-                              nodePositions(state),
-                              contacts,
-                              centre,
-                              alone,
-                              fields ? contacts.several : View<char*>()};
-  parallelForSmall("rhegma::shareContactsOfTool", contacts.count, share);
+  const DivideContact<D> divide{state.mesh.grid,
+                                state.mesh.nodes,
+                                nodePositions(state),
+                                contacts,
+                                centre,
+                                alone,
+                                fields ? contacts.several : View<char*>()};
+  parallelForSmall("rhegma::divideContactsOfTool", contacts.count, divide);
   markSeveral(state, contacts.several, 0);
   if (alone)
     return;
   // An axis is held if a support holds one of the nodes along it.
   const int each = 1 << D;
-  const View<int*> node("rhegma::nodesOfToolShares", each * contacts.count);
-  const View<char* [D]> held("rhegma::heldToolShares", each * contacts.count);
+  const View<int*> node("rhegma::nodesOfToolParts", each * contacts.count);
+  const View<char* [D]> held("rhegma::heldToolParts", each * contacts.count);
   const ToolContacts<D> at = contacts;
   parallelForSmall(
-      "rhegma::listNodesOfToolShares", contacts.count, KOKKOS_LAMBDA(const int c) {
+      "rhegma::listNodesOfToolParts", contacts.count, KOKKOS_LAMBDA(const int c) {
         for (int e = 0; e < each; ++e)
-          node(each * c + e) = e < at.shares(c) ? at.shareRow(c, e) : at.node(c);
+          node(each * c + e) = e < at.parts(c) ? at.partRow(c, e) : at.node(c);
       });
   markHeldAxes(state, node, each * contacts.count, held);
   parallelForSmall(
-      "rhegma::holdToolShares", contacts.count, KOKKOS_LAMBDA(const int c) {
+      "rhegma::holdToolParts", contacts.count, KOKKOS_LAMBDA(const int c) {
         for (int e = 0; e < each; ++e)
           for (int d = 0; d < D; ++d)
             at.held(c, d) = at.held(c, d) != 0 || held(each * c + e, d) != 0 ? 1 : 0;
@@ -188,8 +188,8 @@ void separateTools(const State<D>& state, const std::vector<ToolContacts<D>*>& a
   std::map<int, int> toolOf; // of each row, or -1 where there are several
   for (std::size_t t = 0; t < all.size(); ++t)
   {
-    const auto rows = onHost(all[t]->shareRow);
-    const auto shares = onHost(all[t]->shares);
+    const auto rows = onHost(all[t]->partRow);
+    const auto parts = onHost(all[t]->parts);
     const auto own = onHost(all[t]->row);
     const auto use = [&](int row)
     {
@@ -200,7 +200,7 @@ void separateTools(const State<D>& state, const std::vector<ToolContacts<D>*>& a
     for (int c = 0; c < all[t]->count; ++c)
     {
       use(own(c));
-      for (int e = 0; e < shares(c); ++e)
+      for (int e = 0; e < parts(c); ++e)
         use(rows(c, e));
     }
   }
@@ -208,8 +208,8 @@ void separateTools(const State<D>& state, const std::vector<ToolContacts<D>*>& a
     keepOwnNodes(state, *contacts, toolOf);
 }
 
-template void shareContacts(const State<2>&, const Vector<2>&, ToolContacts<2>&);
-template void shareContacts(const State<3>&, const Vector<3>&, ToolContacts<3>&);
+template void divideContacts(const State<2>&, const Vector<2>&, ToolContacts<2>&);
+template void divideContacts(const State<3>&, const Vector<3>&, ToolContacts<3>&);
 template void separateTools(const State<2>&, const std::vector<ToolContacts<2>*>&);
 template void separateTools(const State<3>&, const std::vector<ToolContacts<3>*>&);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Shares of nodes in the contact of a tool: the force acts where the surface is, between rows of nodes.
+/// Parts of nodes in the contact of a tool: the force acts where the surface is, between rows of nodes.
 
 #include "rigid_tools/ToolContacts.hpp"
 
@@ -15,16 +15,16 @@ namespace Rhegma::rigid_tools
 /// half a cell, whose point another one has too. Where cells are refined, or nodes have several fields, the
 /// contact keeps its own node. \param centre of rotation of the tool, now [m]
 template <int D>
-void shareContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts);
+void divideContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts);
 
 /// Velocity of the body at the point of a contact, of nodal values whose first D columns it is. [m/s]
 template <int D, class Velocity>
 KOKKOS_INLINE_FUNCTION Vector<D> velocityAt(const ToolContacts<D>& contacts, int c, const Velocity& velocity)
 {
   Vector<D> sum{};
-  for (int e = 0; e < contacts.shares(c); ++e)
+  for (int e = 0; e < contacts.parts(c); ++e)
     for (int d = 0; d < D; ++d)
-      sum[d] += contacts.share(c, e) * velocity(contacts.shareRow(c, e), d);
+      sum[d] += contacts.part(c, e) * velocity(contacts.partRow(c, e), d);
   return sum;
 }
 
