@@ -2,8 +2,10 @@
 
 #include "archive/Archive.hpp"
 #include "body_contact/ContactRecord.hpp"
+#include "body_contact/InterfacePoints.hpp"
 #include "scene/FrictionSection.hpp"
 #include "state/BodyGroup.hpp"
+#include "transfer/PressedNodes.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -48,6 +50,11 @@ void refuseCombinations(Section& s)
   s.refuse(
       {self, when::present("Combustion")},
       "gas that leaves a crack does not see a body that covers its open end; remove one of the two sections");
+  s.refuse({when::satisfies("Body Contact", "with a pair of Law = Interface", hasInterfaces),
+            when::present("Cracks")},
+           "springs of an interface do not see the two sides of a crack; join the bodies with Bonded To, or "
+           "remove "
+           "one of the two");
   s.refuse(
       {self, when::present("Thermal")},
       "heat through touching faces and heat by friction are not computed; remove one of the two sections");
@@ -64,7 +71,7 @@ Section section()
                "A pair of bodies with a law of its own; its forces are columns of the history.");
   pair.text("Bodies").notEmpty().meaning(
       "Names of the two bodies, with a comma between them. The law also holds for bodies bonded to them.");
-  addFrictionLawOfList(pair);
+  addInterfaceLawOfList(pair);
   s.namedByUser(pair);
   refuseCombinations(s);
   return s;
@@ -74,15 +81,17 @@ Section section()
 template <int D>
 struct Parts
 {
+  Teuchos::ParameterList scene;           ///< all of it
   Teuchos::ParameterList section, bodies; ///< of the scene
   SharedNodes<D> shared;
   NodalPairs<D> pairs;
   PairLaws laws;
+  InterfacePoints<D> interfaces;
   std::unique_ptr<ContactRecord<D>> record;
   std::size_t editor = 0; ///< index of its stencil editor
 
-  explicit Parts(const Teuchos::ParameterList& scene)
-      : section(scene.sublist("Body Contact")), bodies(scene.sublist("Bodies"))
+  explicit Parts(const Teuchos::ParameterList& all)
+      : scene(all), section(scene.sublist("Body Contact")), bodies(scene.sublist("Bodies"))
   {
   }
 };
@@ -113,6 +122,7 @@ void start(const std::shared_ptr<Parts<D>>& parts, State<D>& state)
   parts->laws = readLaws(parts->section, named, groups.count());
   parts->record = std::make_unique<ContactRecord<D>>(named, groups);
   setBodyGroups(groups, state);
+  parts->interfaces = placeInterfaces(parts->scene, named, groups, state);
   StencilEditor<D> editor;
   editor.edit = [parts](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
   { useFieldsOfGroups(s, parts->shared, points, table); };
@@ -142,6 +152,8 @@ void touch(Parts<D>& parts, const State<D>& state)
     return;
   findFieldsNextToCracks(state, parts.shared);
   listPairs(parts.shared, parts.pairs);
+  if (parts.interfaces.count > 0)
+    sumSprings(state, parts.shared, parts.pairs, parts.interfaces);
   findGaps(state, parts.shared, parts.pairs);
   exchangeImpulses(state, parts.shared, parts.pairs, parts.laws);
 }
@@ -156,6 +168,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [parts](State<D>& state) { start(parts, state); };
   effect.adds.push_back(
       {fields::bodyGroup, 1, "", "group of bodies that are bonded to each other, from 1 on", true});
+  effect.addsNodal.push_back(pressedNodesField(eachOther));
   effect.call(Stage::BetweenSteps, "bodies near each other", {quantity::particleOrder}, {}, {},
               [parts](State<D>& s) { watch(parts, s); });
   effect.call(Stage::Solve, "impulses between bodies",
@@ -166,8 +179,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
               [parts](State<D>& s)
               {
                 if (parts->pairs.count > 0)
+                {
                   joinProjection(s, parts->shared, parts->pairs);
-                parts->record->add(s, parts->pairs);
+                  keepPressedNodes(s, eachOther, parts->pairs.count, parts->pairs.node, parts->pairs.impulse);
+                  moveInterfaces(s, parts->pairs, parts->interfaces);
+                }
+                parts->record->add(s, parts->pairs, parts->interfaces);
               });
   effect.call(Stage::Observe, "forces between bodies", {quantity::energyBalance}, {}, {},
               [parts](State<D>& s) { parts->record->sample(s); });
@@ -175,6 +192,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     parts->shared.sorts = -1;
     parts->record->serialize(archive);
+    if (parts->interfaces.count > 0)
+      serialize(parts->interfaces, archive);
   };
   effect.report = [parts](const State<D>&, nlohmann::json& summary) { parts->record->report(summary); };
   return effect;

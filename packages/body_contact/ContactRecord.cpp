@@ -18,7 +18,7 @@ constexpr int fewGroups = 4;
 template <int D>
 ContactRecord<D>::ContactRecord(const std::vector<NamedPair>& named, const BondedGroups& groups)
 {
-  const auto add = [&](const std::string& name, int one, int other, bool inverted = false)
+  const auto add = [&](const std::string& name, int one, int other, bool inverted, bool interface)
   {
     ReportedPair<D> pair;
     pair.name = name;
@@ -27,22 +27,25 @@ ContactRecord<D>::ContactRecord(const std::vector<NamedPair>& named, const Bonde
     if (one >= 0)
       pair.bodies = {groups.names[inverted ? other : one], groups.names[inverted ? one : other]};
     pair.sign = inverted ? -1.0 : 1.0;
+    pair.interface = interface;
     pairs_.push_back(pair);
   };
-  add("contact", -1, -1);
+  add("contact", -1, -1, false,
+      std::any_of(named.begin(), named.end(),
+                  [](const NamedPair& pair) { return pair.interface.has_value(); }));
   for (const NamedPair& pair : named)
-    add(pair.name, pair.one, pair.other, pair.inverted);
+    add(pair.name, pair.one, pair.other, pair.inverted, pair.interface.has_value());
   if (groups.count() > fewGroups)
     return;
   for (int a = 0; a < groups.count(); ++a)
     for (int b = a + 1; b < groups.count(); ++b)
       if (std::none_of(named.begin(), named.end(),
                        [&](const NamedPair& pair) { return pair.one == a && pair.other == b; }))
-        add(groups.names[a] + " - " + groups.names[b], a, b);
+        add(groups.names[a] + " - " + groups.names[b], a, b, false, false);
 }
 
 template <int D>
-void ContactRecord<D>::add(State<D>& state, const NodalPairs<D>& pairs)
+void ContactRecord<D>::add(State<D>& state, const NodalPairs<D>& pairs, const InterfacePoints<D>& interfaces)
 {
   for (ReportedPair<D>& pair : pairs_)
   {
@@ -55,6 +58,7 @@ void ContactRecord<D>::add(State<D>& state, const NodalPairs<D>& pairs)
     {
       pair.firstTouch = first.firstTouch;
       pair.dissipated = first.dissipated;
+      pair.stored = first.stored;
       pair.friction = first.friction;
       pair.overlap = first.overlap;
       pair.closed = first.closed;
@@ -63,13 +67,19 @@ void ContactRecord<D>::add(State<D>& state, const NodalPairs<D>& pairs)
     }
     pair.closed = sums.closed;
     pair.impulse = pair.impulse + sums.impulse;
-    pair.dissipated += sums.dissipated;
+    const double before = pair.stored;
+    pair.stored = pair.interface ? energyOfInterfaces(interfaces, pair.one, pair.other) : 0.0;
+    const double lost = sums.dissipated - (pair.stored - before);
+    pair.dissipated += lost;
     pair.friction += sums.friction;
     pair.overlap = std::max(pair.overlap, sums.overlap);
     if (sums.closed > 0 && pair.firstTouch < 0.0)
       pair.firstTouch = state.clock.time;
-    if (pair.one < 0)
-      state.energy.contact += sums.dissipated;
+    if (pair.one >= 0)
+      continue;
+    state.energy.contact += lost;
+    if (pair.interface)
+      state.energy.springs = pair.stored;
   }
 }
 
@@ -77,6 +87,8 @@ template <int D>
 void ContactRecord<D>::sample(State<D>& state)
 {
   const char* const columns[] = {".contact_force_x", ".contact_force_y", ".contact_force_z"};
+  if (pairs_.front().interface)
+    state.sample.row.emplace_back("interfaces", pairs_.front().stored);
   for (ReportedPair<D>& pair : pairs_)
   {
     const double duration = state.clock.time - pair.sampled;
@@ -96,6 +108,8 @@ void ContactRecord<D>::report(nlohmann::json& summary) const
 {
   nlohmann::json& friction = summary["energy"]["friction"]; // of faces of cracks, too
   friction = pairs_.front().friction + (friction.is_number() ? friction.get<double>() : 0.0);
+  if (pairs_.front().interface)
+    summary["energy"]["interfaces"] = pairs_.front().stored;
   summary["body_contact"] = nlohmann::json::array();
   for (const ReportedPair<D>& pair : pairs_)
   {
@@ -112,6 +126,8 @@ void ContactRecord<D>::report(nlohmann::json& summary) const
          {"dissipated", pair.dissipated},
          {"friction", pair.friction},
          {"largest_overlap", pair.overlap}});
+    if (pair.interface)
+      summary["body_contact"].back()["stored"] = pair.stored;
   }
 }
 
@@ -125,6 +141,8 @@ void ContactRecord<D>::serialize(Archive& archive)
     archive("first_touch", pair.firstTouch);
     archive("dissipated", pair.dissipated);
     archive("friction", pair.friction);
+    if (pair.interface)
+      archive("stored", pair.stored);
     archive("overlap", pair.overlap);
     archive("closed", pair.closed);
     archive("impulse", pair.impulse);

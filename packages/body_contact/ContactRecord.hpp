@@ -1,7 +1,7 @@
 #pragma once
 /// What bodies have exchanged since the start, for the energy balance, the history and the summary.
 
-#include "body_contact/NodalContact.hpp"
+#include "body_contact/InterfacePoints.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -27,6 +27,8 @@ struct ReportedPair
   double firstTouch = -1.0; ///< when they first pressed on each other [s]; below 0: not yet
   double dissipated = 0.0;  ///< kinetic energy that contact took [J]
   double friction = 0.0;    ///< the part of it along the faces [J]
+  bool interface = false;   ///< whether an interface joins them
+  double stored = 0.0;      ///< elastic energy of their interface now [J]
   double overlap = 0.0;     ///< largest so far [m]
   int closed = 0;           ///< nodes at which they press on each other now
   Vector<D> impulse{};      ///< on the second group so far [N s]
@@ -44,7 +46,7 @@ public:
   ContactRecord(const std::vector<NamedPair>& named, const BondedGroups& groups);
 
   /// Adds what pairs have exchanged in this step, and the energy to the balance.
-  void add(State<D>& state, const NodalPairs<D>& pairs);
+  void add(State<D>& state, const NodalPairs<D>& pairs, const InterfacePoints<D>& interfaces);
   /// Adds the forces since the last sample to the history.
   void sample(State<D>& state);
   void report(nlohmann::json& summary) const; ///< writes the summary's entries

@@ -51,7 +51,8 @@ struct FindGap
   KOKKOS_INLINE_FUNCTION void operator()(const int s) const
   {
     for (int q = pairs.first(s); q < pairs.first(s + 1); ++q)
-      find(s, q);
+      if (!pairs.springs.join(q))
+        find(s, q);
   }
 
   KOKKOS_INLINE_FUNCTION void find(int s, int q) const

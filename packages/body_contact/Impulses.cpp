@@ -3,6 +3,7 @@
 #include "base/SmallLoops.hpp"
 #include "body_contact/NodalContact.hpp"
 #include "boundary/HeldMarks.hpp"
+#include "transfer/PressedNodes.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -31,6 +32,8 @@ struct ExchangeImpulses
   NodalPairs<D> pairs;
   PairLaws laws;
   View<char* [D]> held;
+  PressedNodes pressed;
+  double reach; ///< gap up to which nodes that pressed in the last step still do [m]
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int s) const
@@ -41,15 +44,22 @@ struct ExchangeImpulses
     {
       double changed = 0.0, largest = 0.0;
       for (int q = begin; q < end; ++q)
-        if (pairs.gap(q) <= 0.0)
+        if (const bool joined = pairs.springs.join(q); joined || touches(q))
         {
-          changed = std::fmax(changed, press(s, q));
+          changed = std::fmax(changed, joined ? pull(s, q) : press(s, q));
           for (int d = 0; d < D; ++d)
             largest = std::fmax(largest, std::fabs(pairs.impulse(q, d)));
         }
       if (!(changed > settledChange * largest))
         return;
     }
+  }
+
+  /// Whether two fields touch, or still do. Else faces between rows of nodes are soft by what they approach
+  /// until their domains meet again in each step.
+  KOKKOS_INLINE_FUNCTION bool touches(int q) const
+  {
+    return pairs.gap(q) <= (pressed(pairs.node(q)) ? reach : 0.0);
   }
 
   /// Brings the impulse of a pair to the one with which its law holds, the others as they are. \return the
@@ -75,14 +85,88 @@ struct ExchangeImpulses
     const ContactImpulse<D> contact = contactImpulse(laws(pairs.group(q, 0), pairs.group(q, 1)), n, sticking);
     const Vector<D> impulse = contact.impulse;
     if (contact.pressing > 0.0)
-      pairs.sticks(q) = contact.sticks ? 1 : 0;
+    {
+      pairs.loses(q, 0) = 1.0;
+      pairs.loses(q, 1) = contact.sticks ? 1.0 : 0.0;
+    }
+    for (int d = 0; d < D; ++d)
+    {
+      pairs.normal(q, d) = n[d];
+      pairs.aim(q, d) = 0.0;
+    }
+    return exchange(q, impulse);
+  }
+
+  /// Brings the impulse of a pair that springs join to theirs. With the mass m and the stiffness k of one
+  /// direction, xi = k dt^2 / m, the force is that of the jump at the start of the step, and of theta times
+  /// its change: explicit for soft springs (theta = 0 keeps their energy), and implicit for stiff ones (theta
+  /// = 1 lets the jump decay instead of swinging from step to step). theta = xi / (1 + xi) is stable for each
+  /// xi, since theta > 1/2 - 2 / xi. \return as press
+  KOKKOS_INLINE_FUNCTION double pull(int s, int q) const
+  {
+    const int a = pairs.row(q, 0), b = pairs.row(q, 1);
+    const double massA = nodes.sums(a, Nodes<D>::massAt), massB = nodes.sums(b, Nodes<D>::massAt);
+    if (!(massA > lightField * massB) || !(massB > lightField * massA))
+      return 0.0;
+    const double reduced = massA * massB / (massA + massB);
+    Vector<D> n, free, force; // free: relative velocity without the springs
+    for (int d = 0; d < D; ++d)
+    {
+      const bool axisHeld = held(s, d) != 0;
+      n[d] = axisHeld ? 0.0 : pairs.springs.normal(q, d);
+      free[d] = axisHeld ? 0.0 : nodes.motion(b, d) - nodes.motion(a, d) - pairs.impulse(q, d) / reduced;
+      force[d] = axisHeld ? 0.0 : pairs.springs.force(q, d);
+    }
+    const double length = norm(n);
+    n = length > 0.0 ? (1.0 / length) * n : n;
+    Vector<D> aim{}, rest = free, pulling = force;
+    for (int part = 0; part < 2; ++part)
+    {
+      const double xi = dt * dt * stiffnessOf(s, q, n, part) / reduced, implicit = xi * xi / (1.0 + xi);
+      const Vector<D> v = part == 0 ? dot(free, n) * n : rest, f = part == 0 ? dot(force, n) * n : pulling;
+      rest = rest - v;
+      pulling = pulling - f;
+      aim = aim + (1.0 / (1.0 + implicit)) * (v - (dt / reduced) * f);
+      pairs.loses(q, part) = implicit / (1.0 + implicit);
+    }
+    for (int d = 0; d < D; ++d)
+    {
+      pairs.normal(q, d) = n[d];
+      pairs.aim(q, d) = aim[d];
+    }
+    pairs.gap(q) = 0.0;
+    return exchange(q, reduced * (aim - free));
+  }
+
+  /// Stiffness of a node's springs along its normal (part 0), and the largest along the faces, on free axes;
+  /// more where normals differ, by what couples the two [N/m].
+  KOKKOS_INLINE_FUNCTION double stiffnessOf(int s, int q, const Vector<D>& n, int part) const
+  {
+    Vector<D> product{};
+    double trace = 0.0;
+    for (int i = 0; i < D; ++i)
+    {
+      if (held(s, i) != 0)
+        continue;
+      trace += pairs.springs.stiffness(q, i, i);
+      for (int j = 0; j < D; ++j)
+        product[i] += pairs.springs.stiffness(q, i, j) * n[j];
+    }
+    const double across = dot(n, product), coupling = norm(product - across * n);
+    return coupling + (part == 0 ? across : trace - across);
+  }
+
+  /// Changes the impulse of a pair, and the motion of its two fields. \return the largest change
+  KOKKOS_INLINE_FUNCTION double exchange(int q, const Vector<D>& impulse) const
+  {
+    const int a = pairs.row(q, 0), b = pairs.row(q, 1);
+    const double massA = nodes.sums(a, Nodes<D>::massAt), massB = nodes.sums(b, Nodes<D>::massAt);
     double changed = 0.0;
     for (int d = 0; d < D; ++d)
     {
       const double change = impulse[d] - pairs.impulse(q, d);
       changed = std::fmax(changed, std::fabs(change));
       pairs.impulse(q, d) = impulse[d];
-      pairs.normal(q, d) = n[d];
       push(a, d, -change, massA);
       push(b, d, change, massB);
     }
@@ -116,7 +200,7 @@ struct JoinProjection
     {
       double changed = 0.0;
       for (int q = begin; q < end; ++q)
-        if (presses(q))
+        if (presses(q) && (k == 0 || !pairs.springs.join(q)))
           changed = std::fmax(changed, join(q));
       first = k == 0 ? changed : first;
       if (!(changed > settledChange * first))
@@ -158,7 +242,8 @@ struct JoinProjection
     }
     const double all = -dot(impulse, velocity);
     pairs.taken(q, 0) = all;
-    pairs.taken(q, 1) = all + partAlongNormal(q, impulse) * partAlongNormal(q, velocity);
+    pairs.taken(q, 1) =
+        pairs.springs.join(q) ? 0.0 : all + partAlongNormal(q, impulse) * partAlongNormal(q, velocity);
   }
 
   /// \return the largest change of the relative velocity
@@ -169,14 +254,14 @@ struct JoinProjection
     const double reduced = massA * massB / (massA + massB);
     Vector<D> relative;
     for (int d = 0; d < D; ++d)
-      relative[d] = nodes.projection(b, d) - nodes.projection(a, d);
+      relative[d] = nodes.projection(b, d) - nodes.projection(a, d) - pairs.aim(q, d);
     const double across = partAlongNormal(q, relative);
     double work[2] = {0.0, 0.0}; // of the other forces by the change, along the normal and along the faces
     double changed = 0.0;
     for (int d = 0; d < D; ++d)
     {
-      const double normal = across * pairs.normal(q, d);
-      const double face = pairs.sticks(q) != 0 ? relative[d] - normal : 0.0;
+      const double component = across * pairs.normal(q, d), normal = pairs.loses(q, 0) * component;
+      const double face = pairs.loses(q, 1) > 0.0 ? pairs.loses(q, 1) * (relative[d] - component) : 0.0;
       const double force =
           nodes.sums(a, Nodes<D>::forceAt + d) / massA - nodes.sums(b, Nodes<D>::forceAt + d) / massB;
       work[0] += dt * reduced * force * normal;
@@ -186,7 +271,7 @@ struct JoinProjection
       nodes.projection(b, d) -= reduced / massB * (normal + face);
     }
     pairs.taken(q, 0) += work[0] + work[1];
-    pairs.taken(q, 1) += work[1];
+    pairs.taken(q, 1) += pairs.springs.join(q) ? 0.0 : work[1];
     return changed;
   }
 };
@@ -201,7 +286,14 @@ void exchangeImpulses(const State<D>& state, const SharedNodes<D>& shared, const
     return;
   const View<char* [D]> held("rhegma::heldSharedNodes", shared.count);
   markHeldAxes(state, shared.node, shared.count, held);
-  const ExchangeImpulses<D> exchange{state.mesh.nodes, shared, pairs, laws, held, state.clock.dt};
+  const ExchangeImpulses<D> exchange{state.mesh.nodes,
+                                     shared,
+                                     pairs,
+                                     laws,
+                                     held,
+                                     pressedNodes(state, eachOther),
+                                     stillClosed * state.mesh.grid.spacing,
+                                     state.clock.dt};
   parallelForSmall("rhegma::exchangeImpulses", shared.count, exchange);
 }
 

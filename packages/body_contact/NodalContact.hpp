@@ -7,6 +7,19 @@
 namespace Rhegma::body_contact
 {
 
+/// Springs of interfaces between the fields of pairs, in this step. Empty views: there are no interfaces.
+template <int D>
+struct NodalSprings
+{
+  View<int*> joins;               ///< of each pair: not 0 where an interface takes the place of contact
+  View<double* [D]> force;        ///< of the stretched springs, on the first of the two fields [N]
+  View<double* [D]> normal;       ///< area times normal, summed over points [m2]
+  View<double* [D][D]> stiffness; ///< derivative of the force with respect to the jump [N/m]
+
+  /// Whether an interface joins the fields of pair q.
+  KOKKOS_INLINE_FUNCTION bool join(int q) const { return joins.extent(0) > 0 && joins(q) != 0; }
+};
+
 /// Two fields of different groups at a shared node. The impulse acts on that of the second group, its
 /// opposite on the other. Two groups have two such pairs where one of them has two fields next to a crack.
 template <int D>
@@ -15,13 +28,21 @@ struct NodalPairs
   View<int*> first;          ///< pairs of shared node s: first(s) .. first(s + 1) - 1
   View<int* [2]> group;      ///< the two groups, the lower number first
   View<int* [2]> row;        ///< rows of their fields
+  View<int*> node;           ///< at which they are
   View<double* [D]> impulse; ///< in this step [N s]; zero where the two do not press on each other
   View<double* [D]> normal;  ///< unit normal from the first to the second, along axes that no support holds
   View<double*> gap;         ///< between their particles' domains along the normal; negative: overlap [m]
-  View<int*> sticks;         ///< not 0 where the two do not move along each other
+  /// What the projection loses of the two fields' velocity relative to `aim`, along the normal and along the
+  /// faces, as a fraction: 1 where they move alike.
+  View<double* [2]> loses;
+  View<double* [D]> aim; ///< relative velocity that the impulse aims at; zero in contact [m/s]
+  NodalSprings<D> springs;
   View<double* [2]> taken; ///< energy that contact takes in this step, and the part of it along the faces [J]
   int count = 0;           ///< number of pairs
 };
+
+/// What nodes press on where bodies meet (pressedNodesField).
+inline const std::string eachOther = "each other";
 
 /// What a pair of groups has exchanged in a step.
 template <int D>
@@ -43,7 +64,8 @@ template <int D>
 void findGaps(const State<D>& state, const SharedNodes<D>& shared, const NodalPairs<D>& pairs);
 
 /// Changes the nodes' motion by impulses between the fields that touch and would move into each other, and
-/// records them, the normal along free axes and whether the two stick.
+/// records them, the normal along free axes and how the projection joins the two. Springs of interfaces act
+/// as impulses, too, at an end of the step that their stiffness chooses.
 template <int D>
 void exchangeImpulses(const State<D>& state, const SharedNodes<D>& shared, const NodalPairs<D>& pairs,
                       const PairLaws& laws);

@@ -23,10 +23,11 @@ constexpr int mostPairs = pairsOf(mostGroups) + mostGroups - 1; ///< of a node
 
 /// Adds a pair of fields, the group with the lower number first.
 template <int D>
-KOKKOS_INLINE_FUNCTION void setPair(const NodalPairs<D>& pairs, int at, const int (&group)[2],
+KOKKOS_INLINE_FUNCTION void setPair(const NodalPairs<D>& pairs, int at, int node, const int (&group)[2],
                                     const int (&row)[2])
 {
   const int first = group[0] < group[1] ? 0 : 1;
+  pairs.node(at) = node;
   for (int k = 0; k < 2; ++k)
   {
     const int from = k == 0 ? first : 1 - first;
@@ -49,10 +50,12 @@ void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
   {
     pairs.group = View<int* [2]>("rhegma::groupsOfPairs", 2 * most);
     pairs.row = View<int* [2]>("rhegma::rowsOfPairs", 2 * most);
+    pairs.node = View<int*>("rhegma::nodesOfPairs", 2 * most);
     pairs.impulse = View<double* [D]>("rhegma::impulsesOfPairs", 2 * most);
     pairs.normal = View<double* [D]>("rhegma::normalsOfPairs", 2 * most);
     pairs.gap = View<double*>("rhegma::gapsOfPairs", 2 * most);
-    pairs.sticks = View<int*>("rhegma::stickingPairs", 2 * most);
+    pairs.loses = View<double* [2]>("rhegma::lossOfPairs", 2 * most);
+    pairs.aim = View<double* [D]>("rhegma::aimOfPairs", 2 * most);
     pairs.taken = View<double* [2]>("rhegma::energyOfPairs", 2 * most);
   }
   const NodalPairs<D> all = pairs;
@@ -71,11 +74,11 @@ void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
           {
             const int group[2] = {shared.groups(node, a), shared.groups(node, b)};
             const int row[2] = {rowOfField(shared, s, a), rowOfField(shared, s, b)};
-            setPair(all, at++, group, row);
+            setPair(all, at++, node, group, row);
             if (a > 0 || shared.second(s) < 0)
               continue;
             const int next[2] = {shared.second(s), row[1]};
-            setPair(all, at++, group, next);
+            setPair(all, at++, node, group, next);
           }
         if (s == nodes - 1)
           all.first(nodes) = at;

@@ -52,6 +52,7 @@ void checkLaws(const Teuchos::ParameterList& scene, std::vector<SceneError>& err
     const std::string path = "Body Contact > " + pair;
     const Teuchos::ParameterList& list = section.sublist(pair);
     checkFrictionLaw(list, path, errors);
+    checkInterfaceLaw(list, path, errors);
     const auto* const text = valueIf<std::string>(list, "Bodies");
     if (text == nullptr)
       continue;
@@ -87,8 +88,8 @@ std::vector<NamedPair> namedPairs(const Teuchos::ParameterList& section, const B
   for (const std::string& name : sublistNames(section))
   {
     const auto of = groupsOf(section.sublist(name).get<std::string>("Bodies"), groups, names);
-    pairs.push_back(
-        {name, std::min(of.first, of.second), std::max(of.first, of.second), of.first > of.second});
+    pairs.push_back({name, std::min(of.first, of.second), std::max(of.first, of.second), of.first > of.second,
+                     interfaceLawIf(section.sublist(name))});
   }
   return pairs;
 }
@@ -104,7 +105,7 @@ PairLaws readLaws(const Teuchos::ParameterList& section, const std::vector<Named
     for (int b = 0; b < groups; ++b)
       host(a, b) = laws.others;
   for (const NamedPair& pair : pairs)
-    if (section.sublist(pair.name).isParameter("Law"))
+    if (section.sublist(pair.name).isParameter("Law") && !pair.interface)
       host(pair.one, pair.other) = host(pair.other, pair.one) = readFrictionLaw(section.sublist(pair.name));
   Kokkos::deep_copy(laws.ofGroups, host);
   return laws;

@@ -1,12 +1,14 @@
 #pragma once
 /// How two groups of bodies act on each other where they touch.
 
+#include "body_contact/InterfaceLaw.hpp"
 #include "material/FrictionLaw.hpp"
 #include "scene/BondedGroups.hpp"
 #include "scene/Schema.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,13 +38,16 @@ struct NamedPair
   std::string name;       ///< of its list
   int one = 0, other = 0; ///< numbers of groups, the lower one first
   bool inverted = false;  ///< whether the list has the other group first
+  std::optional<InterfaceLaw> interface {
+  }; ///< if an elastic interface joins the two
 };
 
 /// \param section Body Contact, validated \param names of the bodies
 std::vector<NamedPair> namedPairs(const Teuchos::ParameterList& section, const BondedGroups& groups,
                                   const std::vector<std::string>& names);
 
-/// \param section Body Contact, validated
+/// Pairs that an interface joins have the law of the section away from it. \param section Body Contact,
+/// validated
 PairLaws readLaws(const Teuchos::ParameterList& section, const std::vector<NamedPair>& pairs, int groups);
 
 } // namespace Rhegma::body_contact

@@ -4,6 +4,7 @@
 #include "rigid_tools/ToolContacts.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/ParticleDomains.hpp"
+#include "transfer/PressedNodes.hpp"
 
 namespace Rhegma::rigid_tools
 {

@@ -4,11 +4,12 @@
 #include "base/Attempts.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "rigid_tools/ContactParts.hpp"
 #include "rigid_tools/Outline.hpp"
-#include "rigid_tools/PressedNodes.hpp"
 #include "rigid_tools/StartOverlap.hpp"
 #include "rigid_tools/ToolRecord.hpp"
 #include "rigid_tools/ToolSection.hpp"
+#include "transfer/PressedNodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,14 @@ void press(Tools<D>& tools, State<D>& state)
     listContacts(state, one.tool, one.gaps, one.contacts);
     touching += one.contacts.count > 0 ? 1 : 0;
   }
+  if (touching > 1)
+  {
+    std::vector<ToolContacts<D>*> contacts;
+    for (ToolInRun<D>& one : tools.all)
+      if (one.contacts.count > 0)
+        contacts.push_back(&one.contacts);
+    separateTools(state, contacts);
+  }
   const int sweeps = touching > 1 ? mostSweeps : std::min(touching, 1);
   double changed = 0.0;
   for (int k = 0; k < sweeps && (k == 0 || changed > settledChange); ++k)
@@ -185,7 +194,7 @@ void move(Tools<D>& tools, State<D>& state)
     if (!one.tool.hasMass())
       state.energy.externalWork += sums.work;
     state.energy.externalWork += one.tool.endStep(state.clock.dt);
-    keepPressedNodes(state, one.tool.name(), one.contacts);
+    keepPressedNodes(state, one.tool.name(), one.contacts.count, one.contacts.node, one.contacts.impulse);
   }
   state.energy.tools = kineticEnergyOf(tools);
 }

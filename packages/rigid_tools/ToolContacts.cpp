@@ -2,8 +2,9 @@
 
 #include "base/SmallLoops.hpp"
 #include "boundary/HeldMarks.hpp"
-#include "rigid_tools/PressedNodes.hpp"
+#include "rigid_tools/ContactParts.hpp"
 #include "transfer/ParticleViews.hpp"
+#include "transfer/PressedNodes.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -211,6 +212,10 @@ void reserve(ToolContacts<D>& contacts, int count)
   contacts.sticks = View<char*>("rhegma::stickingAtTool", rows);
   contacts.taken = View<double* [2]>("rhegma::energyAtTool", rows);
   contacts.work = View<double*>("rhegma::workOfTool", rows);
+  contacts.parts = View<int*>("rhegma::partsAtTool", rows);
+  contacts.partRow = View<int * [1 << D]>("rhegma::rowsOfPartsAtTool", rows);
+  contacts.part = View<double * [1 << D]>("rhegma::partAtTool", rows);
+  contacts.mass = View<double*>("rhegma::massAtTool", rows);
   contacts.first = View<int*>("rhegma::firstParticleAtTool", rows + 1);
 }
 
@@ -278,9 +283,10 @@ void listParticles(const State<D>& state, const ParticleGaps<D>& gaps, ToolConta
 
 /// Clears the marks of the rows, and takes held axes out of the normals.
 template <int D>
-void finishContacts(const State<D>& state, const ToolContacts<D>& contacts)
+void finishContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts)
 {
   markHeldAxes(state, contacts.node, contacts.count, contacts.held);
+  divideContacts(state, centre, contacts);
   const ToolContacts<D> at = contacts;
   parallelForSmall(
       "rhegma::freeNormalsAtTool", contacts.count, KOKKOS_LAMBDA(const int c) {
@@ -315,6 +321,7 @@ void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps
     Kokkos::deep_copy(contacts.indexOfRow, -1);
   }
   const PressedNodes pressed = pressedNodes(state, tool.name());
+  const Vector<D> centre = tool.placement().centre + tool.placement().moved;
   const NodePositions<D> positions = nodePositions(state);
   const View<int*> index = contacts.indexOfRow, marked = contacts.marked;
   const View<int> numMarked("rhegma::numMarkedRowsAtTool");
@@ -332,8 +339,8 @@ void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps
   listParticles(state, gaps, contacts);
   parallelForSmall("rhegma::measureContacts", contacts.count,
                    MeasureContact<D>{gaps, contacts, state.particles.template real<D>(fields::position),
-                                     positions, pressed, tool.placement().centre + tool.placement().moved});
-  finishContacts(state, contacts);
+                                     positions, pressed, centre});
+  finishContacts(state, centre, contacts);
 }
 
 template void listContacts(const State<2>&, const Tool<2>&, const ParticleGaps<2>&, ToolContacts<2>&);

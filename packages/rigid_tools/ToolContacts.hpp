@@ -6,9 +6,6 @@
 namespace Rhegma::rigid_tools
 {
 
-/// Largest gap of particles that touch a tool, at nodes that pressed on it in the last step [cells].
-constexpr double stillClosed = 0.1;
-
 /// How far the domains of the particles next to a tool are from it.
 template <int D>
 struct ParticleGaps
@@ -37,10 +34,16 @@ struct ToolContacts
   View<char*> sticks;        ///< not 0 where the two do not move along each other
   View<double* [2]> taken; ///< energy that contact takes in this step, and the part of it along the faces [J]
   View<double*> work;      ///< of the tool on the body in this step [J]
-  int count = 0;           ///< number of contacts
-  int cut = 0; ///< of a tool with a mass: contacts with less friction than their law has (FreeVelocity)
+  View<int*> parts;        ///< number of fields among which the impulse is divided; 0: left out
+  View<int * [1 << D]> partRow; ///< their rows
+  View<double * [1 << D]> part; ///< of each; they add to 1 [-]
+  View<double*>
+      mass; ///< that takes the impulse: its velocity is that of the body at the contact [kg]; 0: left out
+  int count = 0; ///< number of contacts
+  int cut = 0;   ///< of a tool with a mass: contacts with less friction than their law has (FreeVelocity)
 
   // Kept from step to step, to be used again.
+  View<char*> several;   ///< of each lattice node: not 0 while those with more than one field are marked
   View<int*> indexOfRow; ///< of each row of nodal values: its contact, or -1
   View<int*> marked;     ///< rows at which particles touch the tool, before they are sorted
   View<int*> first;      ///< particles of contact k: particle(first(k)) .. particle(first(k + 1) - 1)

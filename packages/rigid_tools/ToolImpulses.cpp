@@ -1,8 +1,10 @@
 #include "rigid_tools/ToolImpulses.hpp"
 
 #include "base/SmallLoops.hpp"
+#include "rigid_tools/ContactParts.hpp"
 #include "rigid_tools/FreeVelocity.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace Rhegma::rigid_tools
@@ -31,17 +33,14 @@ struct ImpulseOf
 
   KOKKOS_INLINE_FUNCTION ContactImpulse<D> operator()(int c) const
   {
-    const int row = contacts.row(c);
-    const double mass = nodes.sums(row, Nodes<D>::massAt);
-    const Vector<D> n = vectorAt<D>(contacts.normal, c);
+    const double mass = contacts.mass(c);
+    const Vector<D> n = vectorAt<D>(contacts.normal, c), velocity = velocityAt(contacts, c, nodes.motion);
     if (!(mass > 0.0) || !(dot(n, n) > 0.0))
       return {};
     const Vector<D> surface = tool.at(vectorAt<D>(contacts.arm, c));
     Vector<D> alike;
     for (int d = 0; d < D; ++d)
-      alike[d] = contacts.held(c, d) != 0
-                     ? 0.0
-                     : contacts.impulse(c, d) + mass * (surface[d] - nodes.motion(row, d));
+      alike[d] = contacts.held(c, d) != 0 ? 0.0 : contacts.impulse(c, d) + mass * (surface[d] - velocity[d]);
     return contactImpulse(law, n, alike);
   }
 };
@@ -70,13 +69,13 @@ std::vector<FieldAtTool<D>> fieldsAtTool(const Nodes<D>& nodes, const ToolContac
   const View<char* [D]> held("rhegma::heldFieldsAtTool", contacts.count);
   parallelForSmall(
       "rhegma::packFieldsAtTool", contacts.count, KOKKOS_LAMBDA(const int c) {
-        const int row = at.row(c);
-        const double mass = nodes.sums(row, Nodes<D>::massAt);
+        const double mass = at.mass(c);
+        const Vector<D> velocity = velocityAt(at, c, nodes.motion);
         packed(c, 2 * D) = mass;
         for (int d = 0; d < D; ++d)
         {
           packed(c, d) = at.normal(c, d);
-          packed(c, D + d) = mass > 0.0 ? nodes.motion(row, d) - at.impulse(c, d) / mass : 0.0;
+          packed(c, D + d) = mass > 0.0 ? velocity[d] - at.impulse(c, d) / mass : 0.0;
           held(c, d) = at.held(c, d);
         }
       });
@@ -123,29 +122,68 @@ int findImpulsesOfMass(const Nodes<D>& nodes, const Tool<D>& tool, const ToolCon
   return found.cut;
 }
 
-/// Applies the impulses that are wanted. \return the largest change of an impulse, and the largest impulse
+/// Changes of impulses in a sweep over contacts.
+struct Changes
+{
+  double changed = 0.0; ///< the largest [N s]
+  double largest = 0.0; ///< the largest impulse [N s]
+};
+
+/// Applies the impulses that are wanted, in the order of the contacts, so that sums do not depend on the
+/// threads: contacts next to each other have nodes in common.
 template <int D>
 struct ApplyImpulses
 {
   Nodes<D> nodes;
   ToolContacts<D> contacts;
   double dt;
+  double fraction; ///< of the change
 
-  KOKKOS_INLINE_FUNCTION void operator()(const int c, double& changed, double& largest) const
+  KOKKOS_INLINE_FUNCTION void apply(int c, double& changed, double& largest) const
   {
-    const int row = contacts.row(c);
-    const double mass = nodes.sums(row, Nodes<D>::massAt);
     for (int d = 0; d < D; ++d)
     {
-      const double change = contacts.wanted(c, d) - contacts.impulse(c, d);
+      const double change = fraction * (contacts.wanted(c, d) - contacts.impulse(c, d));
       changed = std::fmax(changed, std::fabs(change));
       largest = std::fmax(largest, std::fabs(contacts.wanted(c, d)));
       if (change == 0.0)
         continue;
-      contacts.impulse(c, d) = contacts.wanted(c, d);
-      nodes.motion(row, d) += change / mass;
-      nodes.motion(row, Nodes<D>::accelerationAt + d) += change / (mass * dt);
+      contacts.impulse(c, d) = fraction == 1.0 ? contacts.wanted(c, d) : contacts.impulse(c, d) + change;
+      for (int e = 0; e < contacts.parts(c); ++e)
+      {
+        const int row = contacts.partRow(c, e);
+        const double mass = nodes.sums(row, Nodes<D>::massAt), part = contacts.part(c, e) * change;
+        nodes.motion(row, d) += part / mass;
+        nodes.motion(row, Nodes<D>::accelerationAt + d) += part / (mass * dt);
+      }
     }
+  }
+};
+
+/// Runs body(c, ...) for all contacts, one after the other.
+template <class Body, class... Sums>
+void inOrder(const char* label, int count, const Body& body, Sums&... sums)
+{
+  Kokkos::parallel_reduce(
+      label, Kokkos::RangePolicy<ExecSpace>(0, 1),
+      KOKKOS_LAMBDA(const int, Sums&... sum) {
+        for (int c = 0; c < count; ++c)
+          body(c, sum...);
+      },
+      Kokkos::Max<Sums>(sums)...);
+}
+
+/// Finds and applies the impulse of one contact after the other.
+template <int D>
+struct SweepImpulses
+{
+  FindImpulses<D> find;
+  ApplyImpulses<D> put;
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int c, double& changed, double& largest) const
+  {
+    find(c);
+    put.apply(c, changed, largest);
   }
 };
 
@@ -169,11 +207,13 @@ struct CountImpulse
     contacts.taken(c, 0) = contacts.taken(c, 1) = contacts.work(c) = 0.0;
     if (!(dot(impulse, impulse) > 0.0))
       return;
-    const int row = contacts.row(c);
-    const double mass = nodes.sums(row, Nodes<D>::massAt);
-    Vector<D> velocity; // the mean over the step
-    for (int d = 0; d < D; ++d)
-      velocity[d] = 0.5 * (nodes.sums(row, Nodes<D>::momentumAt + d) / mass + nodes.projection(row, d));
+    const Vector<D> velocity = velocityAt(contacts, c,
+                                          [&](int row, int d) // the mean over the step
+                                          {
+                                            return 0.5 * (nodes.sums(row, Nodes<D>::momentumAt + d) /
+                                                              nodes.sums(row, Nodes<D>::massAt) +
+                                                          nodes.projection(row, d));
+                                          });
     const Vector<D> surface = mean.at(vectorAt<D>(contacts.arm, c)), relative = velocity - surface;
     const double all = -dot(impulse, relative), across = -dot(impulse, n) * dot(relative, n);
     contacts.taken(c, 0) = all;
@@ -196,21 +236,26 @@ struct JoinProjection
     const Vector<D> impulse = vectorAt<D>(contacts.impulse, c), n = vectorAt<D>(contacts.normal, c);
     if (!(dot(impulse, impulse) > 0.0))
       return;
-    const int row = contacts.row(c);
-    const Vector<D> surface = now.at(vectorAt<D>(contacts.arm, c));
-    Vector<D> toTool, force;
+    const Vector<D> surface = now.at(vectorAt<D>(contacts.arm, c)),
+                    velocity = velocityAt(contacts, c, nodes.projection);
+    Vector<D> toTool, force{}; // the force: of the nodes, as it accelerates the point of the contact
     for (int d = 0; d < D; ++d)
-    {
-      toTool[d] = contacts.held(c, d) != 0 ? 0.0 : surface[d] - nodes.projection(row, d);
-      force[d] = nodes.sums(row, Nodes<D>::forceAt + d);
-    }
+      toTool[d] = contacts.held(c, d) != 0 ? 0.0 : surface[d] - velocity[d];
     const Vector<D> normal = dot(toTool, n) * n;
     const Vector<D> face = contacts.sticks(c) != 0 ? toTool - normal : Vector<D>{};
-    for (int d = 0; d < D; ++d)
+    for (int e = 0; e < contacts.parts(c); ++e)
     {
-      nodes.projection(row, d) += normal[d] + face[d];
-      changed = std::fmax(changed, std::fabs(normal[d] + face[d]));
+      const int row = contacts.partRow(c, e);
+      // One of nodes in the same proportion as an impulse would change them.
+      const double part = contacts.part(c, e) * contacts.mass(c) / nodes.sums(row, Nodes<D>::massAt);
+      for (int d = 0; d < D; ++d)
+      {
+        force[d] += part * nodes.sums(row, Nodes<D>::forceAt + d);
+        nodes.projection(row, d) += part * (normal[d] + face[d]);
+      }
     }
+    for (int d = 0; d < D; ++d)
+      changed = std::fmax(changed, std::fabs(normal[d] + face[d]));
     const double byFace = dt * dot(force, face);
     contacts.taken(c, 0) += dt * dot(force, normal) + byFace;
     contacts.taken(c, 1) += byFace;
@@ -262,6 +307,53 @@ struct LargestOverlap
   }
 };
 
+/// Sweeps over the contacts of a tool that have nodes in common end when no impulse changes by more than this
+/// fraction of the largest one, or after so many: what is left is a difference of velocities along the face.
+constexpr double settledSweep = 1e-7;
+constexpr int mostSweepsOfContacts = 60;
+
+/// Whether contacts have nodes in common.
+template <int D>
+bool haveCommonNodes(const ToolContacts<D>& contacts)
+{
+  const auto rows = onHost(contacts.partRow);
+  const auto parts = onHost(contacts.parts);
+  std::vector<int> all;
+  for (int c = 0; c < contacts.count; ++c)
+    for (int e = 0; e < parts(c); ++e)
+      all.push_back(rows(c, e));
+  std::sort(all.begin(), all.end());
+  return std::adjacent_find(all.begin(), all.end()) != all.end();
+}
+
+/// Finds and applies the impulses of all contacts once. Of a tool with a mass all are found together, and of
+/// those that have nodes in common half of the change is applied: as each cell has two such contacts at most,
+/// this converges (Jacobi's method with relaxation).
+template <int D>
+Changes sweepContacts(const Nodes<D>& nodes, Tool<D>& tool, ToolContacts<D>& contacts, bool together,
+                      double dt)
+{
+  Changes changes;
+  if (!tool.hasMass())
+  {
+    inOrder("rhegma::sweepImpulsesOfTool", contacts.count,
+            SweepImpulses<D>{{{nodes, contacts, tool.law(), tool.velocity()}}, {nodes, contacts, dt, 1.0}},
+            changes.changed, changes.largest);
+    return changes;
+  }
+  // Impulses of an earlier call have changed its velocity already.
+  const Vector<D> alone =
+      tool.velocity().ofCentre + (1.0 / tool.mass().mass) * tool.freePart(sumOfImpulses(contacts));
+  contacts.cut = findImpulsesOfMass(nodes, tool, contacts, alone);
+  const ApplyImpulses<D> put{nodes, contacts, dt, together ? 0.5 : 1.0};
+  inOrder(
+      "rhegma::applyImpulsesOfTool", contacts.count,
+      KOKKOS_LAMBDA(const int c, double& changed, double& largest) { put.apply(c, changed, largest); },
+      changes.changed, changes.largest);
+  tool.setVelocity(alone - (1.0 / tool.mass().mass) * tool.freePart(sumOfImpulses(contacts)));
+  return changes;
+}
+
 } // namespace
 
 template <int D>
@@ -271,23 +363,17 @@ double exchangeImpulses(const State<D>& state, Tool<D>& tool, ToolContacts<D>& c
   if (contacts.count == 0 || !(state.clock.dt > 0.0))
     return 0.0;
   const Nodes<D> nodes = state.mesh.nodes;
-  Vector<D> alone = tool.velocity().ofCentre;
-  if (tool.hasMass())
+  const bool together = haveCommonNodes(contacts);
+  double first = 0.0;
+  for (int sweep = 0; sweep < (together ? mostSweepsOfContacts : 1); ++sweep)
   {
-    // Impulses of an earlier call have changed its velocity already.
-    alone = alone + (1.0 / tool.mass().mass) * tool.freePart(sumOfImpulses(contacts));
-    contacts.cut = findImpulsesOfMass(nodes, tool, contacts, alone);
+    const Changes changes = sweepContacts(nodes, tool, contacts, together, state.clock.dt);
+    const double change = changes.largest > 0.0 ? changes.changed / changes.largest : 0.0;
+    first = sweep == 0 ? change : first;
+    if (!(change > settledSweep))
+      break;
   }
-  else
-    parallelForSmall("rhegma::findImpulsesOfTool", contacts.count,
-                     FindImpulses<D>{{nodes, contacts, tool.law(), tool.velocity()}});
-  double changed = 0.0, largest = 0.0;
-  parallelSumSmall("rhegma::applyImpulsesOfTool", 0, contacts.count,
-                   ApplyImpulses<D>{nodes, contacts, state.clock.dt}, Kokkos::Max<double>(changed),
-                   Kokkos::Max<double>(largest));
-  if (tool.hasMass())
-    tool.setVelocity(alone - (1.0 / tool.mass().mass) * tool.freePart(sumOfImpulses(contacts)));
-  return largest > 0.0 ? changed / largest : 0.0;
+  return first;
 }
 
 template <int D>
@@ -302,11 +388,19 @@ double joinProjection(const State<D>& state, const Tool<D>& tool, const ToolCont
 {
   if (contacts.count == 0)
     return 0.0;
-  double changed = 0.0;
-  parallelSumSmall("rhegma::joinProjectionAtTool", 0, contacts.count,
-                   JoinProjection<D>{state.mesh.nodes, contacts, tool.velocity(), state.clock.dt},
-                   Kokkos::Max<double>(changed));
-  return std::fmax(changed, 0.0);
+  const int sweeps = haveCommonNodes(contacts) ? mostSweepsOfContacts : 1;
+  double first = 0.0;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    double changed = 0.0;
+    inOrder("rhegma::joinProjectionAtTool", contacts.count,
+            JoinProjection<D>{state.mesh.nodes, contacts, tool.velocity(), state.clock.dt}, changed);
+    changed = std::fmax(changed, 0.0);
+    first = sweep == 0 ? changed : first;
+    if (!(changed > settledSweep * first))
+      break;
+  }
+  return first;
 }
 
 template <int D>

@@ -31,9 +31,16 @@ void addFrictionLaw(Section& s)
   addFriction(s);
 }
 
-void addFrictionLawOfList(Section& s)
+void addFrictionLawOfList(Section& s, const std::vector<OtherLaw>& more)
 {
-  s.choice("Law", lawNames).optional("that of the section").meaning(meaningOfLaw);
+  std::vector<std::string> names = lawNames;
+  std::string meaning = meaningOfLaw;
+  for (const OtherLaw& law : more)
+  {
+    names.push_back(law.name);
+    meaning += " " + law.meaning;
+  }
+  s.choice("Law", names).optional("that of the section").meaning(meaning);
   addFriction(s);
 }
 

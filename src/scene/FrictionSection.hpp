@@ -15,8 +15,16 @@ namespace Rhegma
 /// Adds the parameters to a section; surfaces slide freely by default.
 void addFrictionLaw(Section& section);
 
-/// The same for a list whose law is that of its section if it has none of its own.
-void addFrictionLawOfList(Section& list);
+/// A law of surfaces that is not one of friction.
+struct OtherLaw
+{
+  std::string name;
+  std::string meaning; ///< added to that of the laws of friction
+};
+
+/// The same for a list whose law is that of its section if it has none of its own. \param more laws that the
+/// list may have in addition; their parameters are the caller's
+void addFrictionLawOfList(Section& list, const std::vector<OtherLaw>& more = {});
 
 /// Checks them. \param path of the list in the scene
 void checkFrictionLaw(const Teuchos::ParameterList& list, const std::string& path,

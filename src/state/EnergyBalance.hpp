@@ -18,7 +18,7 @@ struct EnergyBalance
   double heat = 0.0;         ///< supplied through the surface, by sources or by crack fronts
   double roundOff = 0.0;     ///< estimated rounding error of the largest energies
   double externalWork = 0.0; ///< done by loads, supports and body forces
-  double springs = 0.0;      ///< elastic, of springs just behind crack fronts; a part of `strain`
+  double springs = 0.0;      ///< elastic, of springs behind fronts, of interfaces; a part of `strain`
   double damped = 0.0;       ///< by the damping effect
   double filtered = 0.0;     ///< kinetic energy that PIC in the velocity update takes from the particles
   double plastic = 0.0;      ///< spent in plastic flow, less what became heat

@@ -7,7 +7,7 @@ import re
 # Columns of the whole run.
 _OF_RUN = {
     "time": "s",
-    **{name: "J" for name in ("kinetic", "strain", "tools", "thermal", "heat", "external_work", "damped", "contact", "fracture", "merged",
+    **{name: "J" for name in ("kinetic", "strain", "tools", "interfaces", "thermal", "heat", "external_work", "damped", "contact", "fracture", "merged",
                               "stabilised", "combustion", "plastic", "filtered", "residual")},
     "momentum_x": "kg m/s", "momentum_y": "kg m/s", "momentum_z": "kg m/s",
     "temperature_highest": "K", "temperature_lowest": "K", "load_factor": "", "pieces": "", "largest_piece": "kg",

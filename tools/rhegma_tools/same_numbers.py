@@ -8,7 +8,7 @@ import os
 import re
 
 ENERGIES = {"kinetic", "strain", "external_work", "damped", "residual", "contact", "fracture", "combustion", "heat", "thermal",
-            "merged", "stabilised", "filtered", "tools"}
+            "merged", "stabilised", "filtered", "tools", "interfaces"}
 # What depends on the machine, and is no result.
 NO_RESULT = ("wall_seconds", "ns_per_particle_step", "peak_memory_bytes*", "bytes_per_particle", "checkpoints.*", "stages.*",
              "*.seconds", "*_seconds", "version", "scene")

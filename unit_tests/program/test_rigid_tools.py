@@ -219,8 +219,8 @@ class Tools(DrawnScenes):
         )
 
     def test_a_light_ball_with_friction_creates_no_energy(self):
-        """The bound of the residual is that of docs/how-to/rigid-tools.md. The kinetic energy of the row of cells at the tool may return to the
-        body after a step in which contact took it: the entry of contact falls by no more than that."""
+        """The bound of the residual is that of docs/how-to/rigid-tools.md. The kinetic energy of the two rows of nodes at the tool may return
+        to the body after a step in which contact took it: the entry of contact falls by no more than that."""
         for dimension, masses in ((2, (0.003, 0.008)), (2, (0.003, 0.03)), (2, (0.003, 0.03)), (3, (5e-4, 2e-3))):
             mass = math.exp(self.rng.uniform(*map(math.log, masses)))
             friction = self.rng.uniform(0.3, 0.8)
@@ -232,7 +232,7 @@ class Tools(DrawnScenes):
                 for k, s, t, w in zip(*(history[name] for name in ("kinetic", "strain", "tools", "external_work"))):
                     self.assertLess(k + s + t, 1.002 * (start + w))
                 self.assertLess(max(abs(r) for r in history["residual"]), 0.023 * (start + supplied))
-                self.assertGreater(min(b - a for a, b in zip(history["contact"], history["contact"][1:])), -2e-4 * (start + supplied))
+                self.assertGreater(min(b - a for a, b in zip(history["contact"], history["contact"][1:])), -8e-4 * (start + supplied))
                 impulse, own = summary["rigid_tools"][0]["impulse"], history["momentum_x"]
                 self.assertLess(abs(own[-1] - own[0] - impulse[0]), ROUNDING * summary["bodies"][0]["mass"] * 10.0)
 
@@ -259,14 +259,14 @@ class Tools(DrawnScenes):
 
     def test_the_balance_closes_at_nodes_of_two_tools(self):
         """Both tools press on the same nodes, which stop in one step. The energy of both impulses is that of the motion before either tool has
-        changed the strain rate; with that after the first tool 1.8 % were left."""
+        changed the strain rate; with that after the first tool 1.8 % were left. 0.3 % are left of steps in which only one tool touches the plate."""
         for thickness in (0.4, 0.5):
             summary, history = self.run_scene(self.plate_between_tools(thickness, 25.0, [0.5, -1.0]))
             with self.subTest(thickness=thickness):
                 plane, block = summary["rigid_tools"]
                 self.assertLess(abs(plane["impulse"][1] + block["impulse"][1] - summary["momentum"][1]), 1e-10 * abs(block["impulse"][1]))
                 self.assertGreater(history["contact"][-1], 0.5 * history["tools"][0])
-                self.assertLess(max(abs(r) for r in history["residual"]), 2e-3 * history["tools"][0])
+                self.assertLess(max(abs(r) for r in history["residual"]), 5e-3 * history["tools"][0])
 
     def test_impulses_that_do_not_settle_are_reported(self):
         """No velocity of a node is that of two tools which move towards each other."""

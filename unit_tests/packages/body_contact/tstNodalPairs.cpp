@@ -46,7 +46,7 @@ TEST(NodalPairs, HaveRoomForAllAsNodesAndGroupsBecomeMore)
       ASSERT_EQ(pairs.count, expected) << nodes << " nodes with " << groups << " groups";
       for (const std::size_t room :
            {pairs.group.extent(0), pairs.row.extent(0), pairs.impulse.extent(0), pairs.normal.extent(0),
-            pairs.gap.extent(0), pairs.sticks.extent(0), pairs.taken.extent(0)})
+            pairs.gap.extent(0), pairs.loses.extent(0), pairs.aim.extent(0), pairs.taken.extent(0)})
         ASSERT_GE(static_cast<int>(room), expected) << nodes << " nodes with " << groups << " groups";
     }
 }
