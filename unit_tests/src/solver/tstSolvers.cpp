@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -225,6 +226,99 @@ TEST(Multigrid, PointsThatHardlyHangAreNoHindrance)
   const SolveResult result = solveWith(multigrid, matrix);
   EXPECT_TRUE(result.converged);
   EXPECT_LE(result.iterations, 30);
+}
+
+/// A block of points in space with springs along the edges and diagonals of its cells, six unknowns of which
+/// are held as supports hold a body against its rigid motions: one point, two unknowns of another and one of
+/// a third.
+struct FreeBlock
+{
+  static constexpr int edge = 10, points = edge * edge * edge, n = 3 * points;
+  SparseMatrix matrix;
+  Multigrid::Vectors motions = Multigrid::Vectors(6, std::vector<double>(n, 0.0));
+
+  FreeBlock()
+  {
+    Entries rows(n);
+    for (int k = 0; k < points; ++k)
+      for (int direction = 14; direction < 27; ++direction) // of 27, one of each pair
+        joinAlong(rows, k, {direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1});
+    for (const int held : {0, 1, 2, 3 * (edge - 1) + 1, 3 * (edge - 1) + 2, 3 * (edge * edge - 1) + 2})
+      hold(rows, held);
+    matrix = fromEntries(rows);
+    for (int k = 0; k < points; ++k)
+      for (int d = 0; d < 3; ++d)
+      {
+        const int next = (d + 1) % 3, other = (d + 2) % 3;
+        motions[d][3 * k + d] = 1.0;
+        motions[3 + d][3 * k + next] = -at(k)[other];
+        motions[3 + d][3 * k + other] = at(k)[next];
+      }
+  }
+
+  static std::array<int, 3> at(int k) { return {k % edge, k / edge % edge, k / edge / edge}; }
+
+  static void joinAlong(Entries& rows, int a, const std::array<int, 3>& along)
+  {
+    int b = 0;
+    for (int d = 2; d >= 0; --d)
+    {
+      const int to = at(a)[d] + along[d];
+      if (to < 0 || to >= edge)
+        return;
+      b = edge * b + to;
+    }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (const double stiffness = along[i] * along[j]; stiffness != 0.0)
+        {
+          rows[3 * a + i].push_back({3 * b + j, -stiffness});
+          rows[3 * b + i].push_back({3 * a + j, -stiffness});
+          rows[3 * a + i].push_back({3 * a + j, stiffness});
+          rows[3 * b + i].push_back({3 * b + j, stiffness});
+        }
+  }
+
+  static void hold(Entries& rows, int unknown)
+  {
+    for (int r = 0; r < n; ++r)
+      for (auto& [column, value] : rows[r])
+        value = (r == unknown) != (column == unknown) ? 0.0 : value;
+  }
+};
+
+/// With the diagonal the iterations go with the number of points along an edge, times the root of the ratio
+/// of the body's stiffness to that of the points that hold it.
+TEST(Multigrid, TakesRigidMotionsOfABodyThatIsHeldAtSixUnknowns)
+{
+  if (!Multigrid::available())
+    GTEST_SKIP() << "the library was built without multigrid";
+  const FreeBlock block;
+  KrylovSolver gradients(1e-8, 10000);
+  gradients.resize(block.n);
+  const View<double*> right = product(block.matrix, numbers(block.n));
+  const auto solve = [&](const KrylovSolver::Apply& precondition)
+  {
+    for (int k = 0; k < block.n; ++k)
+      gradients.right()(k) = right(k);
+    return gradients.solve([&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+                           { block.matrix.multiply(from, to); },
+                           precondition);
+  };
+  const Multigrid multigrid(block.matrix, 3, block.motions);
+  const SolveResult with = solve([&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+                                 { multigrid.apply(from, to); });
+  const SolveResult without = solve(
+      [&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+      {
+        for (int r = 0; r < block.n; ++r)
+          for (std::size_t k = block.matrix.first(r); k < block.matrix.first(r + 1); ++k)
+            if (block.matrix.column(k) == r)
+              to(r) = from(r) / block.matrix.value(k);
+      });
+  EXPECT_TRUE(with.converged);
+  EXPECT_TRUE(without.converged);
+  EXPECT_LT(3 * with.iterations, without.iterations);
 }
 
 /// A square of springs that the ground holds at one edge. Three of its points, anywhere, are kept by another
