@@ -193,7 +193,7 @@ TEST(ViscoScram, PlaneStressIsTheSolidWithoutStressAcross)
 /// rho c^2 is at least the second derivative of the energy along every plane wave that leaves no time for
 /// relaxation or growth, from strained states with cracks; at rest it is the dilatational wave.
 template <int D, Plane P>
-void expectBound(unsigned seed)
+void expectBoundOfWaves(unsigned seed)
 {
   Random random;
   const Scram p = randomScram(seed, 3);
@@ -239,9 +239,9 @@ void expectBound(unsigned seed)
 
 TEST(ViscoScram, WaveSpeedIsABound)
 {
-  expectBound<2, Plane::Strain>(41u);
-  expectBound<2, Plane::Stress>(42u);
-  expectBound<3, Plane::Solid>(43u);
+  expectBoundOfWaves<2, Plane::Strain>(41u);
+  expectBoundOfWaves<2, Plane::Stress>(42u);
+  expectBoundOfWaves<3, Plane::Solid>(43u);
 }
 
 /// A rotation of the body, other in each step, rotates the stress and nothing else.
@@ -323,7 +323,7 @@ TEST(ViscoScram, OnlyLawsWithDamageHaveOne)
   EXPECT_EQ(lawsWithDamage(), std::vector<std::string>{"ViscoSCRAM"});
 }
 
-void expectRefused(const Scram& p, const std::string& text)
+void expectRefusedConstants(const Scram& p, const std::string& text)
 {
   try
   {
@@ -341,22 +341,22 @@ TEST(ViscoScram, RefusesImpossibleConstants)
   const Scram good = randomScram(71u, 2);
   Scram p = good;
   p.radius = p.scale = 0.1;
-  expectRefused(p, "Initial Crack Radius: is 0.1 m; it must be < Crack Length Scale = 0.1 m");
+  expectRefusedConstants(p, "Initial Crack Radius: is 0.1 m; it must be < Crack Length Scale = 0.1 m");
   p = good;
   p.radius = 0.0;
-  expectRefused(p, "Initial Crack Radius: is 0; give a positive");
+  expectRefusedConstants(p, "Initial Crack Radius: is 0; give a positive");
   p = good;
   p.toughness *= 1e-3;
-  expectRefused(p, "must be >= 0.001 J/m2, the surface energy of any solid");
+  expectRefusedConstants(p, "must be >= 0.001 J/m2, the surface energy of any solid");
   p = good;
   p.friction = 1.3;
-  expectRefused(p, "Crack Friction: is 1.3; 2 mu^2 < 3 must hold");
+  expectRefusedConstants(p, "Crack Friction: is 1.3; 2 mu^2 < 3 must hold");
   p = good;
   p.speed = 0.95 * std::sqrt(p.G() / 2.0);
-  expectRefused(p, "m/s, the speed of Rayleigh waves");
+  expectRefusedConstants(p, "m/s, the speed of Rayleigh waves");
   p = good;
   p.prony.shear = {0.7, 0.6};
-  expectRefused(p, "has the sum 1.3; the sum of the fractions must be <= 1");
+  expectRefusedConstants(p, "has the sum 1.3; the sum of the fractions must be <= 1");
 }
 
 } // namespace
