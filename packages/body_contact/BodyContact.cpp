@@ -149,7 +149,10 @@ void touch(Parts<D>& parts, const State<D>& state)
 {
   parts.pairs.count = 0;
   if (parts.shared.count == 0)
+  {
+    releaseInterfaces(parts.interfaces);
     return;
+  }
   findFieldsNextToCracks(state, parts.shared);
   listPairs(parts.shared, parts.pairs);
   if (parts.interfaces.count > 0)

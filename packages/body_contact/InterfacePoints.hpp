@@ -46,6 +46,10 @@ template <int D>
 void sumSprings(const State<D>& state, const SharedNodes<D>& shared, NodalPairs<D>& pairs,
                 const InterfacePoints<D>& points);
 
+/// Releases all points: no node is common to any two groups, so that none has a stencil.
+template <int D>
+void releaseInterfaces(const InterfacePoints<D>& points);
+
 /// Moves the points with the velocity that strains the bodies: positions, normals and jumps.
 template <int D>
 void moveInterfaces(const State<D>& state, const NodalPairs<D>& pairs, const InterfacePoints<D>& points);
