@@ -2,6 +2,7 @@
 
 #include "base/SmallLoops.hpp"
 #include "body_contact/NodalContact.hpp"
+#include "body_contact/PressedPairs.hpp"
 #include "boundary/HeldMarks.hpp"
 #include "transfer/PressedNodes.hpp"
 
@@ -32,8 +33,8 @@ struct ExchangeImpulses
   NodalPairs<D> pairs;
   PairLaws laws;
   View<char* [D]> held;
-  PressedNodes pressed;
-  double reach; ///< gap up to which nodes that pressed in the last step still do [m]
+  PressedPairs pressed;
+  double reach; ///< gap up to which pairs that pressed in the last step still do [m]
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int s) const
@@ -59,7 +60,8 @@ struct ExchangeImpulses
   /// until their domains meet again in each step.
   KOKKOS_INLINE_FUNCTION bool touches(int q) const
   {
-    return pairs.gap(q) <= (pressed(pairs.node(q)) ? reach : 0.0);
+    const bool still = pressed(pairs.node(q), pairs.group(q, 0), pairs.group(q, 1));
+    return pairs.gap(q) <= (still ? reach : 0.0);
   }
 
   /// Brings the impulse of a pair to the one with which its law holds, the others as they are. \return the
@@ -306,7 +308,7 @@ void exchangeImpulses(const State<D>& state, const SharedNodes<D>& shared, const
                                      pairs,
                                      laws,
                                      held,
-                                     pressedNodes(state, eachOther),
+                                     pressedPairs(state, laws.groups),
                                      stillClosed * state.mesh.grid.spacing,
                                      state.clock.dt};
   parallelForSmall("rhegma::exchangeImpulses", shared.count, exchange);

@@ -263,6 +263,44 @@ class Interfaces(DrawnScenes):
         for column, values in whole.items():
             self.assertEqual(values[-1], rest[column][-1], column)
 
+    def test_other_bodies_at_a_node_do_not_touch_early(self):
+        """Two bars in a row pull or press on each other, and a plate flies at their sides. It touches them once its domains reach theirs: that the two
+        have pressed at the nodes of their faces is nothing to other pairs there. Without lateral strain the sides stay where they are."""
+        cell = 1e-3
+        for dimension in (2, 3):
+            for law, speed in ((interface(0.01 * YOUNG / cell), -1.0), ({"Law": "Frictionless"}, 1.0)):
+                more, gap, flies = dimension - 1, self.rng.uniform(0.05, 0.09), 8.0
+                at = [self.rng.uniform(0.0, cell) for _ in range(dimension)]
+                face, side = at[0] + 10.0 * cell, at[1] + 3.0 * cell
+                ends = [[x, x + 3.0 * cell] for x in at[2:]]
+                low, high = [e[0] for e in ends], [e[1] for e in ends]
+                below = at[1] - gap * cell
+                # The plate arrives within 9 cells of a wave; bars of 10 cells press for 20.
+                end = 1.2 * gap * cell / flies
+                scene = Scene(
+                    {
+                        "Domain": {"Dimension": dimension, "Cell Size": cell, "Lower Corner": [-4.0 * cell] * dimension,
+                                   "Upper Corner": [26.0 * cell] + [8.0 * cell] * more},
+                        "Time": {"Final Time": end},
+                        "Materials": {"Solid": solid()},
+                        "Bodies": {
+                            "Left": box([*at[:2], *low], [face, side, *high], Velocity=[speed] + [0.0] * more),
+                            "Right": box([face, at[1], *low], [face + 10.0 * cell, side, *high]),
+                            "Plate": box([face - 4.0 * cell, below - 2.0 * cell, *low], [face + 4.0 * cell, below, *high],
+                                         Velocity=[0.0, flies] + [0.0] * (more - 1)),
+                        },
+                        "Body Contact": {"Pair": {"Bodies": "Left, Right", **law}},
+                        "Output": {"Fields": False, "Checkpoints": False, "History Interval": end / 10.0},
+                    }
+                )
+                summary, _ = self.run_scene(scene)
+                touched = {frozenset(pair["bodies"]): pair["first_touch"] for pair in summary["body_contact"]}
+                step = 1.1 * summary["time"] / summary["steps"]  # the last one is shorter
+                with self.subTest(dimension=dimension, law=law["Law"], gap=gap):
+                    self.assertLess(touched[frozenset(("Left", "Right"))], step)
+                    for name in ("Left", "Right"):
+                        self.assertLess(abs(touched[frozenset((name, "Plate"))] - gap * cell / flies), step)
+
     def test_wrong_interfaces(self):
         scene, _, _ = self.bars(30, 2, 1e12, 1e-5)
         where = "Body Contact > Glue"
