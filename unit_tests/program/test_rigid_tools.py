@@ -259,7 +259,8 @@ class Tools(DrawnScenes):
 
     def test_a_light_ball_with_friction_creates_no_energy(self):
         """The bound of the residual is that of docs/how-to/rigid-tools.md. The kinetic energy of the two rows of nodes at the tool may return
-        to the body after a step in which contact took it: the entry of contact falls by no more than that."""
+        to the body after a step in which contact took it: the entry of contact falls by no more than that. 0.04 % of the energy was found in 20
+        cases; the bound is twice that."""
         for dimension, masses in ((2, (0.003, 0.008)), (2, (0.003, 0.03)), (2, (0.003, 0.03)), (3, (5e-4, 2e-3))):
             mass = math.exp(self.rng.uniform(*map(math.log, masses)))
             friction = self.rng.uniform(0.3, 0.8)
@@ -298,7 +299,8 @@ class Tools(DrawnScenes):
 
     def test_the_balance_closes_at_nodes_of_two_tools(self):
         """Both tools press on the same nodes, which stop in one step. The energy of both impulses is that of the motion before either tool has
-        changed the strain rate; with that after the first tool 1.8 % were left. 0.3 % are left of steps in which only one tool touches the plate."""
+        changed the strain rate; with that after the first tool 1.8 % were left. Up to 0.3 % are left of steps in which only one tool touches the plate;
+        the bound leaves room for positions that have not been drawn."""
         for thickness in (0.4, 0.5):
             summary, history = self.run_scene(self.plate_between_tools(thickness, 25.0, [0.5, -1.0]))
             with self.subTest(thickness=thickness):
