@@ -1,11 +1,12 @@
 #include "body_contact/BodyContact.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/ReadList.hpp"
 #include "body_contact/ContactRecord.hpp"
 #include "body_contact/InterfacePoints.hpp"
+#include "body_contact/PressedPairs.hpp"
 #include "scene/FrictionSection.hpp"
 #include "state/BodyGroup.hpp"
-#include "transfer/PressedNodes.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -149,7 +150,10 @@ void touch(Parts<D>& parts, const State<D>& state)
 {
   parts.pairs.count = 0;
   if (parts.shared.count == 0)
+  {
+    releaseInterfaces(parts.interfaces);
     return;
+  }
   findFieldsNextToCracks(state, parts.shared);
   listPairs(parts.shared, parts.pairs);
   if (parts.interfaces.count > 0)
@@ -168,7 +172,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [parts](State<D>& state) { start(parts, state); };
   effect.adds.push_back(
       {fields::bodyGroup, 1, "", "group of bodies that are bonded to each other, from 1 on", true});
-  effect.addsNodal.push_back(pressedNodesField(eachOther));
+  effect.addsNodal = pressedPairsFields(bondedGroups(parts->bodies, sublistNames(parts->bodies)).count());
   effect.call(Stage::BetweenSteps, "bodies near each other", {quantity::particleOrder}, {}, {},
               [parts](State<D>& s) { watch(parts, s); });
   effect.call(Stage::Solve, "impulses between bodies",
@@ -181,7 +185,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                 if (parts->pairs.count > 0)
                 {
                   joinProjection(s, parts->shared, parts->pairs);
-                  keepPressedNodes(s, eachOther, parts->pairs.count, parts->pairs.node, parts->pairs.impulse);
+                  keepPressedPairs(s, parts->laws.groups, parts->shared, parts->pairs);
                   moveInterfaces(s, parts->pairs, parts->interfaces);
                 }
                 parts->record->add(s, parts->pairs, parts->interfaces);

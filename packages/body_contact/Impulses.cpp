@@ -2,6 +2,7 @@
 
 #include "base/SmallLoops.hpp"
 #include "body_contact/NodalContact.hpp"
+#include "body_contact/PressedPairs.hpp"
 #include "boundary/HeldMarks.hpp"
 #include "transfer/PressedNodes.hpp"
 
@@ -32,8 +33,8 @@ struct ExchangeImpulses
   NodalPairs<D> pairs;
   PairLaws laws;
   View<char* [D]> held;
-  PressedNodes pressed;
-  double reach; ///< gap up to which nodes that pressed in the last step still do [m]
+  PressedPairs pressed;
+  double reach; ///< gap up to which pairs that pressed in the last step still do [m]
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int s) const
@@ -59,7 +60,8 @@ struct ExchangeImpulses
   /// until their domains meet again in each step.
   KOKKOS_INLINE_FUNCTION bool touches(int q) const
   {
-    return pairs.gap(q) <= (pressed(pairs.node(q)) ? reach : 0.0);
+    const bool still = pressed(pairs.node(q), pairs.group(q, 0), pairs.group(q, 1));
+    return pairs.gap(q) <= (still ? reach : 0.0);
   }
 
   /// Brings the impulse of a pair to the one with which its law holds, the others as they are. \return the
@@ -139,21 +141,36 @@ struct ExchangeImpulses
   }
 
   /// Stiffness of a node's springs along its normal (part 0), and the largest along the faces, on free axes;
-  /// more where normals differ, by what couples the two [N/m].
+  /// more where normals differ, by what couples the two [N/m]. \param n zero where normals are held or cancel
   KOKKOS_INLINE_FUNCTION double stiffnessOf(int s, int q, const Vector<D>& n, int part) const
   {
+    double free[D][D] = {};
     Vector<D> product{};
-    double trace = 0.0;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j)
+      {
+        free[i][j] = held(s, i) != 0 || held(s, j) != 0 ? 0.0 : pairs.springs.stiffness(q, i, j);
+        product[i] += free[i][j] * n[j];
+      }
+    const double across = dot(n, product), coupling = norm(product - across * n);
+    if (part == 0)
+      return coupling + across;
+    // Along the faces there are two stiffnesses at most: trace and squares are their sum and the sum of their
+    // squares. Where normals cancel there may be three, of which the root of the squares is a bound.
+    double trace = 0.0, squares = 0.0;
+    bool two = D == 2 || dot(n, n) > 0.0;
     for (int i = 0; i < D; ++i)
     {
-      if (held(s, i) != 0)
-        continue;
-      trace += pairs.springs.stiffness(q, i, i);
+      two = two || held(s, i) != 0;
       for (int j = 0; j < D; ++j)
-        product[i] += pairs.springs.stiffness(q, i, j) * n[j];
+      {
+        const double along = free[i][j] - n[i] * product[j] - product[i] * n[j] + across * n[i] * n[j];
+        trace += i == j ? along : 0.0;
+        squares += along * along;
+      }
     }
-    const double across = dot(n, product), coupling = norm(product - across * n);
-    return coupling + (part == 0 ? across : trace - across);
+    const double apart = std::fmax(0.0, 2.0 * squares - trace * trace); // square of the difference of the two
+    return coupling + (two ? 0.5 * (trace + std::sqrt(apart)) : std::sqrt(squares));
   }
 
   /// Changes the impulse of a pair, and the motion of its two fields. \return the largest change
@@ -291,7 +308,7 @@ void exchangeImpulses(const State<D>& state, const SharedNodes<D>& shared, const
                                      pairs,
                                      laws,
                                      held,
-                                     pressedNodes(state, eachOther),
+                                     pressedPairs(state, laws.groups),
                                      stillClosed * state.mesh.grid.spacing,
                                      state.clock.dt};
   parallelForSmall("rhegma::exchangeImpulses", shared.count, exchange);

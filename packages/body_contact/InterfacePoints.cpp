@@ -215,6 +215,13 @@ void sumSprings(const State<D>& state, const SharedNodes<D>& shared, NodalPairs<
 }
 
 template <int D>
+void releaseInterfaces(const InterfacePoints<D>& points)
+{
+  if (points.count > 0)
+    Kokkos::deep_copy(points.released, 1);
+}
+
+template <int D>
 void moveInterfaces(const State<D>& state, const NodalPairs<D>& pairs, const InterfacePoints<D>& points)
 {
   const Nodes<D> nodes = state.mesh.nodes;
@@ -272,6 +279,8 @@ void serialize(InterfacePoints<D>& points, Archive& archive)
 
 template void sumSprings(const State<2>&, const SharedNodes<2>&, NodalPairs<2>&, const InterfacePoints<2>&);
 template void sumSprings(const State<3>&, const SharedNodes<3>&, NodalPairs<3>&, const InterfacePoints<3>&);
+template void releaseInterfaces(const InterfacePoints<2>&);
+template void releaseInterfaces(const InterfacePoints<3>&);
 template void moveInterfaces(const State<2>&, const NodalPairs<2>&, const InterfacePoints<2>&);
 template void moveInterfaces(const State<3>&, const NodalPairs<3>&, const InterfacePoints<3>&);
 template double energyOfInterfaces(const InterfacePoints<2>&, int, int);

@@ -15,10 +15,11 @@ class Archive;
 namespace Rhegma::body_contact
 {
 
-/// Points on the faces of two groups that touch at the start, an eighth to a quarter of a cell apart. Each
-/// has a displacement jump, the integral of the jump of the velocity that strains the two bodies, and a
-/// traction on either of them, equal and opposite. The forces on nodes are those whose work is that of the
-/// tractions, so that the springs neither create nor dissipate energy but by the length of the step.
+/// Points on the faces of two groups that touch at the start, an eighth of a cell apart or less, up to a
+/// quarter on surfaces that are gathered from pieces (Geometry::Pieces). Each has a displacement jump, the
+/// integral of the jump of the velocity that strains the two bodies, and a traction on either of them, equal
+/// and opposite. The forces on nodes are those whose work is that of the tractions, so that the springs
+/// neither create nor dissipate energy but by the length of the step.
 template <int D>
 struct InterfacePoints
 {
@@ -45,6 +46,10 @@ InterfacePoints<D> placeInterfaces(const Teuchos::ParameterList& scene, const st
 template <int D>
 void sumSprings(const State<D>& state, const SharedNodes<D>& shared, NodalPairs<D>& pairs,
                 const InterfacePoints<D>& points);
+
+/// Releases all points: no node is common to any two groups, so that none has a stencil.
+template <int D>
+void releaseInterfaces(const InterfacePoints<D>& points);
 
 /// Moves the points with the velocity that strains the bodies: positions, normals and jumps.
 template <int D>

@@ -41,9 +41,6 @@ struct NodalPairs
   int count = 0;           ///< number of pairs
 };
 
-/// What nodes press on where bodies meet (pressedNodesField).
-inline const std::string eachOther = "each other";
-
 /// What a pair of groups has exchanged in a step.
 template <int D>
 struct PairSums

@@ -9,8 +9,6 @@ namespace Rhegma::body_contact
 namespace
 {
 
-KOKKOS_INLINE_FUNCTION constexpr int pairsOf(int groups) { return groups * (groups - 1) / 2; }
-
 /// Number of pairs of a shared node: the two fields of its owner next to a crack are no pair.
 template <int D>
 KOKKOS_INLINE_FUNCTION int pairsOfNode(const SharedNodes<D>& shared, int s)

@@ -96,7 +96,7 @@ std::vector<NamedPair> namedPairs(const Teuchos::ParameterList& section, const B
 
 PairLaws readLaws(const Teuchos::ParameterList& section, const std::vector<NamedPair>& pairs, int groups)
 {
-  PairLaws laws{readFrictionLaw(section), {}};
+  PairLaws laws{groups, readFrictionLaw(section), {}};
   if (pairs.empty())
     return laws;
   laws.ofGroups = View<FrictionLaw**>("rhegma::lawsOfPairs", groups, groups);

@@ -19,6 +19,7 @@ namespace Rhegma::body_contact
 /// The laws of all pairs of groups, on the device.
 struct PairLaws
 {
+  int groups = 0;               ///< number of groups
   FrictionLaw others;           ///< of pairs without one of their own
   View<FrictionLaw**> ofGroups; ///< by both numbers; empty where all pairs have the same law
 

@@ -11,6 +11,9 @@ namespace Rhegma::body_contact
 /// Groups that may touch a node.
 constexpr int mostGroups = 4;
 
+/// Number of pairs of so many groups.
+KOKKOS_INLINE_FUNCTION constexpr int pairsOf(int groups) { return groups * (groups - 1) / 2; }
+
 /// The nodes that several groups touch in this step. At such a node one group owns the node's own row, and
 /// each other one has an enriched field, in the order of their numbers. The owner is the group that a crack
 /// cuts at the node, else the lowest number of those that have a crack, else the lowest number. Next to a

@@ -161,25 +161,6 @@ void divideContacts(const State<D>& state, const Vector<D>& centre, ToolContacts
                                 fields ? contacts.several : View<char*>()};
   parallelForSmall("rhegma::divideContactsOfTool", contacts.count, divide);
   markSeveral(state, contacts.several, 0);
-  if (alone)
-    return;
-  // An axis is held if a support holds one of the nodes along it.
-  const int each = 1 << D;
-  const View<int*> node("rhegma::nodesOfToolParts", each * contacts.count);
-  const View<char* [D]> held("rhegma::heldToolParts", each * contacts.count);
-  const ToolContacts<D> at = contacts;
-  parallelForSmall(
-      "rhegma::listNodesOfToolParts", contacts.count, KOKKOS_LAMBDA(const int c) {
-        for (int e = 0; e < each; ++e)
-          node(each * c + e) = e < at.parts(c) ? at.partRow(c, e) : at.node(c);
-      });
-  markHeldAxes(state, node, each * contacts.count, held);
-  parallelForSmall(
-      "rhegma::holdToolParts", contacts.count, KOKKOS_LAMBDA(const int c) {
-        for (int e = 0; e < each; ++e)
-          for (int d = 0; d < D; ++d)
-            at.held(c, d) = at.held(c, d) != 0 || held(each * c + e, d) != 0 ? 1 : 0;
-      });
 }
 
 template <int D>
@@ -208,9 +189,45 @@ void separateTools(const State<D>& state, const std::vector<ToolContacts<D>*>& a
     keepOwnNodes(state, *contacts, toolOf);
 }
 
+template <int D>
+void holdContacts(const State<D>& state, const ToolContacts<D>& contacts)
+{
+  // The node of the contact first, then those of its parts.
+  constexpr int each = 1 + (1 << D);
+  const View<int*> node("rhegma::nodesOfToolParts", each * contacts.count);
+  const View<char* [D]> held("rhegma::heldToolParts", each * contacts.count);
+  const ToolContacts<D> at = contacts;
+  const Nodes<D> nodes = state.mesh.nodes;
+  parallelForSmall(
+      "rhegma::listNodesOfToolParts", contacts.count, KOKKOS_LAMBDA(const int c) {
+        for (int e = 0; e < each; ++e)
+          node(each * c + e) =
+              e > 0 && e <= at.parts(c) ? latticeNode(nodes, at.partRow(c, e - 1)) : at.node(c);
+      });
+  markHeldAxes(state, node, each * contacts.count, held);
+  parallelForSmall(
+      "rhegma::holdContactsOfTool", contacts.count, KOKKOS_LAMBDA(const int c) {
+        double square = 0.0;
+        for (int d = 0; d < D; ++d)
+        {
+          bool any = false;
+          for (int e = 0; e < each; ++e)
+            any = any || held(each * c + e, d) != 0;
+          at.held(c, d) = any ? 1 : 0;
+          at.normal(c, d) = any ? 0.0 : at.normal(c, d);
+          square += at.normal(c, d) * at.normal(c, d);
+        }
+        const double factor = square > 1e-12 ? 1.0 / std::sqrt(square) : 0.0;
+        for (int d = 0; d < D; ++d)
+          at.normal(c, d) *= factor;
+      });
+}
+
 template void divideContacts(const State<2>&, const Vector<2>&, ToolContacts<2>&);
 template void divideContacts(const State<3>&, const Vector<3>&, ToolContacts<3>&);
 template void separateTools(const State<2>&, const std::vector<ToolContacts<2>*>&);
 template void separateTools(const State<3>&, const std::vector<ToolContacts<3>*>&);
+template void holdContacts(const State<2>&, const ToolContacts<2>&);
+template void holdContacts(const State<3>&, const ToolContacts<3>&);
 
 } // namespace Rhegma::rigid_tools

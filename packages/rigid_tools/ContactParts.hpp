@@ -33,4 +33,10 @@ KOKKOS_INLINE_FUNCTION Vector<D> velocityAt(const ToolContacts<D>& contacts, int
 template <int D>
 void separateTools(const State<D>& state, const std::vector<ToolContacts<D>*>& all);
 
+/// Marks the axes along which a support holds the node of a contact or one among which it is divided, and
+/// takes them out of its normal. The last step of listing contacts: what holds them depends on how they are
+/// divided.
+template <int D>
+void holdContacts(const State<D>& state, const ToolContacts<D>& contacts);
+
 } // namespace Rhegma::rigid_tools

@@ -145,6 +145,9 @@ void press(Tools<D>& tools, State<D>& state)
         contacts.push_back(&one.contacts);
     separateTools(state, contacts);
   }
+  for (const ToolInRun<D>& one : tools.all)
+    if (one.contacts.count > 0)
+      holdContacts(state, one.contacts);
   const int sweeps = touching > 1 ? mostSweeps : std::min(touching, 1);
   double changed = 0.0;
   for (int k = 0; k < sweeps && (k == 0 || changed > settledChange); ++k)

@@ -1,7 +1,6 @@
 #include "rigid_tools/ToolContacts.hpp"
 
 #include "base/SmallLoops.hpp"
-#include "boundary/HeldMarks.hpp"
 #include "rigid_tools/ContactParts.hpp"
 #include "transfer/ParticleViews.hpp"
 #include "transfer/PressedNodes.hpp"
@@ -281,26 +280,14 @@ void listParticles(const State<D>& state, const ParticleGaps<D>& gaps, ToolConta
   pass(true);
 }
 
-/// Clears the marks of the rows, and takes held axes out of the normals.
+/// Clears the marks of the rows.
 template <int D>
-void finishContacts(const State<D>& state, const Vector<D>& centre, ToolContacts<D>& contacts)
+void clearMarks(const ToolContacts<D>& contacts)
 {
-  markHeldAxes(state, contacts.node, contacts.count, contacts.held);
-  divideContacts(state, centre, contacts);
   const ToolContacts<D> at = contacts;
   parallelForSmall(
-      "rhegma::freeNormalsAtTool", contacts.count, KOKKOS_LAMBDA(const int c) {
-        at.indexOfRow(at.row(c)) = -1;
-        double square = 0.0;
-        for (int d = 0; d < D; ++d)
-        {
-          at.normal(c, d) = at.held(c, d) != 0 ? 0.0 : at.normal(c, d);
-          square += at.normal(c, d) * at.normal(c, d);
-        }
-        const double factor = square > 1e-12 ? 1.0 / std::sqrt(square) : 0.0;
-        for (int d = 0; d < D; ++d)
-          at.normal(c, d) *= factor;
-      });
+      "rhegma::clearRowsAtTool", contacts.count,
+      KOKKOS_LAMBDA(const int c) { at.indexOfRow(at.row(c)) = -1; });
 }
 
 } // namespace
@@ -340,7 +327,8 @@ void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps
   parallelForSmall("rhegma::measureContacts", contacts.count,
                    MeasureContact<D>{gaps, contacts, state.particles.template real<D>(fields::position),
                                      positions, pressed, centre});
-  finishContacts(state, centre, contacts);
+  clearMarks(contacts);
+  divideContacts(state, centre, contacts);
 }
 
 template void listContacts(const State<2>&, const Tool<2>&, const ParticleGaps<2>&, ToolContacts<2>&);

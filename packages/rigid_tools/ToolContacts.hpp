@@ -64,7 +64,7 @@ void measureGaps(const State<D>& state, const Tool<D>& tool, const std::vector<c
 /// half a cell from the line through the node along their normal, or as far as its nearest particle. At nodes
 /// that pressed on the tool in the last step, particles still touch it with a gap of up to a tenth of a cell:
 /// where the surface of a body is not on a node, strain moves the domains of its particles relative to the
-/// tool.
+/// tool. Held axes are still in the normals (holdContacts).
 template <int D>
 void listContacts(const State<D>& state, const Tool<D>& tool, const ParticleGaps<D>& gaps,
                   ToolContacts<D>& contacts);

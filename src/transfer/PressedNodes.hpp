@@ -1,5 +1,5 @@
 #pragma once
-/// Nodes that pressed on something in the last step: a tool, or another body.
+/// Nodes that pressed on something in the last step, such as a tool.
 
 #include "state/State.hpp"
 
@@ -8,9 +8,9 @@
 namespace Rhegma
 {
 
-/// Largest gap of particles at which they still touch at nodes that pressed in the last step, as long as the
-/// impulse there is a pressure [cells]. Where the face of a body is not on a row of nodes, strain moves the
-/// domains of its particles relative to what they press on.
+/// Largest gap of particles at which they still touch at nodes where they pressed in the last step, as long
+/// as the impulse there is a pressure [cells]. Where the face of a body is not on a row of nodes, strain
+/// moves the domains of its particles relative to what they press on.
 constexpr double stillClosed = 0.1;
 
 /// The nodal field in which they are stored, so that cells may be refined and runs continued. \param on what

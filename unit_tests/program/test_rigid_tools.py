@@ -84,6 +84,45 @@ class Tools(DrawnScenes):
                 kinetic = [0.5 * mass * v**2 for v in history["Striker.velocity_x"]]
                 self.assertLess(max(abs(a - b) for a, b in zip(kinetic, history["tools"])), ROUNDING * start)
 
+    def test_tools_at_common_nodes_beside_a_support(self):
+        """A block flies into the corner of a wall and a floor. Both have the node of the corner, so that all their contacts keep the one row of nodes at
+        their face, and stop it: the impulse is its momentum. That a support holds the next row, among which contacts would be divided otherwise, is
+        nothing to them. Two particles a cell, of which each gives its linear function N to the row. In the step before they touch, the support
+        has left N of their speed to those between the two rows. The block moves by 1e-5 of a cell, and stresses are as small."""
+        cell, sound, speed, number = 1e-2, 1e3, 10.0, 1e-3
+        for dimension in (2, 3):
+            beyond = [self.rng.uniform(0.1, 0.45) for _ in range(2)]  # of the faces from the row [cells]
+            low = [x * cell for x in beyond] + [self.rng.uniform(0.0, cell)] * (dimension - 2)
+            high = [x + 4.0 * cell for x in low]
+            gap = 1e-6 * cell  # which the block crosses in the first step
+            rest = {"Lower Corner": [-4.0 * cell] * dimension}
+            scene = Scene(
+                {
+                    "Domain": {"Dimension": dimension, "Cell Size": cell, "Shape Functions": "Linear", "Lower Corner": [-4.0 * cell] * dimension,
+                               "Upper Corner": [8.0 * cell] * dimension},
+                    "Time": {"Final Time": 1.0, "CFL": number, "Maximum Steps": 2},
+                    "Materials": {"Solid": solid(DENSITY * sound**2, 0.0)},
+                    "Bodies": {"Block": {"Material": "Solid", "Shape": "Box", "Lower Corner": low, "Upper Corner": high,
+                                         "Velocity": [-speed, -speed] + [0.0] * (dimension - 2)}},
+                    "Rigid Tools": {
+                        "Wall": {"Shape": "Box", **rest, "Upper Corner": [low[0] - gap] + [8.0 * cell] * (dimension - 1)},
+                        "Floor": {"Shape": "Box", **rest, "Upper Corner": [8.0 * cell, low[1] - gap] + [8.0 * cell] * (dimension - 2)},
+                    },
+                    "Boundaries": {"Held": {"Type": "Velocity", "Components": "y", "Value": [0.0] * dimension,
+                                            "Lower Corner": [-4.0 * cell, 0.9 * cell] + [-4.0 * cell] * (dimension - 2),
+                                            "Upper Corner": [8.0 * cell, 1.1 * cell] + [8.0 * cell] * (dimension - 2)}},
+                    "Output": {"Fields": False, "Checkpoints": False},
+                }
+            )
+            summary, _ = self.run_scene(scene)
+            for axis, name in enumerate(("Wall", "Floor")):
+                tool = next(tool for tool in summary["rigid_tools"] if tool["name"] == name)
+                functions = [max(0.0, 1.0 - (beyond[axis] + 0.25 + 0.5 * k)) for k in range(2)]
+                moving = sum(n**2 for n in functions) if name == "Floor" else sum(functions)
+                exact = DENSITY * 0.5 * cell * (4.0 * cell) ** (dimension - 1) * moving * speed
+                with self.subTest(dimension=dimension, tool=name, beyond=beyond):
+                    self.assertLess(abs(tool["impulse"][axis] / exact - 1.0), 0.01)
+
     def incline(self, angle, turned, time, law, friction=0.0, cell=0.0125):
         """A block of 8 cells on a plane that is turned through the cells; gravity makes `angle` with its normal."""
         at = [self.rng.uniform(0.0, cell) for _ in range(2)]
@@ -220,7 +259,8 @@ class Tools(DrawnScenes):
 
     def test_a_light_ball_with_friction_creates_no_energy(self):
         """The bound of the residual is that of docs/how-to/rigid-tools.md. The kinetic energy of the two rows of nodes at the tool may return
-        to the body after a step in which contact took it: the entry of contact falls by no more than that."""
+        to the body after a step in which contact took it: the entry of contact falls by no more than that. 0.04 % of the energy was found in 20
+        cases; the bound is twice that."""
         for dimension, masses in ((2, (0.003, 0.008)), (2, (0.003, 0.03)), (2, (0.003, 0.03)), (3, (5e-4, 2e-3))):
             mass = math.exp(self.rng.uniform(*map(math.log, masses)))
             friction = self.rng.uniform(0.3, 0.8)
@@ -259,7 +299,8 @@ class Tools(DrawnScenes):
 
     def test_the_balance_closes_at_nodes_of_two_tools(self):
         """Both tools press on the same nodes, which stop in one step. The energy of both impulses is that of the motion before either tool has
-        changed the strain rate; with that after the first tool 1.8 % were left. 0.3 % are left of steps in which only one tool touches the plate."""
+        changed the strain rate; with that after the first tool 1.8 % were left. Up to 0.3 % are left of steps in which only one tool touches the plate;
+        the bound leaves room for positions that have not been drawn."""
         for thickness in (0.4, 0.5):
             summary, history = self.run_scene(self.plate_between_tools(thickness, 25.0, [0.5, -1.0]))
             with self.subTest(thickness=thickness):
