@@ -49,7 +49,7 @@ nlohmann::json entryOfStop(const CrackFront<D>& front)
 } // namespace
 
 template <int D>
-void addCrackColumns(State<D>& state, bool grows)
+void addCrackColumns(State<D>& state, const std::vector<Opening>& openings, bool grows)
 {
   for (std::size_t f = 0; f < state.cracks.fronts.size() && grows; ++f)
   {
@@ -60,7 +60,7 @@ void addCrackColumns(State<D>& state, bool grows)
   }
   for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
   {
-    const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
+    const Opening& opening = openings[c];
     const std::string& name = state.cracks.cracks[c].name;
     state.sample.row.emplace_back(name + ".opening", opening.largest);
     if constexpr (D == 3)
@@ -107,8 +107,8 @@ void reportCracks(const State<D>& state, const std::vector<OverlapRecord>& overl
     std::string warning = touching ? "" : warningOfOverlap(state, crack, startsInEquilibrium);
     if (warning.empty() && !touching)
       warning = warningOfRecord(state, crack, past, adviceAgainstOverlap(state, crack, startsInEquilibrium));
-    entry["largest_overlap"] = past.overlap;
-    entry["time_of_largest_overlap"] = past.time;
+    entry["largest_overlap"] = past.ever.overlap;
+    entry["time_of_largest_overlap"] = past.ever.time;
     if (!warning.empty())
       summary["warnings"].push_back(warning);
     entry["opening"] = opening.largest;
@@ -140,8 +140,8 @@ void reportCracks(const State<D>& state, const std::vector<OverlapRecord>& overl
   }
 }
 
-template void addCrackColumns(State<2>&, bool);
-template void addCrackColumns(State<3>&, bool);
+template void addCrackColumns(State<2>&, const std::vector<Opening>&, bool);
+template void addCrackColumns(State<3>&, const std::vector<Opening>&, bool);
 template void reportCracks(const State<2>&, const std::vector<OverlapRecord>&, bool, bool, bool,
                            nlohmann::json&);
 template void reportCracks(const State<3>&, const std::vector<OverlapRecord>&, bool, bool, bool,

@@ -12,9 +12,9 @@ namespace Rhegma::cracks
 {
 
 /// Adds the columns of cracks to the sample: largest opening [m], in 3D the area [m2], and where cracks grow
-/// the fraction of the nodes of each front that have stopped.
+/// the fraction of the nodes of each front that have stopped. \param openings of the cracks (openingsOf)
 template <int D>
-void addCrackColumns(State<D>& state, bool grows);
+void addCrackColumns(State<D>& state, const std::vector<Opening>& openings, bool grows);
 
 /// Adds the entries of cracks and fronts to the summary, and warnings of faces that overlap, or have done so.
 /// \param overlaps of the run so far, of each crack \param touching contact keeps faces apart, so that none

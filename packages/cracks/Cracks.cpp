@@ -403,8 +403,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.call(Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {},
               [=](State<D>& s)
               {
-                addCrackColumns(s, parts->grows);
-                recordOverlaps(s, parts->overlaps);
+                const std::vector<Opening> openings = openingsOf(s.cracks);
+                addCrackColumns(s, openings, parts->grows);
+                recordOverlaps(s, openings, parts->touching, parts->overlaps);
               });
   if constexpr (D == 2)
     if (parts->formulation == Formulation::CorrectedBrokenCell)

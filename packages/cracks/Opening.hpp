@@ -3,6 +3,9 @@
 
 #include "state/CrackSet.hpp"
 
+#include <cstddef>
+#include <vector>
+
 namespace Rhegma::cracks
 {
 
@@ -19,5 +22,15 @@ struct Opening
 /// distance from a front. \param overlap the distance of `closed` [m]
 template <int D>
 Opening measureOpening(const CrackSet<D>& cracks, int crack, double overlap = 0.0);
+
+/// That of each crack, in their order.
+template <int D>
+std::vector<Opening> openingsOf(const CrackSet<D>& cracks)
+{
+  std::vector<Opening> openings;
+  for (std::size_t c = 0; c < cracks.cracks.size(); ++c)
+    openings.push_back(measureOpening(cracks, static_cast<int>(c)));
+  return openings;
+}
 
 } // namespace Rhegma::cracks

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Rhegma::energy_release
@@ -19,74 +20,167 @@ namespace Rhegma::energy_release
 namespace
 {
 
+/// The contours of all front nodes: position, and outer radius squared.
 template <int D>
-bool isAtFront(const std::vector<FrontSample<D>>& samples, const Vector<D>& x)
+View<double* [D + 1]> contoursOf(const std::vector<FrontSample<D>>& samples)
 {
-  return std::any_of(samples.begin(), samples.end(),
-                     [&](const FrontSample<D>& sample)
-                     {
-                       const auto& nodes = sample.front.nodes;
-                       return std::any_of(nodes.begin(), nodes.end(),
-                                          [&](const FrontNode<D>& node)
-                                          { return norm(node.position - x) < sample.tube.radii.outer; });
-                     });
-}
-
-/// Of the particles on this rank. \param yield stresses of the bodies; 0: not looked at [Pa]
-template <int D>
-std::vector<YieldedPart<D>> yieldedHere(const State<D>& state, const std::vector<FrontSample<D>>& samples,
-                                        double factor, const std::vector<double>& yield)
-{
-  const auto host = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-  const auto body = host(state.particles.integer(fields::body));
-  const auto volume = host(state.particles.scalar(fields::volume));
-  const auto x = host(state.particles.template real<D>(fields::position));
-  const auto F = host(state.particles.template real<gradientSize<D>>(fields::deformation));
-  const auto tau = host(state.particles.template real<symmetricSize<D>>(fields::stress));
-  std::vector<YieldedPart<D>> parts(yield.size());
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    YieldedPart<D>& part = parts[body(p)];
-    part.all += volume(p);
-    if (!(yield[body(p)] > 0.0))
-      continue;
-    double s[6], f[gradientSize<D>], t[symmetricSize<D>];
-    for (int k = 0; k < gradientSize<D>; ++k)
-      f[k] = F(p, k);
-    for (int k = 0; k < symmetricSize<D>; ++k)
-      t[k] = tau(p, k);
-    cauchyStress<D>(f, t, s);
-    const double stress = factor * vonMisesStress(s);
-    Vector<D> at;
-    for (int d = 0; d < D; ++d)
-      at[d] = x(p, d);
-    const bool yields = stress > yield[body(p)];
-    if (!(yields || stress > part.largest) || isAtFront(samples, at))
-      continue;
-    part.volume += yields ? volume(p) : 0.0;
-    if (stress > part.largest)
+  std::size_t count = 0;
+  for (const FrontSample<D>& sample : samples)
+    count += sample.front.nodes.size();
+  const View<double * [D + 1]> contours("rhegma::energy_release::contours", count);
+  const auto host = Kokkos::create_mirror_view(contours);
+  std::size_t k = 0;
+  for (const FrontSample<D>& sample : samples)
+    for (const FrontNode<D>& node : sample.front.nodes)
     {
-      part.largest = stress;
-      part.at = at;
+      for (int d = 0; d < D; ++d)
+        host(k, d) = node.position[d];
+      host(k++, D) = sample.tube.radii.outer * sample.tube.radii.outer;
     }
-  }
-  return parts;
+  Kokkos::deep_copy(contours, host);
+  return contours;
 }
 
-/// The sum over ranks, with the largest stress of all.
+/// Von Mises stresses of a body clear of fronts.
 template <int D>
-YieldedPart<D> onAllRanks(const State<D>& state, YieldedPart<D> part)
+struct ClearStress
 {
-  const double largest = state.ranks.max(part.largest);
-  double sums[3 + D] = {part.volume, part.all, largest == part.largest ? 1.0 : 0.0};
-  for (int d = 0; d < D; ++d)
-    sums[3 + d] = sums[2] * part.at[d];
-  state.ranks.sum(sums, 3 + D);
-  part = {sums[0], sums[1], largest, {}};
-  for (int d = 0; d < D; ++d)
-    part.at[d] = sums[3 + d] / sums[2];
+  ParticleStress<D> stress;
+  BorrowedView<int*> bodyOf;
+  BorrowedView<double* [D]> position; ///< of particles [m]
+  View<double * [D + 1]> contours;
+  int body;
+  double factor; ///< on the stresses
+
+  /// That of a particle if it is above a limit; else 0, as of one of another body or next to a front [Pa].
+  KOKKOS_INLINE_FUNCTION double above(double limit, int p) const
+  {
+    if (bodyOf(p) != body)
+      return 0.0;
+    const double here = factor * stress.vonMises(p);
+    return here > limit && !isAtFront(p) ? here : 0.0;
+  }
+
+  KOKKOS_INLINE_FUNCTION bool isAtFront(int p) const
+  {
+    for (std::size_t k = 0; k < contours.extent(0); ++k)
+    {
+      double square = 0.0;
+      for (int d = 0; d < D; ++d)
+        square += (position(p, d) - contours(k, d)) * (position(p, d) - contours(k, d));
+      if (square < contours(k, D))
+        return true;
+    }
+    return false;
+  }
+};
+
+template <int D>
+ClearStress<D> clearStress(const State<D>& state, const std::vector<FrontSample<D>>& samples, int body,
+                           double factor)
+{
+  return {ParticleStress<D>(state.particles),
+          state.particles.integer(fields::body),
+          state.particles.template real<D>(fields::position),
+          contoursOf(samples),
+          body,
+          factor};
+}
+
+/// Of the particles of a body on this rank, without the position. \param limit stress up to which particles
+/// are not looked at [Pa]
+template <int D>
+YieldedPart<D> yieldedHere(const State<D>& state, const ClearStress<D>& stress, double yield, double limit)
+{
+  YieldedPart<D> part;
+  const auto volume = state.particles.scalar(fields::volume);
+  Kokkos::parallel_reduce(
+      "rhegma::energy_release::yielded", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum, double& whole, double& top) {
+        if (stress.bodyOf(p) != stress.body)
+          return;
+        whole += volume(p);
+        const double here = stress.above(top > limit ? (top < yield ? top : yield) : limit, p);
+        sum += here > yield ? volume(p) : 0.0;
+        top = here > top ? here : top;
+      },
+      part.volume, part.all, Kokkos::Max<double>(part.largest));
+  part.largest = part.largest > 0.0 ? part.largest : 0.0; // of no particle
   return part;
+}
+
+/// The particle of this rank with the largest stress.
+template <int D>
+int particleOfLargest(const State<D>& state, const ClearStress<D>& stress)
+{
+  using Most = Kokkos::MaxLoc<double, int>;
+  Most::value_type most;
+  Kokkos::parallel_reduce(
+      "rhegma::energy_release::largestStress", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, Most::value_type& top) {
+        const double here = stress.above(top.val, p);
+        if (here > top.val)
+        {
+          top.val = here;
+          top.loc = p;
+        }
+      },
+      Most(most));
+  return most.loc;
+}
+
+/// What yields on all ranks, but for its position, and whether the largest stress is that of this rank.
+template <int D>
+struct Found
+{
+  YieldedPart<D> part;
+  bool here = false;
+};
+
+/// Of all particles of each body with a yield stress. Collective. \param limits stresses of bodies up to
+/// which particles are not looked at, none above the yield stress [Pa]
+template <int D>
+std::vector<Found<D>> yieldedParts(const State<D>& state, const std::vector<FrontSample<D>>& samples,
+                                   double factor, const std::vector<double>& yield,
+                                   const std::vector<double>& limits)
+{
+  const std::size_t count = yield.size();
+  std::vector<Found<D>> found(count);
+  std::vector<double> sums(2 * count), largest(count);
+  for (std::size_t b = 0; b < count; ++b)
+  {
+    if (yield[b] > 0.0)
+      found[b].part =
+          yieldedHere(state, clearStress(state, samples, static_cast<int>(b), factor), yield[b], limits[b]);
+    sums[2 * b] = found[b].part.volume;
+    sums[2 * b + 1] = found[b].part.all;
+    largest[b] = found[b].part.largest;
+  }
+  state.ranks.sum(sums.data(), static_cast<int>(2 * count));
+  state.ranks.max(largest.data(), static_cast<int>(count));
+  for (std::size_t b = 0; b < count; ++b)
+    found[b] = {{sums[2 * b], sums[2 * b + 1], largest[b], {}}, found[b].part.largest == largest[b]};
+  return found;
+}
+
+/// Where the largest stress of a body is; the mean where several ranks have it. Collective.
+template <int D>
+Vector<D> positionOfLargest(const State<D>& state, const ClearStress<D>& stress, bool here)
+{
+  double sums[1 + D] = {};
+  if (here)
+  {
+    const int p = particleOfLargest(state, stress);
+    const auto row = onHost(Kokkos::subview(stress.position, std::make_pair(p, p + 1), Kokkos::ALL));
+    sums[0] = 1.0;
+    for (int d = 0; d < D; ++d)
+      sums[1 + d] = row(0, d);
+  }
+  state.ranks.sum(sums, 1 + D);
+  Vector<D> at;
+  for (int d = 0; d < D; ++d)
+    at[d] = sums[1 + d] / sums[0];
+  return at;
 }
 
 template <int D>
@@ -153,13 +247,22 @@ void YieldRecords<D>::sample(const State<D>& state, const std::vector<FrontSampl
   if (!state.method.mechanics || std::none_of(yield.begin(), yield.end(), [](double y) { return y > 0.0; }))
     return;
   records_.resize(yield.size());
-  const std::vector<YieldedPart<D>> here = yieldedHere(state, samples, 1.0, yield);
+  // Stresses up to the largest of the record neither yield more nor come closer to it.
+  std::vector<double> limits;
+  for (std::size_t b = 0; b < yield.size(); ++b)
+    limits.push_back(std::min(yield[b], records_[b].part.largest));
+  const std::vector<Found<D>> found = yieldedParts(state, samples, 1.0, yield, limits);
   for (std::size_t b = 0; b < yield.size(); ++b)
   {
-    const YieldedPart<D> now = onAllRanks(state, here[b]), &most = records_[b].part;
+    const YieldedPart<D>& now = found[b].part;
+    const YieldedPart<D>& most = records_[b].part;
     if (now.volume > most.volume || (now.volume == most.volume && now.largest > most.largest))
+    {
       records_[b] = {now, state.clock.time,
                      state.method.analysis == Analysis::LoadFactor ? state.clock.factor.end : 1.0};
+      records_[b].part.at =
+          positionOfLargest(state, clearStress(state, samples, static_cast<int>(b), 1.0), found[b].here);
+    }
   }
 }
 
@@ -195,12 +298,15 @@ void reportYield(const State<D>& state, const std::vector<FrontSample<D>>& sampl
   if (!state.method.mechanics || state.clock.step == 0 ||
       std::none_of(yield.begin(), yield.end(), [](double y) { return y > 0.0; }))
     return;
-  const std::vector<YieldedPart<D>> here = yieldedHere(state, samples, start.ofNow, yield);
+  const std::vector<Found<D>> found =
+      yieldedParts(state, samples, start.ofNow, yield, std::vector<double>(yield.size()));
   for (std::size_t b = 0; b < yield.size(); ++b)
   {
-    const YieldedPart<D> part = onAllRanks(state, here[b]);
-    if (!(part.largest > 0.0))
+    if (!(found[b].part.largest > 0.0))
       continue;
+    YieldedPart<D> part = found[b].part;
+    part.at = positionOfLargest(state, clearStress(state, samples, static_cast<int>(b), start.ofNow),
+                                found[b].here);
     const bool yields = part.volume > least * part.all;
     if (!yields)
       summary["answers"].push_back(beginAsText(state.bodies.info[b].name, part, yield[b], start, loads));

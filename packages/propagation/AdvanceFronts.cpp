@@ -178,28 +178,30 @@ double resistanceAtRest(double now, bool equilibrium, const AdvanceRule& rule, c
 
 /// The advance of a selected node; zero where the opening part of the energy release rate does not reach the
 /// toughness. \param e of the material at the front \param angle by which it turns [rad] \param drive G/Gc in
-/// equilibrium
+/// equilibrium \param starts no node of the front has advanced before this step
 template <int D>
 FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, const Elasticity& e,
-                                double angle, double drive, FrontNode<D>& node, FrontState<D>& front)
+                                double angle, double drive, bool starts, FrontNode<D>& node,
+                                FrontState<D>& front)
 {
   FrontNodeState& own = front.nodes.at(node.name);
+  const AdvanceRule rule = ruleAt(node.temperature, options);
+  const double release = openingRelease(node.driving, e);
+  const bool held = !options.equilibrium && own.history.wasHeld(rule, state.clock.time, release);
   Advance made;
   double fraction = 1.0;
   if (options.equilibrium)
     std::tie(made, fraction) = advanceAtRest(state, options, drive, node, own);
   else
-    made = own.history.advance(ruleAt(node.temperature, options), state.clock.time,
-                               openingRelease(node.driving, e), own.increment, own.speedLimit);
+    made = own.history.advance(rule, state.clock.time, release, own.increment, own.speedLimit);
   node.speed = own.history.speed(state.clock.time);
   FrontNodeAdvance<D> advance{node.direction, 0.0,
-                              resistanceAtRest(state.clock.time, options.equilibrium,
-                                               ruleAt(node.temperature, options), own.history)};
+                              resistanceAtRest(state.clock.time, options.equilibrium, rule, own.history)};
   if (made.increments == 0)
     return advance;
-  if (front.increments == 0)
-    front.first = {node.driving.release / ruleAt(node.temperature, options).initiation, node.driving.modeI,
-                   node.driving.modeII};
+  if (starts)
+    front.first.include(
+        {node.driving.release / rule.initiation, node.driving.modeI, node.driving.modeII, held});
   front.count(own.history, made.increments);
   advance.length = made.increments * fraction * own.increment;
   advance.toughness = made.toughness;
@@ -356,12 +358,14 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
     FrontAdvance<D> advance;
     advance.front = static_cast<int>(f);
     bool any = false;
+    const bool starts = fronts[f].increments == 0;
     for (std::size_t k = 0; k < front.nodes.size(); ++k)
     {
       FrontNode<D>& node = front.nodes[k];
       if (node.advances)
       {
-        const FrontNodeAdvance<D> by = advanceNode(state, options, e, angle[k], drive[k], node, fronts[f]);
+        const FrontNodeAdvance<D> by =
+            advanceNode(state, options, e, angle[k], drive[k], starts, node, fronts[f]);
         if (by.length > 0.0)
           warnOfOtherMaterial(options, front, node, by.length * by.direction, state);
         advance.nodes.push_back(by);

@@ -17,22 +17,21 @@ namespace
 /// K_I of faces that press together, over K of both modes, below which it is named.
 constexpr double noticeable = 0.05;
 
-/// Whether a front has advanced as soon as the start time let it, with G above its toughness.
+/// Whether a front advanced as soon as the start time let it, with G above its toughness before.
 template <int D>
 bool wasHeld(const State<D>& state, const Options& options, const FrontState<D>& own)
 {
   const double start = options.rule.startTime;
   if (!(start > 0.0) || own.increments == 0)
     return false;
-  if (own.early() >= 1.0)
-    return true;
+  // Growth in equilibrium is that of the end of a load step: of the one in which the start time lies. G
+  // reached the toughness within it, or before.
   constexpr double rounding = 1e-9;
-  if (!options.equilibrium)
-    return own.first.release > 1.0 && own.firstTime <= (1.0 + rounding) * start;
-  // Growth is that of the end of a load step; G reached the toughness within it.
   const auto& path = state.cracks.growth.path;
-  return !path.empty() && own.firstTime <= path.front().time &&
-         path.front().reached <= (1.0 + rounding) * start;
+  if (path.empty() || own.firstTime > path.front().time)
+    return own.first.held;
+  return path.front().from < (1.0 - rounding) * start &&
+         (own.early() >= 1.0 || path.front().reached <= (1.0 + rounding) * start);
 }
 
 } // namespace
@@ -42,23 +41,28 @@ void reportFirstAdvance(const State<D>& state, const Options& options, const Fro
                         nlohmann::json& entry)
 {
   const bool moved = own.increments > 0;
-  entry["start_release"] =
-      moved ? nlohmann::json(std::max(own.first.release, own.early())) : nlohmann::json();
+  const auto known = [](bool is, double value) { return is ? nlohmann::json(value) : nlohmann::json(); };
+  entry["start_release"] = known(moved, own.first.release);
   if (D == 2)
   {
-    entry["start_K_I"] = moved ? nlohmann::json(own.first.modeI) : nlohmann::json();
-    entry["start_K_II"] = moved ? nlohmann::json(own.first.modeII) : nlohmann::json();
+    entry["start_K_I"] = known(moved, own.first.modeI);
+    entry["start_K_II"] = known(moved, own.first.modeII);
   }
+  entry["release_before_start_time"] = known(own.early() > 0.0, own.early());
   entry["held_until_start_time"] = wasHeld(state, options, own);
 }
 
 std::string holdAsText(const Options& options, const nlohmann::json& front)
 {
-  if (!front.value("held_until_start_time", false))
+  const std::string start = readableTime(options.rule.startTime);
+  if (front.value("held_until_start_time", false))
+    return ", held by Propagation > Start Time until " + start + ": it started at " +
+           formatShort(front["start_release"].get<double>()) + " times the initiation toughness";
+  const nlohmann::json early = front.value("release_before_start_time", nlohmann::json());
+  if (!early.is_number() || !(early.get<double>() >= 1.0))
     return {};
-  return ", held by Propagation > Start Time until " + readableTime(options.rule.startTime) +
-         ", by when G had reached " + formatShort(front["start_release"].get<double>()) +
-         " times the initiation toughness";
+  return " (before Propagation > Start Time = " + start + " G had reached " +
+         formatShort(early.get<double>()) + " times the initiation toughness)";
 }
 
 std::string closureAsText(const nlohmann::json& front)

@@ -1,5 +1,5 @@
 #pragma once
-/// What is known of the first advance of a front: G, its modes, and whether it was held until then.
+/// What is known of the first advance of a front: G, its modes, and what kept it from advancing before.
 
 #include "propagation/FrontState.hpp"
 #include "propagation/Options.hpp"
@@ -12,15 +12,18 @@ namespace Rhegma::propagation
 {
 
 /// Adds to the entry of a front G over the initiation toughness of its first advance (`start_release`), in 2D
-/// the stress intensities of that time (`start_K_I`, `start_K_II`), and `held_until_start_time`: whether G
-/// had reached the toughness before `Propagation > Start Time` let it advance. null where it has not
-/// advanced.
+/// the stress intensities of that time (`start_K_I`, `start_K_II`), null where it has not advanced; the
+/// largest G over the initiation toughness before `Propagation > Start Time` of the samples that there were
+/// (`release_before_start_time`), null where there was none; and `held_until_start_time`: whether G had
+/// reached the toughness before that time and the front advanced as soon as it let it.
 template <int D>
 void reportFirstAdvance(const State<D>& state, const Options& options, const FrontState<D>& own,
                         nlohmann::json& entry);
 
-/// What the answer says of a front that was held: ", held by Propagation > Start Time until 20 us, by when G
-/// had reached 3.2 times the initiation toughness"; empty of any other. \param front its entry in the summary
+/// What the answer says of a front that was held: ", held by Propagation > Start Time until 20 us: it started
+/// at 3.2 times the initiation toughness"; of one whose G had reached the toughness before, but that started
+/// later, " (before Propagation > Start Time = 20 us G had reached 1.7 times the initiation toughness)";
+/// empty of any other. \param front its entry in the summary
 std::string holdAsText(const Options& options, const nlohmann::json& front);
 
 /// What it says of a front whose faces pressed together as it started, with K_I; empty of any other, and

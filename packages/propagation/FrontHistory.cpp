@@ -113,6 +113,16 @@ bool FrontHistory::isDue(const AdvanceRule& rule, double time, double dt, double
                       fastest);
 }
 
+bool FrontHistory::wasHeld(const AdvanceRule& rule, double time, double release) const
+{
+  if (running_ || !times_.empty() || !(timeBefore_ < rule.startTime && rule.startTime <= time))
+    return false;
+  if (releaseBefore_ >= rule.initiation)
+    return true;
+  const double part = (rule.startTime - timeBefore_) / (time - timeBefore_);
+  return releaseBefore_ + part * (release - releaseBefore_) >= rule.initiation;
+}
+
 void FrontHistory::advanceInEquilibrium(double time, double release, double increment)
 {
   recordRelease(time, release);

@@ -89,6 +89,11 @@ public:
   /// Present speed: that of the last increment, or less when the next one is overdue [m/s].
   double speed(double time) const;
 
+  /// Whether a front that initiates in the step that ended at `time` was held by AdvanceRule::startTime: it
+  /// lies after the last sample, and G had reached the toughness before it, at that sample or on the straight
+  /// line from there. To be asked before advance(), with its arguments.
+  bool wasHeld(const AdvanceRule& rule, double time, double release) const;
+
   bool running() const { return running_; }
   long increments() const { return static_cast<long>(times_.size()); }
   double firstTime() const { return times_.empty() ? 0.0 : times_.front(); }

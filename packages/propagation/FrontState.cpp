@@ -107,7 +107,7 @@ double FrontState<D>::closest() const
 template <int D>
 double FrontState<D>::early() const
 {
-  double largest = 0.0;
+  double largest = earlyOfFormer;
   for (const auto& [name, node] : nodes)
     largest = std::max(largest, node.history.early());
   return largest;
@@ -131,6 +131,7 @@ void FrontState<D>::matchNodes(const CrackFront<D>& front)
   if (same)
     return;
   lastSettledSpeed = settledSpeed();
+  earlyOfFormer = early();
   std::map<int, FrontNodeState> now;
   for (const FrontNode<D>& node : front.nodes)
   {
@@ -150,9 +151,11 @@ void FrontState<D>::serialize(Archive& archive)
   archive("last", lastTime);
   archive("speed_limit", speedLimit);
   archive("last_settled_speed", lastSettledSpeed);
+  archive("early", earlyOfFormer);
   archive("start_release", first.release);
   archive("start_mode_i", first.modeI);
   archive("start_mode_ii", first.modeII);
+  archive("start_held", first.held);
   if constexpr (D == 2)
   {
     storePath(start, path, archive);

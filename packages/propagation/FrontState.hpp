@@ -38,11 +38,20 @@ struct PathStart
   Vector<D> first{};     ///< of the first advance
 };
 
-/// The first advance of a front.
+/// The first advance of a front: of its nodes that advance in that step the one with the largest G.
 struct FirstAdvance
 {
   double release = 0.0;             ///< G over the initiation toughness; 0: there is none
   double modeI = 0.0, modeII = 0.0; ///< stress intensities [Pa m^0.5]; of a front with one node
+  bool held =
+      false; ///< in motion: G had reached the toughness before the start time, and growth began with it
+
+  /// Takes a node into account that advances in the first step in which any does.
+  void include(const FirstAdvance& node)
+  {
+    if (node.release > release)
+      *this = node;
+  }
 };
 
 /// How close a front with one node that was never initiated came to its start by the largest hoop stress.
@@ -81,7 +90,8 @@ struct FrontState
   double lastTime = 0.0;          ///< and of the last [s]
   double speedLimit = 0.0;        ///< the largest of its nodes' [m/s]; 0: not known yet
   double lastSettledSpeed = 0.0;  ///< mean of the settled speeds of its last nodes [m/s]
-  FirstAdvance first;             ///< of its first node to advance
+  double earlyOfFormer = 0.0;     ///< the largest FrontHistory::early of nodes that are no more
+  FirstAdvance first;             ///< of its first nodes to advance
   PathStart<D> start;             ///< of a front with one node
   HoopStart hoop;                 ///< of a front with one node
   ContourDifference contours;     ///< of a front with one node
@@ -99,7 +109,7 @@ struct FrontState
   double settledSpeed() const;
   /// FrontHistory::closest of the node that came closest.
   double closest() const;
-  /// FrontHistory::early of the node with the largest.
+  /// The largest FrontHistory::early of its nodes, including former ones.
   double early() const;
 
   /// Adds increments that a node has made. \param history of the node, with them

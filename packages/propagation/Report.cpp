@@ -268,6 +268,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
 void reportToughness(const Options& options, nlohmann::json& summary)
 {
   summary["propagation"]["initiation_toughness"] = ruleAt(options.temperature, options).initiation;
+  summary["propagation"]["start_time"] = options.rule.startTime;
 }
 
 template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, const Options&,

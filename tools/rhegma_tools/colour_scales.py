@@ -19,9 +19,9 @@ WORTH = 1.05  # times the colours: values beyond are named
 
 
 def limits_of(values, at_fronts=None):
-    """Lowest and highest value that has a colour of its own: the extreme half per cent saturates, so that it does not hide the rest. Stresses at
-    supports and at edges of voxels depend on the cells alone and may be larger than at the fronts of cracks: with values at these, colours end there,
-    but not before all but a few per cent of the particles are within them."""
+    """Lowest and highest value that has a colour of its own: the extreme half per cent at each end saturates, so that it does not hide the rest.
+    Stresses at supports and at edges of voxels depend on the cells alone and may be larger than at the fronts of cracks: with values at these, colours end
+    there, but leave out at most REST per cent of the particles at each end."""
     low, high = np.percentile(values, [0.5, 99.5])
     if at_fronts is not None and len(at_fronts):
         least, most = np.percentile(values, [REST, 100.0 - REST])

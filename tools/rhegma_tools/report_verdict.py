@@ -62,13 +62,17 @@ def motion_from(summary):
     return found["time"] if isinstance(found, dict) and is_number(found.get("time")) else None
 
 
-def held(entry):
+def held(entry, summary):
     """What kept a front at rest although G had reached its toughness, as text; empty where nothing did."""
-    if not entry.get("held_until_start_time"):
+    start, began = (summary.get("propagation") or {}).get("start_time"), entry.get("start_release")
+    time = readable(start, "s") if is_number(start) else ""
+    if entry.get("held_until_start_time"):
+        at = f": it started at {short(began, 3)} times the initiation toughness" if is_number(began) else ""
+        return f", held by Propagation > Start Time{f' until {time}' if time else ''}{at}"
+    early = entry.get("release_before_start_time")
+    if not is_number(early) or early < 1.0:
         return ""
-    reached = entry.get("start_release")
-    by = f", by when G had reached {short(reached, 3)} times the initiation toughness" if is_number(reached) else ""
-    return f", held until then by Propagation > Start Time{by}"
+    return f" (before Propagation > Start Time{f' = {time}' if time else ''} G had reached {short(early, 3)} times the initiation toughness)"
 
 
 def since(entry, summary, first):
@@ -102,7 +106,7 @@ def growth_of(grown, count, summary=None):
     for entry in grown[:NAMED]:
         length = grown_by(entry[2])
         text = f"{name_of(entry)}, grew" + ("" if length is None else f" by {readable(length, 'm')}") + where_to(entry[2])
-        texts.append(text if summary is None else text + since(entry[2], summary, entry is grown[0]) + held(entry[2]) + arrived(entry[2]))
+        texts.append(text if summary is None else text + since(entry[2], summary, entry is grown[0]) + held(entry[2], summary) + arrived(entry[2]))
     more = f"; {len(grown) - NAMED} more" if len(grown) > NAMED else ""
     return "; ".join(texts) + more + (f" ({len(grown)} of {count} fronts grew)" if count > 1 else "")
 

@@ -1,5 +1,6 @@
-"""The equations of ViscoSCRAM at small strain, as Bennett, Haberman, Johnson, Asay, Henson (J. Mech. Phys. Solids 46 (1998) 2303) and Hackett,
-Bennett (Int. J. Numer. Methods Eng. 49 (2000) 1191) write them, in rates; they share no code with the program."""
+"""The equations of ViscoSCRAM at small strain, in rates: those of Bennett, Haberman, Johnson, Asay, Henson (J. Mech. Phys. Solids 46 (1998) 2303) and
+Hackett, Bennett (Int. J. Numer. Methods Eng. 49 (2000) 1191), written from memory of these papers and compared with published code that implements them
+(docs/explanation/laws-for-rates.md). They share no code with the program, but the same reading of the papers."""
 
 import numpy
 

@@ -50,7 +50,7 @@ class StartTime(GrowthTest):
             front = summary["cracks"][0]["fronts"][0]
             self.assertTrue(front["held_until_start_time"], answer)
             until = f"{start * 1e3:g} ms" if start < 1.0 else "1 s"
-            self.assertIn(f"held by Propagation > Start Time until {until}, by when G had reached ", " ".join(summary["answers"]))
+            self.assertIn(f"held by Propagation > Start Time until {until}: it started at ", " ".join(summary["answers"]))
             # Of the end of the load step in which it starts; began is found to within a few thousandths of it.
             self.assertAlmostEqual(front["start_release"], (1.0 / began) ** 2, delta=0.02 * (1.0 / began) ** 2)
 
@@ -65,9 +65,25 @@ class StartTime(GrowthTest):
         front = summary["cracks"][0]["fronts"][0]
         self.assertTrue(front["held_until_start_time"], answer)
         self.assertAlmostEqual(front["initiated"], 1.5 * began, delta=1e-9 * began)
-        said = re.search(r"held by Propagation > Start Time until [\d.]+ us, by when G had reached ([\d.]+) times", " ".join(summary["answers"]))
+        said = re.search(r"held by Propagation > Start Time until [\d.]+ us: it started at ([\d.]+) times", " ".join(summary["answers"]))
         self.assertIsNotNone(said, answer)
         self.assertGreater(float(said.group(1)), 1.0)
+
+    def test_holds_no_growth_by_a_later_load(self):
+        """A first load takes G above the toughness before the start time, is taken off, and a second one makes the crack grow."""
+        answer, summary = self.growth(self.scene(0.7, "0:0, 0.5:1, 0.75:0.1, 1:0.7"))
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertAlmostEqual(front["initiated"], 1.0, delta=1e-6, msg=answer)  # up to rounding of load steps
+        self.assertFalse(front["held_until_start_time"], answer)
+        before = front["release_before_start_time"]
+        self.assertGreater(before, 1.0)
+        # The square of the loads, but for what the body turns and stretches under them.
+        self.assertAlmostEqual(front["start_release"] / before, 0.7**2, delta=0.01)
+        said = " ".join(summary["answers"])
+        self.assertNotIn("held by", said)
+        found = re.search(r"\(before Propagation > Start Time = 700 ms G had reached ([\d.]+) times the initiation toughness\)", said)
+        self.assertIsNotNone(found, said)
+        self.assertAlmostEqual(float(found.group(1)), before, delta=5e-4 * before)  # four digits
 
     def test_is_named_where_it_prevents_growth(self):
         answer, _ = self.growth(self.scene(0.7, "0:0, 0.5:1, 0.75:0.1, 1:0.1"))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""One element of ViscoSCRAM under prescribed strain against the equations of the papers, relaxation without growth, and damage as a field."""
+"""One element of ViscoSCRAM under prescribed strain against its equations integrated apart (cracked_solid.py), relaxation without growth, and damage as a field."""
 
 import csv
 import json

@@ -88,9 +88,17 @@ class Verdict(ToolTest):
         self.assertTrue(verdict(summary_of(running, propagation={})).endswith("to (998.8, 0) mm from t = 33 µs on, on average at 120 m/s and at 250 m/s at the end."))
         arrived = dict(front, arrival={"what": "reached the surface of its body", "time": 78e-6})
         self.assertTrue(verdict(summary_of(arrived, propagation={})).endswith("120 m/s, and it reached the surface of its body at t = 78 µs."))
-        held = verdict(summary_of(dict(front, held_until_start_time=True, start_release=3.21), propagation={}))
-        self.assertIn(", held until then by Propagation > Start Time, by when G had reached 3.21 times the initiation toughness", held)
-        self.assertNotIn("Start Time", verdict(summary_of(dict(front, held_until_start_time=False, start_release=1.0), propagation={})))
+
+    def test_what_held_a_front(self):
+        front = {"initiated": 33e-6, "runs": [{"length": 0.01}], "position": [0.012, -3e-3], "start_release": 3.21}
+
+        def said(held, early, start):
+            return verdict(summary_of(dict(front, held_until_start_time=held, release_before_start_time=early), propagation={"start_time": start}))
+        self.assertIn("from t = 33 µs on, held by Propagation > Start Time until 33 µs: it started at 3.21 times the initiation toughness", said(True, 1.7, 33e-6))
+        # It touched the toughness and started much later, by another load.
+        self.assertIn("from t = 33 µs on (before Propagation > Start Time = 5 µs G had reached 1.7 times the initiation toughness)", said(False, 1.7, 5e-6))
+        for early in (0.99, None):
+            self.assertNotIn("Start Time", said(False, early, 5e-6))
 
     def test_growth_in_motion(self):
         text = verdict(summary_of({"initiated": 33e-6, "runs": [{"length": 0.01}, {"length": 0.02}]}, {"initiated": None}, propagation={}))

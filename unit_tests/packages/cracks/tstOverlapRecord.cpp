@@ -36,11 +36,11 @@ public:
     }
     Kokkos::deep_copy(state().cracks.face, face);
     state().clock.time += 1e-6;
-    recordOverlaps(state(), records_);
+    recordOverlaps(state(), openingsOf(state().cracks), false, records_);
   }
 
-  const OverlapRecord& record() const { return records_.at(0); }
-  std::string warning() { return warningOfRecord(state(), 0, record(), "add a section Contact"); }
+  const LargestOverlap& record() const { return records_.at(0).ever; }
+  std::string warning() { return warningOfRecord(state(), 0, records_.at(0), "add a section Contact"); }
 
 private:
   static constexpr double height = 2.5;
@@ -88,6 +88,42 @@ TEST(OverlapRecord, CountsSmallOnesWhereACrackGrows)
   faces.sample(-faces.draw(0.001, 0.019) * cell);
   EXPECT_EQ(faces.warning(), "");
   faces.state().cracks.fronts.at(0).grown = true;
+  EXPECT_NE(faces.warning(), "");
+}
+
+/// A crack that opens wide as it grows has still started wrong: its overlap is compared with the opening
+/// until then. One whose faces overlapped by little compared with that has started right.
+TEST(OverlapRecord, ComparesWithTheOpeningBeforeGrowth)
+{
+  for (const bool wrong : {true, false})
+  {
+    Faces faces;
+    const double opening = faces.draw(0.2, 0.5) * cell;
+    const double fraction = wrong ? faces.draw(0.2, 0.9) : faces.draw(0.03, 0.09);
+    faces.sample(opening);
+    faces.sample(-fraction * opening);
+    faces.state().cracks.fronts.at(0).grown = true;
+    faces.sample(20.0 * opening);
+    const std::string said = faces.warning();
+    EXPECT_EQ(said.empty(), !wrong) << fraction << said;
+    EXPECT_EQ(said.find("% of its largest opening before it grew) at t = 2 us, before it grew") ==
+                  std::string::npos,
+              !wrong)
+        << said;
+  }
+}
+
+/// What overlaps after growth began is compared with the opening of the whole run.
+TEST(OverlapRecord, ComparesLaterOverlapsWithTheWholeOpening)
+{
+  Faces faces;
+  faces.sample(0.01 * cell);
+  faces.state().cracks.fronts.at(0).grown = true;
+  const double opening = faces.draw(0.5, 0.9) * cell;
+  faces.sample(opening);
+  faces.sample(-faces.draw(0.03, 0.09) * opening);
+  EXPECT_EQ(faces.warning(), "");
+  faces.sample(-faces.draw(0.12, 0.5) * opening);
   EXPECT_NE(faces.warning(), "");
 }
 

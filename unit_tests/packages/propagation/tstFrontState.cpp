@@ -92,6 +92,53 @@ TEST(FrontState, NewNodesInheritTheirPast)
   EXPECT_EQ(state.nodes.count(0), 0u);
 }
 
+/// What G had reached before the start time is that of the front, also once the node is gone.
+TEST(FrontState, RemembersWhatFormerNodesReached)
+{
+  FrontState<3> state;
+  state.matchNodes(frontOf({0, 1}));
+  const AdvanceRule rule{Toughness::parse("10"), 10.0, 10.0, 2.0};
+  state.nodes.at(0).history.recordAtRest(rule, 1.0, 17.0);
+  state.nodes.at(1).history.recordAtRest(rule, 1.0, 12.0);
+  EXPECT_EQ(state.early(), 1.7);
+  state.matchNodes(frontOf({1}));
+  EXPECT_EQ(state.early(), 1.7);
+}
+
+/// The first advance is that of the node with the largest G, wherever it is along the front.
+TEST(FrontState, StartsWithTheLargestRelease)
+{
+  FirstAdvance first;
+  for (const FirstAdvance& node :
+       {FirstAdvance{1.1, 2.0, 3.0, false}, {1.6, 4.0, 5.0, true}, {1.3, 6.0, 7.0, false}})
+    first.include(node);
+  EXPECT_EQ(first.release, 1.6);
+  EXPECT_EQ(first.modeI, 4.0);
+  EXPECT_TRUE(first.held);
+}
+
+/// A front is held by the start time where G had reached the toughness before it and does not fall below it
+/// until then, by samples and straight lines between them.
+TEST(FrontHistory, KnowsWhetherItWasHeld)
+{
+  const AdvanceRule rule{Toughness::parse("10"), 10.0, 10.0, 2.0};
+  const auto held = [&](double timeBefore, double before, double time, double now)
+  {
+    FrontHistory history;
+    history.recordAtRest(rule, timeBefore, before);
+    return history.wasHeld(rule, time, now);
+  };
+  EXPECT_TRUE(held(1.9, 11.0, 2.1, 13.0));
+  EXPECT_TRUE(held(1.9, 14.0, 2.1, 11.0)) << "it falls";
+  EXPECT_TRUE(held(1.9, 9.0, 2.1, 13.0)) << "11 at the start time";
+  EXPECT_FALSE(held(1.9, 7.0, 2.1, 11.0)) << "9 at the start time";
+  EXPECT_FALSE(held(2.0, 9.0, 2.1, 11.0)) << "below the toughness once it might advance";
+  FrontHistory touched; // before, by another load
+  touched.recordAtRest(rule, 1.0, 15.0);
+  touched.recordAtRest(rule, 2.5, 3.0);
+  EXPECT_FALSE(touched.wasHeld(rule, 5.0, 12.0));
+}
+
 /// The settled speed of a front that has no node left is that of the nodes that it had last.
 TEST(FrontState, KeepsItsSettledSpeedWhenItHasEnded)
 {
