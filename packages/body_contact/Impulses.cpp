@@ -45,7 +45,7 @@ struct ExchangeImpulses
     {
       double changed = 0.0, largest = 0.0;
       for (int q = begin; q < end; ++q)
-        if (const bool joined = pairs.springs.join(q); joined || touches(q))
+        if (const bool joined = pairs.springs.join(q); joined || touches(q, begin, end))
         {
           changed = std::fmax(changed, joined ? pull(s, q) : press(s, q));
           for (int d = 0; d < D; ++d)
@@ -57,10 +57,16 @@ struct ExchangeImpulses
   }
 
   /// Whether two fields touch, or still do. Else faces between rows of nodes are soft by what they approach
-  /// until their domains meet again in each step.
-  KOKKOS_INLINE_FUNCTION bool touches(int q) const
+  /// until their domains meet again in each step. What is remembered is the pair of groups: next to a crack
+  /// one of its two fields would keep the other in contact, which made blocks with a crack in their base
+  /// stick. \param begin, end pairs at the node
+  KOKKOS_INLINE_FUNCTION bool touches(int q, int begin, int end) const
   {
-    const bool still = pressed(pairs.node(q), pairs.group(q, 0), pairs.group(q, 1));
+    bool alone = true;
+    for (int other = begin; other < end; ++other)
+      alone = alone && (other == q || pairs.group(other, 0) != pairs.group(q, 0) ||
+                        pairs.group(other, 1) != pairs.group(q, 1));
+    const bool still = alone && pressed(pairs.node(q), pairs.group(q, 0), pairs.group(q, 1));
     return pairs.gap(q) <= (still ? reach : 0.0);
   }
 

@@ -262,7 +262,8 @@ class EquilibriumOnRanks(OnRanks):
         draw = random.Random(random.randrange(10**6))
         scene = free_cube(draw)
         file = self.write(scene)
-        self.agree(file, ranks=(2, 3), within=WITHIN)
+        # A system ends somewhere below 1e-8 of its right side, with other ranks elsewhere: 1.3e-8 was found in stress, with hypre.
+        self.agree(file, ranks=(2, 3), within=10.0 * WITHIN)
 
         def iterations(folder):
             with open(os.path.join(self.folder, folder, "summary.json"), encoding="utf-8") as stream:

@@ -21,8 +21,8 @@ CELLS = "Domain:Cell Size=0.001"
 WITHIN = 1e-6
 
 # Of a linear system. Closed faces are a thousand times as stiff as the material, and coarse levels do not see them apart: 278 were needed on one
-# rank and 533 on two, each with a multigrid of its own part.
-MOST_ITERATIONS = {1: 560, 2: 1070}
+# rank and 204 on two with MueLu, 572 and 548 with hypre. Twice as many are allowed.
+MOST_ITERATIONS = {"MueLu": 560, "hypre": 1150}
 
 
 class LinearSolvers(ProgramTest):
@@ -53,7 +53,8 @@ class LinearSolvers(ProgramTest):
         self.assertEqual(ranks["equilibrium"]["solver"], iterative["equilibrium"]["solver"])
         for summary in (iterative, ranks):
             self.compare(summary, direct)
-            most = MOST_ITERATIONS[summary["ranks"]] * summary["equilibrium"]["iterations"]
+            each = next(most for name, most in MOST_ITERATIONS.items() if name in summary["equilibrium"]["solver"])
+            most = each * summary["equilibrium"]["iterations"]
             self.assertLessEqual(summary["equilibrium"]["linear_iterations"], most)
             self.assertLessEqual(summary["equilibrium"]["iterations"], 2 * direct["equilibrium"]["iterations"])
 
