@@ -22,9 +22,9 @@ bool hasDamage(const State<D>& state)
 template <int D>
 struct DamageOf
 {
-  BorrowedView<int*> material;
+  BorrowedView<int*> material;    ///< of each particle
   BorrowedView<double**> history; ///< of the laws
-  View<Properties*> materials;
+  View<Properties*> materials;    ///< by number
 
   /// \param state of a run with a law that has a damage
   explicit DamageOf(const State<D>& state)
