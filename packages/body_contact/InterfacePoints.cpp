@@ -225,14 +225,13 @@ template <int D>
 void moveInterfaces(const State<D>& state, const NodalPairs<D>& pairs, const InterfacePoints<D>& points)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodalPairs<D> all = pairs;
   const InterfacePoints<D> at = points;
   const double dt = state.clock.dt;
   parallelForSmall(
       "rhegma::moveInterfaces", points.count, KOKKOS_LAMBDA(const int k) {
         if (at.released(k) != 0)
           return;
-        const MotionAtPoint<D> motion(nodes, all, at.table, k);
+        const MotionAtPoint<D> motion(nodes, pairs, at.table, k);
         Vector<D> n, jump;
         for (int d = 0; d < D; ++d)
         {
