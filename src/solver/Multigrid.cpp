@@ -63,6 +63,7 @@ RCP<const Map> mapOf(const SparseMatrix& matrix, int count)
   if (!matrix.ranks.many())
     return rcp(new Map(count, 0, rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF))));
   std::vector<Map::global_ordinal_type> numbers;
+  numbers.reserve(count);
   for (int k = 0; k < count; ++k)
     numbers.push_back(matrix.numberOf(k));
   return rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
