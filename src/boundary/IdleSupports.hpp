@@ -1,5 +1,5 @@
 #pragma once
-/// Supports that no body touches (docs/reference/warnings.md).
+/// Supports that no body touches, or that bodies leave (docs/reference/warnings.md).
 
 #include "boundary/Supports.hpp"
 
@@ -9,7 +9,8 @@ namespace Rhegma
 {
 
 /// Warns of each support that holds no node of a body and that none can come to: bodies move by no more than
-/// their velocity, that of supports, and gravity allow. Call it before particles are divided among ranks.
+/// their velocity, that of supports, and gravity allow. Warns also of each that is to move a body, but whose
+/// box contains only nodes at its surface and no particle, so that the box stays in place. Call it before particles are divided among ranks.
 template <int D>
 void warnOfIdleSupports(const Teuchos::ParameterList& scene,
                         const std::vector<TimedConstraint<D>>& constraints, State<D>& state);

@@ -97,9 +97,6 @@ double particlesIn(const NodeConstraint<D>& box, const State<D>& state)
 template <int D>
 bool boxMoves(const TimedConstraint<D>& timed, const std::string& choice, const State<D>& state)
 {
-  bool moving = false;
-  for (int d = 0; d < D; ++d)
-    moving = moving || (timed.constraint.holds[d] && timed.value[d] != 0.0);
   const bool requested = choice == "With Material" || choice == "With Grid";
   NodeConstraint<D> reached = timed.constraint; // nodes of its box are touched from a cell away
   for (int d = 0; d < D; ++d)
@@ -113,7 +110,7 @@ bool boxMoves(const TimedConstraint<D>& timed, const std::string& choice, const 
         ": no particle is near the box at the start, and bodies do not move through the "
         "cells, so it would never hold anything; move the box, or write Domain > "
         "Formulation = Updated Lagrangian");
-  if (timed.field || (!requested && (choice == "Fixed" || !moving)))
+  if (timed.field || (!requested && (choice == "Fixed" || !timed.hasMotion())))
     return false;
   const bool holdsMaterial = particlesIn(timed.constraint, state) > 0.0;
   if (requested && !holdsMaterial)
@@ -121,6 +118,22 @@ bool boxMoves(const TimedConstraint<D>& timed, const std::string& choice, const 
                                 ": no particle is in the box at the start, so it can't move with material; "
                                 "extend it by a cell into the body, or set Box Motion to Fixed");
   return holdsMaterial;
+}
+
+template <int D>
+bool leavesBox(const TimedConstraint<D>& timed, const State<D>& state)
+{
+  if (timed.boxMoves || timed.field || timed.constraint.outside || state.method.totalLagrangian ||
+      !timed.hasMotion())
+    return false;
+  NodeConstraint<D> widened = timed.constraint; // a column of nodes at an edge moves along itself
+  for (int d = 0; d < D; ++d)
+    if (!timed.constraint.holds[d] || timed.value[d] == 0.0)
+    {
+      widened.lower[d] -= state.mesh.grid.spacing;
+      widened.upper[d] += state.mesh.grid.spacing;
+    }
+  return !(particlesIn(widened, state) > 0.0);
 }
 
 namespace
@@ -325,6 +338,8 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
       true);
 }
 
+template bool leavesBox(const TimedConstraint<2>&, const State<2>&);
+template bool leavesBox(const TimedConstraint<3>&, const State<3>&);
 template bool boxMoves(const TimedConstraint<2>&, const std::string&, const State<2>&);
 template bool boxMoves(const TimedConstraint<3>&, const std::string&, const State<3>&);
 template void setFieldAtNodes(TimedConstraint<2>&, const State<2>&);

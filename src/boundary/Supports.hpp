@@ -35,7 +35,19 @@ struct TimedConstraint
   /// Length by which the trailing edges of such a box lag behind, so that nodes on them are not lost with the
   /// first motion [m]
   double lag = 0.0;
+  /// Whether it is in motion by default but contains no particle to move with, so that its box stays in
+  /// place.
+  bool leftBehind = false;
   bool gridMoves = false; ///< whether all cells move with it, so that it holds the same nodes throughout
+
+  /// Whether its value differs from zero along an axis that it holds.
+  bool hasMotion() const
+  {
+    bool found = false;
+    for (int d = 0; d < D; ++d)
+      found = found || (constraint.holds[d] && value[d] != 0.0);
+    return found;
+  }
 
   /// The constraint with its value at a time [s], and with its box as it is now.
   NodeConstraint<D> at(double time) const { return withFactor(history(time)); }

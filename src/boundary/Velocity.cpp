@@ -80,6 +80,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
   }
   const bool moves = boxMoves(timed, boxMotion, state); // and the box contains particles
   timed.boxMoves = moves && !state.method.totalLagrangian;
+  timed.leftBehind = boxMotion == "Automatic" && leavesBox(timed, state);
   timed.lag = timed.gridMoves || timed.constraint.outside ? 0.0 : 0.5 * grid.spacing;
   return timed;
 }

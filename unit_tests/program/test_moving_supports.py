@@ -121,6 +121,28 @@ class MovingSupports(ProgramTest):
                 self.assertEqual(later["energy"], whole["energy"])
                 self.assertEqual(later["bodies"], whole["bodies"])
 
+    def test_a_box_without_particles_loses_the_body(self):
+        """A bar is pushed at its end. A wave of force rho c v A runs to its free end and comes back, and then the support pulls with
+        that force. A box that starts at the end of the bar stays where it is, so that the bar leaves it and nothing pulls."""
+        push, words = "Boundaries > Push", "Boundaries > Push: its box contains nodes at the surface of a body, but no particle"
+        forces = {}
+        for upper in (0.0, 0.021):
+            scene = bar().set(push + " > Upper Corner", [upper, 1.0]).set("Time > Final Time", 0.016)
+            warnings = self.result(scene, f"ends_at_{upper}")["warnings"]
+            said = [text for text in warnings if words in text]
+            self.assertEqual(len(said), 1 if upper == 0.0 else 0, warnings)
+            if said:
+                self.assertIn("15 mm (1.5 cells)", said[0])
+                fixed = self.result(scene.set(push + " > Box Motion", "Fixed"), "fixed")["warnings"]
+                self.assertEqual([text for text in fixed if words in text], [])
+            with open(self.path(f"ends_at_{upper}", "history.csv"), encoding="utf-8") as file:
+                names = [name.split(" ")[0] for name in file.readline().strip().split(",")]
+                rows = [line.strip().split(",") for line in file]
+            forces[upper] = float(rows[-1][names.index("Push.force_x")])
+        expected = -math.sqrt(1e6 * 1000.0) * SPEED * 0.04  # of a bar in plane stress
+        self.assertAlmostEqual(forces[0.021] / expected, 1.0, delta=0.2)
+        self.assertAlmostEqual(forces[0.0] / expected, 0.0, delta=0.01)
+
     def test_wrong_scenes_get_a_message(self):
         push = "Boundaries > Push"
         cases = (
