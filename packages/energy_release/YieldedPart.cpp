@@ -208,6 +208,8 @@ std::vector<double> yieldOfBodies(const State<D>& state)
   return yield;
 }
 
+constexpr double least = 1e-3; ///< of the volume of a body that yields: a warning
+
 /// Where a body begins to yield. \param loads for which the stresses are, as text
 template <int D>
 std::string beginAsText(const std::string& body, const YieldedPart<D>& part, double yield,
@@ -219,10 +221,12 @@ std::string beginAsText(const std::string& body, const YieldedPart<D>& part, dou
          (scales
               ? "yield (" + formatShort(yield) + " Pa) begins there at " +
                     formatShort(start.ofScene * yield / part.largest) + " times the loads"
-              : formatShort(part.largest / yield) + " of the yield stress of " + formatShort(yield) + " Pa");
+              : formatShort(part.largest / yield) + " of the yield stress of " + formatShort(yield) + " Pa") +
+         (part.volume > 0.0 ? "; " + formatShort(100.0 * part.volume / part.all) +
+                                  " % of the body is above the yield stress, too little for a warning (" +
+                                  formatShort(100.0 * least) + " %)"
+                            : "");
 }
-
-constexpr double least = 1e-3; ///< of the volume of a body that yields: a warning
 
 template <int D>
 std::string warningOfYield(const State<D>& state, std::size_t b, double yield, const YieldedPart<D>& part,

@@ -138,17 +138,39 @@ std::string placeOf(const Teuchos::ParameterList& body, const std::string& name,
                      : where + " > Operations > " + sublistNames(body.sublist("Operations"))[number - 1];
 }
 
-/// \return whether the part is thin
+/// Whether a boundary chooses the wall of an operation, or what operations leave to `Base`: one that removes
+/// nothing may then name the wall of a hole that the body has already (docs/how-to/supports-and-loads.md).
+bool namesWall(const Teuchos::ParameterList& scene, const std::string& body, const std::string& operation)
+{
+  if (!scene.isSublist("Boundaries"))
+    return false;
+  const Teuchos::ParameterList& boundaries = scene.sublist("Boundaries");
+  const std::vector<std::string> names = sublistNames(boundaries);
+  const auto is = [](const Teuchos::ParameterList& list, const char* parameter, const std::string& value)
+  { return list.isType<std::string>(parameter) && list.get<std::string>(parameter) == value; };
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name)
+                     {
+                       const Teuchos::ParameterList& list = boundaries.sublist(name);
+                       return is(list, "Body", body) &&
+                              (is(list, "Part", operation) || is(list, "Part", "Base"));
+                     });
+}
+
+/// \param named whether a part that removes nothing may be meant \return whether the part is thin
 template <int D>
 bool judgePart(const State<D>& state, const MirroredSides& mirrored, const Shape<D>& shape, std::size_t k,
-               const std::function<std::string()>& where, Messages& messages)
+               bool named, const std::function<std::string()>& where, Messages& messages)
 {
   constexpr double fewest = 2.0; // cells: fewer do not bend, and nodes of both sides are the same
   const Part<D>& part = shape.parts()[k];
   const bool hole = k > 0 && part.operation == Operation::Cut;
   const double cell = spacingAt(state, part.bounds().centre());
   const auto width = thinWidth(part, (fewest - 1e-6) * cell, mirrored, 1e-3 * state.mesh.grid.spacing);
-  if (hole && !meetsMaterial(shape, k))
+  const bool idle = hole && !meetsMaterial(shape, k);
+  if (idle && named)
+    return false;
+  if (idle)
     messages.push_back(where() +
                        ": it cuts nothing, because the body has no material there; move it or leave it out");
   else if (width)
@@ -176,9 +198,12 @@ Messages judgeThickness(const Teuchos::ParameterList& scene, const State<D>& sta
     const Teuchos::ParameterList& list = section.sublist(name);
     const Shape<D> shape = makeShape<D>(list);
     std::vector<char> thin(shape.parts().size());
+    const std::vector<std::string> operations =
+        thin.size() > 1 ? sublistNames(list.sublist("Operations")) : std::vector<std::string>();
     for (std::size_t k = 0; k < thin.size(); ++k)
       thin[k] = judgePart<D>(
-          state, mirrored, shape, k, [&] { return placeOf(list, name, k); }, messages);
+          state, mirrored, shape, k, k > 0 && namesWall(scene, name, operations[k - 1]),
+          [&] { return placeOf(list, name, k); }, messages);
     judgeWalls(state, mirrored, shape, thin, name, messages);
   }
   return messages;

@@ -117,6 +117,16 @@ std::string sourceAsText(const Forecast& forecast)
          (isNoticeable(rates.growth) ? " and a run with cells of twice the size" : "");
 }
 
+/// What it leaves out, as how far cracks grow is not known before.
+std::string growthAsText(const StepRates& rates)
+{
+  if (rates.incrementSolves == 0.0)
+    return {};
+  return "; a crack that grows takes about " +
+         counted(std::lround(rates.incrementSolves), "more linear system") + " (" +
+         seconds(rates.incrementSolves * rates.solve) + ") for each increment of its front";
+}
+
 std::string costLine(int particles, const Forecast& forecast)
 {
   return counted(particles, "particle") + ", " + cost(forecast) +
@@ -213,6 +223,7 @@ std::string asText(const Forecast& forecast)
   if (forecast.checkpoints > 0.0 && rates.checkpoint > 0.0)
     text += ", " + counted(std::lround(forecast.checkpoints), "checkpoint") + " of " +
             size(rates.checkpointBytes) + " (" + seconds(forecast.checkpoints * rates.checkpoint) + ")";
+  text += growthAsText(rates);
   if (forecast.kept)
     return text + "; rates kept from an earlier measurement, " + utcTime(rates.measured);
   text += sourceAsText(forecast);

@@ -31,10 +31,11 @@ struct Entry
   double StepRates::*value;
 };
 
-constexpr std::array<Entry, 14> entries{{{"setup", &StepRates::setup},
+constexpr std::array<Entry, 15> entries{{{"setup", &StepRates::setup},
                                          {"spent", &StepRates::spent},
                                          {"solves", &StepRates::solves},
                                          {"solve", &StepRates::solve},
+                                         {"increment_solves", &StepRates::incrementSolves},
                                          {"step", &StepRates::step},
                                          {"sample", &StepRates::sample},
                                          {"frame", &StepRates::frame},

@@ -65,6 +65,10 @@ private:
 /// Linear systems of a load step and of the end of a run, where none was solved: those of most scenes.
 constexpr double usualSolves = 4.0, usualSolvesOfSearch = 10.0; // of one for a load factor
 
+/// Linear systems for an increment of a front under loads that follow time: a first solution and one or two
+/// of Newton's method. dcb_grips_static takes 3.
+constexpr double usualSolvesOfIncrement = 3.0;
+
 /// Load steps that take longer, as a multiple of the time to measure, are not taken.
 constexpr double longestLoadStep = 3.0;
 
@@ -141,12 +145,14 @@ public:
     if (!simulation_.trySolve())
       return false;
     const nlohmann::json summary = simulation_.report(0), &found = summary.at("equilibrium");
-    const bool searches = summary.contains("propagation") && summary["propagation"].contains("load_factor");
+    const bool grows = summary.contains("propagation");
+    const bool searches = grows && summary["propagation"].contains("load_factor");
     rates.unknowns = found.at("unknowns").get<int>();
     rates.solve = trial.spent();
     rates.busy = ranks_.max(trial.busy());
     rates.timeStep = simulation_.stableTimeStep();
     rates.solves = searches ? usualSolvesOfSearch : usualSolves;
+    rates.incrementSolves = grows && !searches ? usualSolvesOfIncrement : 0.0;
     rates.step = rates.solves * rates.solve;
     if (rates.step > longestLoadStep * seconds)
       return true;

@@ -34,6 +34,7 @@ struct StepRates
   int unknowns = 0;             ///< of the linear systems of an equilibrium; 0: the analysis is dynamic
   double solves = 0.0;          ///< linear systems of a load step, mean
   double solve = 0.0;           ///< of one of them [s]
+  double incrementSolves = 0.0; ///< more of them for each increment of a front; 0: counted in `solves`
   long long measured = 0;       ///< when, in seconds since 1970
   std::string failure;          ///< why the scene could not go on; empty if it could
 };

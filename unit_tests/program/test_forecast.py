@@ -3,6 +3,7 @@
 
 import glob
 import json
+import math
 import os
 import re
 import shutil
@@ -180,6 +181,27 @@ class Forecast(ProgramTest):
                                 XDG_CACHE_HOME=self.path("cache"))
                 self.assertEqual(answer.status, 0, answer)
                 self.assertEqual(hint in answer.output, fits, answer)
+
+    def test_growth_in_equilibrium_is_said_to_cost_more(self):
+        """How far a crack grows under loads that follow time is not known before. A run with the growth takes as many linear
+        systems more for each increment as the forecast says, to a factor of two."""
+        scene = os.path.join(SOURCE, "xml_inputs", "verification", "dcb_grips_static.xml")
+        answer = rhegma(scene, "--check", XDG_CACHE_HOME=self.path("cache"))
+        said = re.search(r"a crack that grows takes about (\d+) more linear systems \(\S+ s\) for each increment", answer.output)
+        self.assertTrue(said, answer)
+        systems, increments = [], 0
+        for name, toughness in (("held", "1e6"), ("grows", "100")):
+            run = rhegma(scene, "--quiet", "--output", self.path(name), "--set", "Propagation:Toughness=" + toughness)
+            self.assertEqual(run.status, 0, run)
+            with open(self.path(name, "summary.json"), encoding="utf-8") as file:
+                summary = json.load(file)
+            systems.append(summary["equilibrium"]["iterations"])
+            increments = summary["cracks"][0]["fronts"][0].get("increments", 0)
+        self.assertGreater(increments, 20)
+        self.assertAlmostEqual(math.log2((systems[1] - systems[0]) / increments / int(said[1])), 0.0, delta=1.0)
+        for path in ("dcb_growth_static.xml", "dcb_static.xml"):  # by a load factor, and without growth
+            answer = rhegma(os.path.join(SOURCE, "xml_inputs", "verification", path), "--check", XDG_CACHE_HOME=self.path("cache"))
+            self.assertNotIn("a crack that grows takes", answer.output)
 
     def test_a_settled_run_tells_how_far_it_may_still_go(self):
         scene = os.path.join(SOURCE, "xml_inputs", "examples", "dcb.xml")

@@ -315,6 +315,19 @@ class CutBodiesInMotion(MisleadingTest):
         self.assertEqual(answer.status, 0, answer)
 
 
+class CutsOfNothing(MisleadingTest):
+    def test_one_that_names_the_wall_of_a_hole_is_meant(self):
+        """A hole that is cut twice: the second cut has its wall, which a load chooses. Without such a load it does nothing."""
+        hole = {"Operation": "Cut", "Shape": "Ball", "Centre": [0.5, 0.5], "Radius": self.rng.uniform(0.15, 0.3)}
+        scene = bare().set("Bodies > Plate > Operations", {"Hole": hole, "Again": dict(hole)})
+        load = {"Type": "Traction", "Body": "Plate", "Surface": "Body", "Pressure": 1e5}
+        nothing = "Operations > Again: it cuts nothing"
+        self.one(self.said(scene.set("Boundaries > Gas", dict(load))), nothing)
+        for part in ("Again", "Base"):
+            self.none(self.said(scene.set("Boundaries > Gas", dict(load, Part=part))), nothing)
+        self.one(self.said(scene.set("Boundaries > Gas", dict(load, Part="Hole"))), nothing)
+
+
 class ForcesWithoutThickness(MisleadingTest):
     def test_a_missing_thickness_is_said_where_forces_act(self):
         force = self.rng.uniform(100.0, 900.0)
