@@ -14,6 +14,7 @@
 #include "cracks/CrackSection.hpp"
 #include "cracks/CrackSetup.hpp"
 #include "cracks/EndLigaments.hpp"
+#include "cracks/FewParticles.hpp"
 #include "cracks/FrontSprings.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
@@ -371,8 +372,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   addFields(*parts, effect);
   effect.cuts = [=](const State<D>& state) { return cutsOf(*parts, state); };
   effect.atStart = [=](State<D>& state) { start(parts, state); };
-  effect.judge = [=](State<D>& state)
+  effect.judge = [=, unstable = bodiesOfFewParticles(scene, options)](State<D>& state)
   {
+    state.warnings.insert(state.warnings.end(), unstable.begin(), unstable.end());
     if (!parts->meshes.empty()) // else bodies or cracks are wrong
       judgeLigaments(*parts->bodies, parts->mirrored, parts->meshes, state);
     parts->meshes.clear();

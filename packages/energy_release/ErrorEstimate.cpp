@@ -158,10 +158,13 @@ template <int D>
 std::string reasonForNoEstimate(const State<D>& state, const FrontSample<D>& sample, const Options& options)
 {
   const double release = sample.J.empty() ? FrontSample<D>::notYet : meanAlong(sample.front, sample.J);
-  bool elastic = true, same = true;
-  for (const Properties& one : state.materials.properties)
+  bool same = true;
+  std::string other; // a material with another law
+  for (std::size_t m = 0; m < state.materials.properties.size(); ++m)
   {
-    elastic = elastic && one.law == lawIndex<LinearElastic>;
+    const Properties& one = state.materials.properties[m];
+    if (other.empty() && one.law != lawIndex<LinearElastic>)
+      other = state.materials.names[m];
     same = same && one.mu == state.materials.properties[0].mu &&
            one.planeLambda == state.materials.properties[0].planeLambda;
   }
@@ -182,8 +185,12 @@ std::string reasonForNoEstimate(const State<D>& state, const FrontSample<D>& sam
     return "crack faces may touch";
   if (!state.cracks.dualField)
     return "nodes next to cracks have a single field (Cracks > Formulation)";
-  if (!elastic || !same)
-    return "the bodies are not of one linear elastic material";
+  if (!other.empty())
+    return "Materials > " + other +
+           " > Model is not Linear Elastic; at small strains without yield that law gives the same G, and an "
+           "estimate";
+  if (!same)
+    return "the bodies have different stiffness";
   if (!(release > 0.0))
     return "G_J is not positive";
   if (sample.isClosed())

@@ -346,6 +346,18 @@ class ForcesWithoutThickness(MisleadingTest):
 
 
 class Heat(MisleadingTest):
+    def test_one_particle_a_cell_next_to_extrapolating_cracks(self):
+        words = "Bodies > Plate > Particles Per Cell is 1: with Cracks > Formulation = Corrected Broken Cell and heat"
+        for formulation in ("Corrected Broken Cell", "Dual Field"):
+            for particles in (1, 2):
+                for heat in (True, False):
+                    scene = plate().set("Cracks > Formulation", formulation).set("Bodies > Plate > Particles Per Cell", particles)
+                    scene.set("Materials > Polymer > Conductivity", 0.2).set("Materials > Polymer > Specific Heat", 1500.0)
+                    if heat:
+                        scene.set("Thermal", {"Initial Temperature": 300.0})
+                    wrong = heat and particles == 1 and formulation != "Dual Field"
+                    self.assertEqual(len([m for m in self.said(scene) if words in m]), 1 if wrong else 0)
+
     def steady(self):
         scene = bare().set("Time > Analysis", "Static").set("Time > Final Time", 1.0).set("Domain > Upper Corner", [2.6, 1.2])
         scene.set("Time > Rigid Modes", "Remove").set("Thermal", {"Initial Temperature": 300.0, "Conduction": "Steady"})
