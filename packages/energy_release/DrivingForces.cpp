@@ -25,6 +25,10 @@ namespace
 template <int D>
 constexpr double fitAgainAfter = D == 2 ? 1.0 : 0.9;
 
+/// The same where the tube became smaller the last time: the front comes near a surface, and a tube that
+/// reaches over it misses a part of J (a third of G was seen in the last three cells).
+constexpr double fitAgainNearSurface = 0.2;
+
 /// Positions of the nodes of a front, and of those of other fronts within a distance of its middle, one after
 /// the other [m]: a crack that comes near leaves less room for the tube of a front that does not move.
 template <int D>
@@ -151,11 +155,16 @@ const typename DrivingForces<D>::Fitted& DrivingForces<D>::tubesOf(const State<D
   const double cell = spacingAt(state, front.position);
   const auto around = [&]
   { return positionsAround(state, f, reachAround(own.release, own.intensity, own.cell)); };
-  if (largestMove<D>(own.at, around()) < fitAgainAfter<D> * cell && (D == 3 || own.cell == cell))
+  // In equilibrium that costs little beside a solution.
+  const double keep = state.method.equilibrium() ? 0.0 : own.shrinks ? fitAgainNearSurface : fitAgainAfter<D>;
+  if (largestMove<D>(own.at, around()) < keep * cell && (D == 3 || own.cell == cell))
     return own;
+  const double before = own.release.radii.outer;
   own.cell = cell;
   fitTubes(state, front, cell, own.release, own.intensity);
   own.at = around();
+  // More than the changes of a front along a surface, which are those of its own shape.
+  own.shrinks = own.release.radii.outer < before - 0.5 * fitAgainNearSurface * cell;
   return own;
 }
 
@@ -230,6 +239,7 @@ void DrivingForces<D>::serialize(Archive& archive)
     const Archive::Group group(archive, "tube " + std::to_string(k));
     archive("at", fitted_[k].at);
     archive("cell", fitted_[k].cell);
+    archive("shrinks", fitted_[k].shrinks);
     fitted_[k].release.store("release", archive);
     fitted_[k].intensity.store("intensity", archive);
   }
