@@ -143,6 +143,7 @@ void storeGrowth(EquilibriumGrowth& growth, Archive& archive)
 {
   const Archive::Group group(archive, "growth in equilibrium");
   archive("drive", growth.drive);
+  archive("rate", growth.rate);
   archive("area", growth.area);
   constexpr std::size_t width = 7;
   std::vector<double> rows;

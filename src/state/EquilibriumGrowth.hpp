@@ -32,6 +32,7 @@ struct UnstableGrowth
 struct EquilibriumGrowth
 {
   double drive = 0.0;       ///< largest G/Gc of the fronts that can advance; 0: there are none
+  double rate = 0.0;        ///< of the root of `drive` in the last load step, before cracks grew [1/s]
   double release = 0.0;     ///< G of the front node whose G/Gc is the largest [J/m2]; found with `drive`
   bool advance = false;     ///< set by the loop: fronts advance before the next step
   bool held = false;        ///< set by the loop: no front advances in the next step, whatever its G

@@ -290,6 +290,10 @@ void EquilibriumSteps<D>::take(Plan<D>& plan, State<D>& state, double until)
 template <int D>
 void EquilibriumSteps<D>::takeWhole(Plan<D>& plan, State<D>& state, double until)
 {
+  if (state.method.analysis == Analysis::QuasiStatic)
+    if (const double end = endBeforeGrowth(state, until, steps_.largest);
+        end < state.clock.time + steps_.next)
+      until = end;
   const double left = until - state.clock.time;
   const double from = state.clock.time, driveBefore = state.cracks.growth.drive;
   const EquilibriumCalls stages = calls(plan, state);

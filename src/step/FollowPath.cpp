@@ -39,6 +39,11 @@ constexpr int mostHalvings = 12;
 /// G/Gc from which on cracks grow under given loads: G is no more accurate.
 constexpr double heldDrive = 1.0 + 1e-6;
 
+/// G/Gc to which a load step is made to lead: enough for growth, and what is released above the toughness is
+/// no more than what an increment of a quarter of a cell changes. Steps for that are no shorter than this
+/// part of the largest.
+constexpr double aimedDrive = 1.01, shortestStep = 1.0 / 64.0;
+
 /// Relative difference of times that is rounding: load steps add up to them.
 constexpr double roundingOfTime = 1e-9;
 
@@ -279,12 +284,27 @@ void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equi
 }
 
 template <int D>
+double endBeforeGrowth(const State<D>& state, double until, double largest)
+{
+  const EquilibriumGrowth& growth = state.cracks.growth;
+  const double now = state.clock.time, root = std::sqrt(std::max(growth.drive, 0.0));
+  if (!(growth.rate > 0.0) || growth.held || !canAdvance(state) || until < growth.startTime)
+    return until;
+  const double shortest = shortestStep * largest;
+  const double reached =
+      std::max({now + (std::sqrt(aimedDrive) - root) / growth.rate, now + shortest, growth.startTime});
+  return reached < until - shortest ? reached : until;
+}
+
+template <int D>
 void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last,
                       double from, double driveBefore)
 {
   EquilibriumGrowth& growth = state.cracks.growth;
   const double now = state.clock.time + state.clock.dt; // the end of the load step
   growth.unstable = {false, growth.drive, 0.0};
+  growth.rate =
+      (std::sqrt(std::max(growth.drive, 0.0)) - std::sqrt(std::max(driveBefore, 0.0))) / (now - from);
   if (growth.held || now < growth.startTime * (1.0 - roundingOfTime))
     return;
   const double reached = std::max(timeOfToughness(from, driveBefore, now, growth.drive), growth.startTime);
@@ -327,6 +347,8 @@ void growAtFixedLoads(State<D>& state, const EquilibriumCalls& calls, const equi
 
 template void followLoadFactor(State<2>&, const EquilibriumCalls&, const equilibrium::LastStep&, double);
 template void followLoadFactor(State<3>&, const EquilibriumCalls&, const equilibrium::LastStep&, double);
+template double endBeforeGrowth(const State<2>&, double, double);
+template double endBeforeGrowth(const State<3>&, double, double);
 template void growAtFixedLoads(State<2>&, const EquilibriumCalls&, const equilibrium::LastStep&, double,
                                double);
 template void growAtFixedLoads(State<3>&, const EquilibriumCalls&, const equilibrium::LastStep&, double,

@@ -33,6 +33,13 @@ template <int D>
 void followLoadFactor(State<D>& state, const EquilibriumCalls& calls, const equilibrium::LastStep& last,
                       double length);
 
+/// Where the next load step ends, so that it does not pass the start of growth by much: energy that is
+/// released above the toughness is missing from the balance, as it would become motion. The root of G/Gc is
+/// taken to go on as in the last step (EquilibriumGrowth::rate), as it does where loads are linear in time.
+/// \param until end of the step without growth [s] \param largest length of a load step [s]
+template <int D>
+double endBeforeGrowth(const State<D>& state, double until, double largest);
+
 /// Advances the cracks under the loads of the time until no front's G is above its toughness, each time by an
 /// increment. Where motion follows unstable growth (Method::handsOver), ends with EquilibriumGrowth::unstable
 /// set once it is found: the state is then of no use. \param last of the solves \param from begin of the load
