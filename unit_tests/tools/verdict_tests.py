@@ -68,13 +68,57 @@ class Verdict(ToolTest):
             front = {"G_J": 50.0, "G_J_max": 100.0 * max(inside, surface), "closest_to_initiation": inside, "closest_at_surface": surface}
             return verdict(summary_of(front, start_of_growth={"toughness": 100.0, "load_factor": factor, "load_factor_at_surface": at_surface}))
 
-        self.assertNotIn("surface", of(0.64, 0.6))
+        self.assertEqual(of(0.64, 0.6), "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Inner nodes are two cells "
+                                        "or more from the surface; at the others G depends on the cells.")
+        self.assertNotIn("surface", of(0.64, 0.0))
         self.assertEqual(of(0.64, 0.81, 1.25, 1.111),
-                         "No: the largest G along A, front 0 reached 0.64 of the toughness of 100 J/m², and the mean along it 0.5. Cracks start at 1.25 times the "
-                         "loads and prescribed displacements of the scene. Nodes less than two cells from the surface are left out, as G depends on the cells "
-                         "there: they reached 0.81, which is 1.111 times the loads.")
+                         "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Cracks start at 1.25 times the "
+                         "loads and prescribed displacements of the scene. Inner nodes are two cells or more from the surface; at the others G depends on the "
+                         "cells: they reached 0.81, which is 1.111 times the loads.")
         self.assertTrue(of(0.64, 1.2).endswith("they reached 1.2; by them the crack would grow, so use smaller cells to decide."))
         self.assertTrue(of(4.0, 5.0).startswith("Yes") and of(4.0, 5.0).endswith("they reached 5."))
+
+    def test_largest_and_mean_are_of_the_same_nodes(self):
+        """The largest G of the inner nodes stands next to their own mean, by the trapezoidal rule, not next to that of all nodes."""
+        release = [90.0, 40.0, 20.0, 30.0, 80.0]
+        front = {"G_J": 42.5, "G_J_max": 90.0, "closest_to_initiation": 0.4, "closest_at_surface": 0.9,
+                 "front_nodes": {"G_J": release, "arc_length": [0.0, 2e-3, 4e-3, 6e-3, 8e-3], "line": [0] * 5}}
+        more = {"start_of_growth": {"toughness": 100.0, "load_factor": None}, "cells": {"smallest": 1e-3}}
+        # Two cells are 2 mm: the inner nodes are the second to the fourth, with the mean (30 + 25) / 2 = 27.5.
+        self.assertIn("reached 0.4 of the toughness of 100 J/m², and their mean 0.275.", verdict(summary_of(front, **more)))
+        # The largest values are not those of the end, or of other nodes: there is no such mean.
+        for changed in ({"closest_to_initiation": 0.5}, {"closest_at_surface": 0.95}):
+            self.assertNotIn("mean", verdict(summary_of(dict(front, **changed), **more)))
+        self.assertNotIn("mean", verdict(summary_of(front, **dict(more, cells={}))))
+        head, rows, _ = front_table(summary_of(front, **more))
+        self.assertEqual([rows[0][head.index(f"largest G of {which} / toughness")] for which in ("an inner node", "a node at the surface")], ["0.4", "0.9"])
+
+    def test_when_the_toughness_was_reached(self):
+        """Between samples, by the root of G, which is in proportion to loads."""
+        def of(release, most=None, closest=4.0):
+            columns = {"time": np.arange(1.0, 1.0 + len(release)), "A.0.G_J": np.array(release)}
+            columns.update({} if most is None else {"A.0.G_J_max": np.array(most)})
+            front = {"closest_to_initiation": closest, "G_J": release[-1]}
+            return verdict(summary_of(front, start_of_growth={"toughness": 100.0, "load_factor": None}), History(columns))
+
+        self.assertTrue(of([25.0, 400.0]).endswith(" G reached it at about t = 1.333 s (between the samples at 1 s and 2 s)."), of([25.0, 400.0]))
+        self.assertIn("The largest G of all its nodes reached it at about t = 1.5 s", of([1.0, 1.0], [25.0, 225.0]))
+        self.assertTrue(of([101.0, 400.0]).endswith("G exceeded it at the first sample, at t = 1 s, already."))
+        self.assertTrue(of([400.0]).endswith("That is at t = 1 s, the only time that was computed."))
+        self.assertNotIn("t =", of([25.0, 64.0], closest=0.64))  # a no has no time
+
+    def test_a_crack_that_has_not_stopped(self):
+        """Growth under given loads in equilibrium that ends with G above the toughness."""
+        front = {"initiated": 0.5, "mean_advance": 3e-3, "G_J": 47.2, "G_J_max": 47.9}
+
+        def of(**more):
+            return verdict(summary_of(dict(front, **more), propagation={"initiation_toughness": 40.0}, equilibrium={}))
+
+        self.assertTrue(of().endswith(" The crack has not stopped: at the end of the run the largest G along A, front 0 is 1.197 times the initiation toughness "
+                                      "of 40 J/m², so its growth is a lower bound."), of())
+        for more in ({"G_J_max": 40.1}, {"ended": True}, {"stopped": True}):
+            self.assertNotIn("lower bound", of(**more))
+        self.assertNotIn("lower bound", verdict(summary_of(front, propagation={"initiation_toughness": 40.0})))  # motion: its speed says it
 
     def test_a_negative_release_decides_nothing(self):
         for more in ({}, {"start_of_growth": {"toughness": 7.0, "load_factor": None}}):
