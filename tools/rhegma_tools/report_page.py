@@ -10,6 +10,7 @@ from rhegma.problem import Problem
 from rhegma.summary import read_summary
 
 from . import report_facts as facts
+from .extreme_rows import HEAD, answers_without_peak, extreme_rows
 from .front_table import front_table
 from .html_text import Markup, data_block, element, folded, markup, picture, table
 from .report_pictures import field_pictures, film, front_maps, front_pictures, history_pictures, seconds
@@ -158,7 +159,10 @@ def answer_part(run):
     decided = verdict(summary, run.history)
     if decided:
         parts.append(element("p", decided, class_="verdict"))
-    parts.append(element("ul", [element("li", answer) for answer in summary.get("answers") or []]))
+    extremes = extreme_rows(summary, run.history, run.run)
+    parts.append(element("ul", [element("li", answer) for answer in answers_without_peak(summary, extremes)]))
+    if extremes:
+        parts += [element("h3", "Largest and smallest values"), table(HEAD, extremes, [1, 2])]
     certain = facts.certainty(summary)
     if certain:
         parts += [element("h3", "How certain it is"), fact_list(certain)]

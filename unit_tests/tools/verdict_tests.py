@@ -1,20 +1,61 @@
 """Tests of what a page of a run states: its answer, certainty, references and the table of fronts."""
 
+import os
 import random
 import unittest
 
 from tool import ToolTest  # first, as it finds the Python for all others
 
+import made_up_run
 import numpy as np
 
+from rhegma_tools.extreme_rows import answers_without_peak, extreme_rows
 from rhegma_tools.front_table import front_table
 from rhegma_tools.report_facts import SHAPE, analysis_of, cells_of, certainty, duration, readable, reference_rows, run_facts, short, sound
 from rhegma.history import History
 from rhegma_tools.report_verdict import so_far, verdict
 
 
+SEED = int(os.environ.get("RHEGMA_SEED", "20261130"))
+
+
 def summary_of(*fronts, **more):
     return dict({"end": "finished", "status": "finished", "cracks": [{"name": "A", "fronts": list(fronts)}]}, **more)
+
+
+class Extremes(ToolTest):
+    """The table of largest and smallest values."""
+
+    def test_a_quench_is_described_by_its_coldest_and_its_largest_difference(self):
+        start = made_up_run.lattice(np.arange(0.5, 4), np.arange(0.5, 3))
+        start = np.c_[1e-3 * start, np.zeros(len(start))]
+        group = made_up_run.particles(start, 0 * start, np.zeros((len(start), 6)), 1e-3)
+        chance = np.random.default_rng(SEED)
+        print(f"seed {SEED}")
+        cold = int(chance.integers(len(start)))
+        group["temperature"] = np.where(np.arange(len(start)) == cold, 300.0, 500.0)
+        made_up_run.write_fields(self.folder, [(2.0, {"particles": group})])
+        history = History({"time": np.array([1.0, 2.0, 3.0]), "temperature_highest": np.array([500.0, 490.0, 320.0]),
+                           "temperature_lowest": np.array([400.0, 300.0, 310.0])})
+        summary = {"answers": ["the run finished", "peak temperature 500 K (rise 0 K)"],
+                   "temperature": {"highest": {"time": 0.5, "value": 500.5, "where": [1e-3, 2e-3]}}}
+        rows = extreme_rows(summary, history, self.folder)
+        where = f"({', '.join(f'{1e3 * x:.4g}' for x in start[cold, :2])}) mm"
+        self.assertEqual(rows, [("largest temperature", "500.5 K", "500 ms", "(1, 2) mm"), ("smallest temperature", "300 K", "2 s", where),
+                                ("largest difference of temperature at one time", "190 K", "2 s", "-")])
+        self.assertEqual(answers_without_peak(summary, rows), ["the run finished"])  # the rows have it
+        self.assertEqual(answers_without_peak(summary, []), summary["answers"])
+        # Without a frame of that time the position is not known.
+        self.assertEqual(extreme_rows({}, history, self.path("no"))[1], ("smallest temperature", "300 K", "2 s", "-"))
+
+    def test_extremes_that_the_scene_asks_for(self):
+        """Over all samples with their positions; of the end where there is no history."""
+        summary = {"extremes": {"Peak": {"field": "Von Mises Stress", "largest": 2e6, "largest_position": [0.0, 3e-3], "smallest": None}}}
+        columns = {"time": np.array([1.0, 2.0]), "Peak.largest": np.array([5e6, 2e6]), "Peak.largest_x": np.array([1e-3, 0.0]),
+                   "Peak.largest_y": np.array([2e-3, 3e-3]), "Peak.smallest": np.array([np.nan, np.nan])}
+        self.assertEqual(extreme_rows(summary, History(columns), self.folder), [("Peak: largest Von Mises Stress", "5 MPa", "1 s", "(1, 2) mm")])
+        self.assertEqual(extreme_rows(summary, None, self.folder), [("Peak: largest Von Mises Stress", "2 MPa", "end", "(0, 3) mm")])
+        self.assertEqual(extreme_rows({}, None, self.folder), [])
 
 
 class Verdict(ToolTest):
@@ -261,6 +302,11 @@ class Facts(ToolTest):
         self.assertEqual([name for name, _ in pairs], ["Numerical error of G", "No estimate of errors", "Error of the energy balance"])
         self.assertIn("at most 4.5 % (1 front)", pairs[0][1])
         self.assertEqual(pairs[2][1], "500 mJ (0.5 % of the energy supplied)")
+
+    def test_the_page_has_the_percentage_of_the_terminal(self):
+        line = "energy balance: external work 184.3 mJ, strain 184.1 mJ; residual -61.59 uJ (0.03343 % of the largest of these); this is a note (of 2 %)"
+        pairs = certainty(summary_of({}, energy={"residual": -61.594e-6}, largest_energy_supplied=0.1843, answers=["x", line]))
+        self.assertEqual(dict(pairs)["Error of the energy balance"], "-61.59 uJ (0.03343 % of the largest energy in it)")
         self.assertIn("not static", certainty({"ended_before_settled": True})[0][1])
 
     def test_references(self):
