@@ -3,6 +3,7 @@
 import numpy as np
 
 COMMON = 0.01  # of all particles: as many have an edge that is one of the lattice; others are boxes that a surface or a crack cuts
+LARGEST_TABLE = 1.0e8  # cells of the lattice of which a table says whether they are covered; of more a sorted list of keys
 FINEST = 8  # cells of the lattice along the edge of a box, at most
 
 
@@ -34,7 +35,13 @@ class Occupancy:
         self.count = self.high.max(axis=0) + 1  # of cells along each axis, with one beyond the last
         self.groups = list(self.boxes_of_a_shape())
         covering = [(cells, of[self.kind[of] >= 0]) for cells, of in self.groups]
-        self.keys = np.unique(np.concatenate([self.key(self.low[of][:, None] + cells, self.kind[of][:, None]).ravel() for cells, of in covering]))
+        keys = np.concatenate([self.key(self.low[of][:, None] + cells, self.kind[of][:, None]).ravel() for cells, of in covering])
+        self.keys, self.table = np.zeros(0, dtype=np.int64), None
+        if len(keys) and keys.max() < LARGEST_TABLE:
+            self.table = np.zeros(int(keys.max()) + 1, dtype=bool)
+            self.table[keys] = True
+        else:
+            self.keys = np.unique(keys)
 
     def boxes_of_a_shape(self):
         """(cells (c, 3) counted from the first one, particles) of the boxes that cover as many cells along each axis. There are few shapes, so that
@@ -51,6 +58,8 @@ class Occupancy:
     def covered(self, cells, kind):
         """Whether a box of a kind covers each cell; none does of kind -1, nor where there are no such boxes at all."""
         wanted = self.key(cells, kind)
+        if self.table is not None:
+            return (kind >= 0) & (wanted < len(self.table)) & self.table[np.clip(wanted, 0, len(self.table) - 1)]
         if len(self.keys) == 0:
             return np.zeros(wanted.shape, dtype=bool)
         return (kind >= 0) & (self.keys[np.minimum(np.searchsorted(self.keys, wanted), len(self.keys) - 1)] == wanted)
