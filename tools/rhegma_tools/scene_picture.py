@@ -197,7 +197,7 @@ def flat_figure(drawing):
 
 
 def spatial_figure(drawing, found):
-    """(figure, panels, whether VTK has drawn the view in perspective) of a scene in 3D, seen along z, x and y. found: a Perspective"""
+    """Figure and panels of a scene in 3D, seen along z, x and y. found: a Perspective, or None"""
     below = 0.18 * len(list_lines(drawing)) + 0.15
     figure, axes = plt.subplots(3, 2, figsize=(11.0, 9.4 + below), layout="constrained", gridspec_kw={"height_ratios": [4.7, 4.7, below]})
     panels = []
@@ -207,9 +207,11 @@ def spatial_figure(drawing, found):
         where = "0" if abs(view.where) < 2.0 * ROUNDING * drawing.extent else readable(float(view.where), "m")
         panel.set_title(f"seen along {'xyz'[normal]}; cells at {'xyz'[normal]} = {where}", fontweight="normal", fontsize=10)
     axes[1, 1].set_axis_off()
+    if found is not None:
+        found.draw(axes[1, 1])
     draw_list(axes[2, 0], drawing)
     axes[2, 1].set_axis_off()
-    return figure, panels, found.draw(axes[1, 1])
+    return figure, panels
 
 
 def draw_scene(drawing, path):
@@ -218,9 +220,10 @@ def draw_scene(drawing, path):
         write_figure(drawing, path, *flat_figure(drawing))
         return False
     with Window() as window:
-        figure, panels, whole = spatial_figure(drawing, Perspective(drawing, window))
+        perspective = Perspective(drawing, window)
+        figure, panels = spatial_figure(drawing, perspective)
     write_figure(drawing, path, figure, panels)
-    return not whole
+    return not perspective.drawn
 
 
 def write_figure(drawing, path, figure, panels):

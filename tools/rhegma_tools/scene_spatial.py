@@ -88,18 +88,18 @@ def ball_piece(centre, radius, colour, count=16):
 
 
 class Perspective:
-    """The picture of a scene in 3D in perspective, which a window draws while its user does other things."""
+    """The picture of a scene in 3D in perspective, which a window draws while its user does other things. drawn: whether VTK has drawn it"""
 
     def __init__(self, drawing, window):
-        self.window = window
+        self.window, self.drawn = window, False
         self.camera, _ = camera_of(drawing.fields, choose_view(drawing.fields), 1.0, onto=drawing.fields.crack is not None)
         self.camera.half_height *= 1.0 + 1.2 * ARROW * any(isinstance(symbol, Arrows) for symbol in drawing.symbols)
         window.send(scene_pieces(drawing), self.camera)
 
     def draw(self, axes):
-        """Draws it with the directions of the axes. \return whether VTK drew it"""
+        """Draws it with the directions of the axes; nothing where VTK draws nothing."""
         image = self.window.receive()
-        if image is not None:
+        self.drawn = image is not None
+        if self.drawn:
             axes.imshow(image)
             triad(axes, self.camera)
-        return image is not None

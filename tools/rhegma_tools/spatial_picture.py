@@ -112,15 +112,15 @@ def camera_of(fields, view, magnification, onto=False, bounds=None):
     return aimed_at(drawn, margin, toward, np.eye(3)[vertical]), signs[view.normal]
 
 
-def aimed_at(points, margin, toward, up, around=MARGIN):
+def aimed_at(points, margin, toward, up, around=MARGIN, size=SIZE):
     """A camera in whose middle points (k, 3) are, and that shows all of them with a margin [m] around each. around: the larger extent of the picture
-    over theirs"""
-    camera = Camera(np.zeros(3), toward, up, 1.0, SIZE)
+    over theirs; size: pixels"""
+    camera = Camera(np.zeros(3), toward, up, 1.0, size)
     across, along = points @ camera.right, points @ camera.up
     camera.focus = 0.5 * sum(side * (values.min() + values.max()) for side, values in ((camera.right, across), (camera.up, along)))
     depth = points @ camera.toward
     camera.focus = camera.focus + 0.5 * (depth.min() + depth.max()) * camera.toward
-    camera.half_height = around * float(margin + 0.5 * max(np.ptp(along), np.ptp(across) * SIZE[1] / SIZE[0]))
+    camera.half_height = around * float(margin + 0.5 * max(np.ptp(along), np.ptp(across) * size[1] / size[0]))
     return camera
 
 
@@ -166,7 +166,7 @@ def scale_bar(axes, camera):
 def close_up_of(points, camera):
     """A camera that shows points (k, 3) large and in its middle, where they are small in the picture of another one; else None."""
     extent = np.ptp(camera.pixels(points), axis=0)
-    return None if (extent / camera.size).max() >= SMALL else aimed_at(points, 0.0, camera.toward, camera.up, AROUND)
+    return None if (extent / camera.size).max() >= SMALL else aimed_at(points, 0.0, camera.toward, camera.up, AROUND, camera.size)
 
 
 def draw_close_up(whole, axes, camera, close):
