@@ -3,7 +3,6 @@
 import os
 import re
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 
 from rhegma.fields import read_fields
 from rhegma.problem import Problem
@@ -68,16 +67,11 @@ def first_step(scene, program, folder):
 
 
 def state_of(scene, program):
-    """The State of a scene before any motion. The program checks the scene while it runs its first step; what a check finds is said first."""
-    with tempfile.TemporaryDirectory(prefix="rhegma-scene-") as folder, ThreadPoolExecutor(1) as aside:
-        checked = aside.submit(check, scene, program)
-        scene.ask_types(lambda path: type_of(path, program))
-        try:
-            results = first_step(scene, program, folder)
-        except Problem:
-            checked.result()
-            raise
-        forces, warnings = checked.result()
+    """The State of a scene before any motion."""
+    forces, warnings = check(scene, program)
+    scene.ask_types(lambda path: type_of(path, program))
+    with tempfile.TemporaryDirectory(prefix="rhegma-scene-") as folder:
+        results = first_step(scene, program, folder)
         fields = read_fields(results)
         if fields is None:
             raise Problem(f"{program} wrote no fields of the scene.")
