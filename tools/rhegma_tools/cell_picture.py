@@ -7,7 +7,7 @@ from matplotlib.patches import Patch
 from . import style
 from .deformation import magnified_faces
 from .colour_scales import add_bar, scale_of
-from .field_picture import choose_view, crack_segments, draw_crack, draw_particles, particle_outlines
+from .field_picture import choose_view, crack_segments, draw_crack, draw_particles, moved_inside, particle_outlines
 from .front_region import at_fronts
 from .quantity import label_of, quantity_shown, unit_of
 from .style import plt
@@ -39,6 +39,7 @@ def close_up(low, high, level):
     extent = np.ptp(centres, axis=0) + 3.0 * edge
     across = min(max(extent[1], extent[0] / 2.5), MOST_ACROSS * edge)
     half = 0.5 * np.array([2.5 * across, across])
+    middle = moved_inside(middle, half, low.min(axis=0), high.max(axis=0))
     return middle - half, middle + half
 
 

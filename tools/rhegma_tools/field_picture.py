@@ -8,6 +8,7 @@ from rhegma.summary import stop_time, stopped_part
 
 from . import boxes, style
 from .colour_scales import add_bar, scale_of
+from .crack_fronts import crossings, lengths_of_fronts
 from .deformation import automatic_magnification, crack_normals, curved_at_fronts, magnified_faces
 from .front_region import at_fronts
 from .quantity import label_of, quantity_shown, unit_of
@@ -51,25 +52,6 @@ def given_view(fields, normal, where):
     if not in_slice(fields, normal, position).any():
         raise Problem(f"--slice {'xyz'[normal]}={position:g} cuts no particle; they lie from {low:g} to {high:g} m there.")
     return View([axis for axis in range(3) if axis != normal], normal, position)
-
-
-def lengths_of_fronts(fields):
-    """How long crack fronts are along each axis (3) [m]: edges of the crack's surface that have one triangle, with material beyond them."""
-    crack = fields.crack
-    edges = np.concatenate([crack.cells[:, [0, 1]], crack.cells[:, [1, 2]], crack.cells[:, [2, 0]]])
-    third = np.concatenate([crack.cells[:, 2], crack.cells[:, 0], crack.cells[:, 1]])
-    _, first, count = np.unique(np.sort(edges, axis=1), axis=0, return_index=True, return_counts=True)
-    start, end, inner = (crack.points[index[first[count == 1]]] for index in (edges[:, 0], edges[:, 1], third))
-    along = end - start
-    middle = 0.5 * (start + end)
-    outward = middle - inner
-    square = np.einsum("ij,ij->i", along, along)
-    outward -= np.divide(np.einsum("ij,ij->i", outward, along), square, out=np.zeros_like(square), where=square > 0.0)[:, None] * along
-    size = np.linalg.norm(outward, axis=1, keepdims=True)
-    beyond = middle + fields.size * np.divide(outward, size, out=np.zeros_like(outward), where=size > 0.0)
-    half = 1.5 * np.stack([boxes.reach(fields.boxes(), axis) for axis in range(3)], axis=1)  # also between particles that part
-    inside = [bool((np.abs(fields.position - point) <= half).all(axis=1).any()) for point in beyond]
-    return np.abs(along[inside]).sum(axis=0)
 
 
 def choose_view(fields, asked=None):
@@ -254,6 +236,15 @@ def limits(axes, low, high, margin):
     axes.set_ylim((low[1] - pad), (high[1] + pad))
 
 
+def moved_inside(middle, half, low, high, most=np.inf, margin=0.08):
+    """The middle (2) of a close-up of half widths half (2), moved so that it shows no more than a margin [half widths] beyond a body from low to high (2);
+    by not more than most (2). A close-up that is larger than the body has it in its middle."""
+    middle, half = np.asarray(middle, dtype=float), np.asarray(half, dtype=float)
+    first, last = np.asarray(low) + (1.0 - margin) * half, np.asarray(high) - (1.0 - margin) * half
+    wanted = np.where(first > last, 0.5 * (first + last), np.clip(middle, first, last))
+    return middle + np.clip(wanted - middle, -np.asarray(most), np.asarray(most))
+
+
 def picture_size(extent, zoom):
     """Width and height of the figure [inch] for a body of this extent, with a close-up below or next to it."""
     width, height = extent
@@ -299,6 +290,8 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         fronts = drawn_fronts(fields, faces, summary, view)
         nodes, parts = stopped_nodes(fields, faces, summary, view)
     positions = [front.position * length_factor for front in fronts if not front.ended and not front.stopped]
+    if fields.crack is not None and view.normal is not None:
+        positions += [view.flat(point) * length_factor for point in crossings(fields, faces, view.normal, view.where)]
     stopped = [front.position * length_factor for front in fronts if front.stopped]
     stopped += [position * length_factor for position in nodes]
 
@@ -344,7 +337,8 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         draw_tools(close, tools, 2.0)
         wide = half if tall else 2.9 * half  # the shape of the panel
         front, caption = close_up(fronts)
-        middle = front.position * length_factor
+        # The front stays well inside.
+        middle = moved_inside(front.position * length_factor, (wide, half), low, high, most=0.8 * np.array([wide, half]))
         close.set_xlim(middle[0] - wide, middle[0] + wide)
         close.set_ylim(middle[1] - half, middle[1] + half)
         close.set_title(caption, fontweight="normal", fontsize=10)

@@ -7,7 +7,7 @@ from . import style
 from .answers import is_number
 from .deformation import crack_normals
 from .history_picture import initiation_toughness
-from .panel_lines import finite_maximum, legend, widen
+from .panel_lines import far_above, finite_maximum, legend, named_toughness, widen
 from .report_facts import all_fronts
 from .style import plt
 
@@ -40,6 +40,9 @@ def draw_along(axes, fronts, quantities, unit, title, label, toughness=None):
     """Values over the arc length. quantities: a line style for each; unit: with room for a prefix"""
     across, metres = style.scale(finite_maximum([nodes["arc_length"] for _, nodes in fronts]), "m")
     values = [nodes[q] for _, nodes in fronts for q in quantities if q in nodes]
+    heading = title
+    if far_above(toughness, values):
+        toughness, heading = None, title + named_toughness(toughness)
     factor, unit = style.scale(finite_maximum(values + ([] if toughness is None else [np.array([toughness])])), unit)
     root = " √m" if title.startswith("Stress") else ""
     for i, (name, nodes) in enumerate(fronts):
@@ -52,7 +55,7 @@ def draw_along(axes, fronts, quantities, unit, title, label, toughness=None):
                           label=None if k else mode if len(fronts) == 1 else f"{name}: {mode}")
     if toughness is not None:
         axes.axhline(toughness * factor, color=style.INK, lw=1.0, ls=(0, (6, 2, 1, 2)), label=f"initiation toughness {toughness * factor:.4g} {unit}")
-    axes.set_title(title)
+    axes.set_title(heading)
     axes.set_xlabel(f"arc length along the front [{metres}]")
     axes.set_ylabel(f"{label} [{unit}{root}]")
     widen(axes)

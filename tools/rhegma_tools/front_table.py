@@ -3,6 +3,7 @@
 from . import style
 from .answers import is_number
 from .html_text import element
+from .inner_nodes import leaves_out
 from .report_facts import all_fronts, grown_by, largest_release, short
 
 MODES = ("K_I", "K_II", "K_III")
@@ -87,11 +88,14 @@ def columns_of(fronts, in_equilibrium):
     releases, most = values("G_J"), [largest_release(front) for front in entries]
     largest, largest_k = largest_of(releases, most), largest_of(*(values(mode) for mode in MODES))
     along = any(is_number(front.get("G_J_max")) for _, _, front in fronts)  # in 3D, where the mean along a front and its largest node differ
-    mean, node = ("mean ", " of a front node") if along else ("", "")
+    inner = any(leaves_out(front) for _, _, front in fronts)
+    mean, node = ("mean ", " of an inner node" if inner else " of a front node") if along else ("", "")
     columns = [Column(f"{mean}G", "J/m²", releases, values("G_J_error_estimate"), ranges("G_J"), largest),
                Column(f"largest {mean}G", "J/m²", most, largest=largest)]
     columns += [Column(mean + mode, "Pa √m", values(mode), values(f"{mode}_error_estimate"), ranges(mode), largest_k) for mode in MODES]
     columns.append(Column(f"largest G{node} / toughness", "", values("closest_to_initiation")))
+    if inner:
+        columns.append(Column("largest G of a node at the surface / toughness", "", values("closest_at_surface")))
     if not in_equilibrium:
         columns += [Column("initiated at", "s", values("initiated")), Column("mean speed", "m/s", values("mean_speed"))]
     columns.append(Column("grew by", "m", [grown_by(front) for front in entries]))

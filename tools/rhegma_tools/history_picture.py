@@ -9,7 +9,7 @@ from rhegma.problem import Problem
 from . import style
 from .growth_panels import draw_growth, draw_speed, grown_in_equilibrium, growth
 from .heat_panels import draw_energies, draw_temperatures, energy_parts, temperatures
-from .panel_lines import FEW, draw_ends, ends, finite_maximum, legend, widen, width, without_ended
+from .panel_lines import FEW, draw_ends, ends, far_above, finite_maximum, legend, named_toughness, widen, width, without_ended
 from .style import plt
 
 METHODS = [("G_J", "J integral", "-"), ("G_closure", "crack closure", (0, (5, 1.5)))]
@@ -87,11 +87,19 @@ def draw_extremes(axes, history, front, quantity, time, factor, colour):
         axes.fill_between(time, low * factor, high * factor, color=colour, alpha=0.15, lw=0, label=label)
 
 
+def highest_along(history, rates):
+    """Samples of the largest values along fronts in 3D. rates: as release_rates gives them"""
+    found = [history.of_front(front, f"{quantity}_max") for front, quantity, _ in rates]
+    return [samples for samples in found if samples is not None]
+
+
 def draw_release(axes, history, summary, time, per_second=1.0):
     """`time` is drawn, in units of which there are so many in a second."""
     rates = release_rates(history)
     known = references(summary)
-    toughness = initiation_toughness(summary)
+    toughness, title = initiation_toughness(summary), "Energy release rate"
+    if far_above(toughness, [samples for _, _, samples in rates] + [np.array([value]) for _, _, _, value, _ in known] + highest_along(history, rates)):
+        toughness, title = None, title + named_toughness(toughness)
     lines = [np.array([value]) for _, _, _, value, _ in known] + ([] if toughness is None else [np.array([toughness])])
     factor, unit = style.scale(finite_maximum([s for _, _, s in rates] + lines), "J/m²")
     fronts = list(dict.fromkeys(front for front, _, _ in rates))
@@ -120,7 +128,7 @@ def draw_release(axes, history, summary, time, per_second=1.0):
             axes.plot(time, samples.mean(axis=0), color=colour, ls=dashes,
                       label=f"{method}: mean and\nrange of {len(samples)} fronts")
     draw_ends(axes, ends(summary), per_second)
-    axes.set_title("Energy release rate")
+    axes.set_title(title)
     axes.set_ylabel(f"G [{unit}]")
     widen(axes)
     axes.margins(x=0)

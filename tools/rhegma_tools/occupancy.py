@@ -1,10 +1,9 @@
 """Which squares of a fine lattice particles cover in the undeformed body, and so which faces of their boxes are at the surface."""
 
-import itertools
-
 import numpy as np
 
 COMMON = 0.01  # of all particles: as many have an edge that is one of the lattice; others are boxes that a surface or a crack cuts
+LARGEST_TABLE = 1.0e8  # cells of the lattice of which a table says whether they are covered; of more a sorted list of keys
 FINEST = 8  # cells of the lattice along the edge of a box, at most
 
 
@@ -34,25 +33,35 @@ class Occupancy:
             edges = np.round(extent / self.edge).astype(np.int64)
             self.kind = np.where(whole, np.unique(np.c_[self.kind, edges], axis=0, return_inverse=True)[1].ravel(), -1)
         self.count = self.high.max(axis=0) + 1  # of cells along each axis, with one beyond the last
-        covering = [(step, chosen[self.kind[chosen] >= 0]) for step, chosen in self.cells()]
-        self.keys = np.unique(np.concatenate([self.key(self.low[chosen] + step, self.kind[chosen]) for step, chosen in covering]))
+        self.groups = list(self.boxes_of_a_shape())
+        covering = [(cells, of[self.kind[of] >= 0]) for cells, of in self.groups]
+        keys = np.concatenate([self.key(self.low[of][:, None] + cells, self.kind[of][:, None]).ravel() for cells, of in covering])
+        self.keys, self.table = np.zeros(0, dtype=np.int64), None
+        if len(keys) and keys.max() < LARGEST_TABLE:
+            self.table = np.zeros(int(keys.max()) + 1, dtype=bool)
+            self.table[keys] = True
+        else:
+            self.keys = np.unique(keys)
 
-    def cells(self):
-        """(step (3), particles) for each cell of the boxes, counted from their first one."""
-        count = self.high - self.low
-        for step in itertools.product(*(range(int(most)) for most in count.max(axis=0))):
-            chosen = np.flatnonzero(np.all(np.array(step) < count, axis=1))
-            if len(chosen):
-                yield np.array(step), chosen
+    def boxes_of_a_shape(self):
+        """(cells (c, 3) counted from the first one, particles) of the boxes that cover as many cells along each axis. There are few shapes, so that
+        the work is that of the cells which are covered."""
+        shape = self.high - self.low
+        code = (shape[:, 0] * (shape[:, 1].max() + 1) + shape[:, 1]) * (shape[:, 2].max() + 1) + shape[:, 2]
+        order = np.argsort(code, kind="stable")
+        for of in np.split(order, np.flatnonzero(np.diff(code[order])) + 1):
+            yield np.array(list(np.ndindex(*shape[of[0]])), dtype=np.int64), of
 
     def key(self, cells, kind):
-        return ((kind * self.count[0] + cells[:, 0]) * self.count[1] + cells[:, 1]) * self.count[2] + cells[:, 2]
+        return ((kind * self.count[0] + cells[..., 0]) * self.count[1] + cells[..., 1]) * self.count[2] + cells[..., 2]
 
     def covered(self, cells, kind):
         """Whether a box of a kind covers each cell; none does of kind -1, nor where there are no such boxes at all."""
         wanted = self.key(cells, kind)
+        if self.table is not None:
+            return (kind >= 0) & (wanted < len(self.table)) & self.table[np.clip(wanted, 0, len(self.table) - 1)]
         if len(self.keys) == 0:
-            return np.zeros(len(cells), dtype=bool)
+            return np.zeros(wanted.shape, dtype=bool)
         return (kind >= 0) & (self.keys[np.minimum(np.searchsorted(self.keys, wanted), len(self.keys) - 1)] == wanted)
 
     def free(self, outward):
@@ -60,9 +69,8 @@ class Occupancy:
         axis = int(np.argmax(np.abs(outward)))
         beyond = self.high[:, axis] if outward[axis] > 0.0 else self.low[:, axis] - 1
         result = np.zeros(len(self.low), dtype=bool)
-        for step, chosen in self.cells():
-            if step[axis] == 0:
-                cells = self.low[chosen] + step
-                cells[:, axis] = beyond[chosen]
-                result[chosen] |= ~self.covered(cells, self.kind[chosen])
+        for cells, of in self.groups:
+            next_to = self.low[of][:, None] + cells[cells[:, axis] == 0]
+            next_to[..., axis] = beyond[of][:, None]
+            result[of] = ~self.covered(next_to, self.kind[of][:, None]).all(axis=1)
         return result

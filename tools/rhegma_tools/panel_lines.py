@@ -86,3 +86,18 @@ def without_ended(history, summary):
             if length is not None:  # in 2D it is that of the whole crack, which stays
                 column[start + "length"] = np.where(missing & (length == 0.0), np.nan, length)
     return History(column)
+
+
+FAR_ABOVE = 3.0  # times the largest value: a line so far above would flatten the curves
+
+
+def far_above(value, samples):
+    """Whether a value to compare with, such as a toughness, is so far above all samples (arrays) that it is named and not drawn."""
+    largest = finite_maximum(samples)
+    return value is not None and 0.0 < FAR_ABOVE * largest < value
+
+
+def named_toughness(toughness):
+    """What the title of a panel says of a toughness [J/m2] that is not drawn."""
+    factor, unit = style.scale(toughness, "J/m²")
+    return f" (the initiation toughness, {toughness * factor:.4g} {unit}, is far above)"

@@ -1,6 +1,7 @@
 """What a page of a run states of it: how it was run, what it answers, and how certain that is."""
 
 import os
+import re
 
 from . import style
 from .answers import is_number
@@ -110,6 +111,16 @@ def grown_by(front):
     return sum(lengths) if lengths and all(is_number(length) for length in lengths) else None
 
 
+def residual_line(summary, residual, supplied):
+    """The error of the energy balance as the program's answer has it, so that page and terminal have the same digits and the same basis."""
+    for line in summary.get("answers") or []:
+        said = re.search(r"; residual (\S+ \S+) \(([^()]*)\)", str(line)) if str(line).startswith("energy balance: ") else None
+        if said:
+            return f"{said[1]} ({said[2].replace('of the largest of these', 'of the largest energy in it')})"
+    part = f" ({100 * abs(residual) / supplied:.4g} % of the energy supplied)" if is_number(supplied) and supplied > 0 else ""
+    return readable(residual, "J") + part
+
+
 def certainty(summary):
     """[(name, text)] of how certain the results are: estimated errors, the energy balance, and whether the bodies are at rest."""
     found = []
@@ -122,8 +133,7 @@ def certainty(summary):
         found.append(("No estimate of errors", "; ".join(sorted(reasons)[:4]) + ". rhegma --twice shows how far results move with the cell size"))
     residual, supplied = (summary.get("energy") or {}).get("residual"), summary.get("largest_energy_supplied")
     if is_number(residual):
-        part = f" ({100 * abs(residual) / supplied:.2g} % of the energy supplied)" if is_number(supplied) and supplied > 0 else ""
-        found.append(("Error of the energy balance", readable(residual, "J") + part))
+        found.append(("Error of the energy balance", residual_line(summary, residual, supplied)))
     change = summary.get("may_still_change")
     moves = f"energy release rates may still change by at most {100 * change:.2g} %" if is_number(change) else ""
     if summary.get("ended_before_settled"):

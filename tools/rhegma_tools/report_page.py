@@ -10,6 +10,7 @@ from rhegma.problem import Problem
 from rhegma.summary import read_summary
 
 from . import report_facts as facts
+from .extreme_rows import HEAD, answers_without_peak, extreme_rows
 from .front_table import front_table
 from .html_text import Markup, data_block, element, folded, markup, picture, table
 from .report_pictures import field_pictures, film, front_maps, front_pictures, history_pictures, seconds
@@ -144,7 +145,8 @@ def fronts_part(summary):
     if len(rows) > OPEN_ROWS:
         parts.append(folded(f"{len(rows) - OPEN_ROWS} more fronts", table(head, rows[OPEN_ROWS:], numbers)))
     parts.append(element("p", f"{of_which_loads(summary)}, fronts with the largest G first. ± is the estimated numerical error; in 3D mean is that along "
-                         "the front, with the range of its nodes in brackets; a front starts at its largest node. Largest is that of all samples.", class_="note"))
+                         "the whole front, with the range of all its nodes in brackets; a front starts at its largest node. Largest is that of all samples. Inner nodes are "
+                         "two cells or more from the surface.", class_="note"))
     return parts
 
 
@@ -154,10 +156,13 @@ def answer_part(run):
         grown = None if run.history is None else so_far(run.history)
         return grown and element("section", element("h2", "Does the crack run?"), element("p", grown, class_="verdict"))
     parts = [element("h2", "Does the crack run?" if facts.all_fronts(summary) else "Results")]
-    decided = verdict(summary)
+    decided = verdict(summary, run.history)
     if decided:
         parts.append(element("p", decided, class_="verdict"))
-    parts.append(element("ul", [element("li", answer) for answer in summary.get("answers") or []]))
+    extremes = extreme_rows(summary, run.history, run.run)
+    parts.append(element("ul", [element("li", answer) for answer in answers_without_peak(summary, extremes)]))
+    if extremes:
+        parts += [element("h3", "Largest and smallest values"), table(HEAD, extremes, [1, 2])]
     certain = facts.certainty(summary)
     if certain:
         parts += [element("h3", "How certain it is"), fact_list(certain)]

@@ -15,10 +15,10 @@ from .front_picture import draw_surface, panels_along
 from .history_picture import panels_of
 from .path_picture import curves, draw_factor, draw_force, is_path
 from .quantity import label_of, quantity_shown
-from .spatial_picture import draw_cracks_in_body, draw_cut_body
+from .spatial_picture import SpatialPictures
 from .state_picture import draw_state
 from .style import plt
-from .vtk_window import INSTALL
+from .vtk_window import INSTALL, Window
 from .zoom_data import panel_data
 
 LARGEST_DRAWING = 150_000  # bytes of a still panel as SVG; beyond it is a PNG
@@ -64,20 +64,19 @@ def body_picture(fields, summary, title, quantity, view):
                  f"{seconds(fields.time)}, {magnified(factor)}", what + cracks + (scale if name != "temperature" else ""))
 
 
-def spatial_pictures(fields, summary, title, view):
-    """Of a run in 3D the body cut open and the cracks in its outline; without VTK the crack surface alone."""
+def spatial_pictures(drawing, fields, title, view):
+    """Of a run in 3D the body cut open and the cracks in its outline; without VTK the crack surface alone. drawing: SpatialPictures"""
     found, target = [], io.BytesIO()
-    asked = (view.normal, view.where)
-    factor = draw_cut_body(fields, summary, title, target, asked=asked)
+    factor = drawing.body.write(drawing.window, target)
     if factor is not None:
         name = label_of(quantity_shown(fields, "principal"))
         found.append(Shown("png", target.getvalue(), f"{title}: the body in 3D, cut open, coloured by the {name}",
                            f"The body at t = {seconds(fields.time)} in 3D, cut open at {section_of(view)[len(', section at '):]}, coloured by the {name}; "
                            f"{magnified(factor)}." + ("" if fields.crack is None else " Cracks (grey) are not cut.")))
-    if fields.crack is None:
+    if drawing.cracks is None:
         return found
     target = io.BytesIO()
-    coloured = None if factor is None else draw_cracks_in_body(fields, summary, title, target)
+    coloured = drawing.cracks.write(drawing.window, target)
     if coloured is not None:
         along = f" Colours along the fronts: {coloured}." if coloured else ""
         found.append(Shown("png", target.getvalue(), f"{title}: cracks in the outline of the body" + (f", fronts coloured by {coloured}" if coloured else ""),
@@ -100,6 +99,15 @@ def field_pictures(folder, summary, title):
     if fields is None:
         return []
     view = choose_view(fields)
+    if fields.dimension == 2:
+        return flat_pictures(folder, fields, summary, title, view)
+    with Window() as window:  # it draws while the other pictures are drawn
+        drawing = SpatialPictures(window, fields, summary, title, asked=(view.normal, view.where))
+        return flat_pictures(folder, fields, summary, title, view) + spatial_pictures(drawing, fields, title, view)
+
+
+def flat_pictures(folder, fields, summary, title, view):
+    """Pictures of the plane, or of a section, and of refined cells."""
     found = [body_picture(fields, summary, title, "principal", view)]
     if fields.temperature is not None and fields.stress is not None:
         found.append(body_picture(fields, summary, title, "temperature", view))
@@ -114,7 +122,7 @@ def field_pictures(folder, summary, title):
         found.append(Shown("png", target.getvalue(), f"{title}: {count} cells, coloured by their level of refinement",
                            f"The {count} cells in use at t = {seconds(fields.time)}, by level of refinement, and the finest ones with their "
                            f"particles; true displacements."))
-    return found + (spatial_pictures(fields, summary, title, view) if fields.dimension == 3 else [])
+    return found
 
 
 def still(figure):

@@ -7,6 +7,8 @@ import numpy as np
 from . import style
 from .answers import is_number
 from .growth_panels import areas, first_growth, grown_in_equilibrium, growth
+from .inner_nodes import inner_mean, leaves_out
+from .reached_toughness import not_stopped, when_reached
 from .report_facts import all_fronts, grown_by, largest_release, readable, short
 from .whole_folder import went_to_its_end
 
@@ -168,19 +170,36 @@ def has_larger_node(front):
 
 
 def at_surface(start, fronts, denies):
-    """What front nodes near the surface say, which the answer leaves out, where they are closer to growth. denies: the answer is no"""
+    """Which nodes are compared with the toughness where those near the surface are left out, and what these say where they are closer to growth.
+    denies: the answer is no"""
+    if not any(leaves_out(front) for _, _, front in fronts):
+        return ""
     inside = max((front["closest_to_initiation"] for _, _, front in fronts if is_number(front.get("closest_to_initiation"))), default=0.0)
     surface = max((front["closest_at_surface"] for _, _, front in fronts if is_number(front.get("closest_at_surface"))), default=0.0)
+    text = " Inner nodes are two cells or more from the surface; at the others G depends on the cells"
     if surface <= inside / HOOP**2:
-        return ""
-    text = f" Nodes less than two cells from the surface are left out, as G depends on the cells there: they reached {short(surface)}"
+        return text + "."
+    text += f": they reached {short(surface)}"
     if is_number(start.get("load_factor_at_surface")):
         text += f", which is {short(start['load_factor_at_surface'])} times the loads"
     return text + ("; by them the crack would grow, so use smaller cells to decide." if denies and surface >= 1.0 else ".")
 
 
-def of_comparison(summary, fronts):
-    """Of a scene with a toughness with which G is compared, in which no front can grow."""
+def what_reached(entry, summary, toughness):
+    """(what is compared with the toughness, its mean over the same nodes as text) of a front: its largest node in 3D, of the inner ones where those
+    near the surface are left out."""
+    front = entry[2]
+    if not (has_larger_node(front) and is_number(toughness) and toughness > 0.0):
+        return f"G of {name_of(entry)}", ""
+    if leaves_out(front):
+        mean = inner_mean(front, (summary.get("cells") or {}).get("smallest"), toughness)
+        return f"the largest G of the inner nodes of {name_of(entry)}", "" if mean is None else f", and their mean {short(mean / toughness)}"
+    at_end = abs(front["G_J_max"] / toughness - front["closest_to_initiation"]) <= 1e-3 * front["closest_to_initiation"]  # the mean is only known there
+    return f"the largest G along {name_of(entry)}", f", and the mean along it {short(front['G_J'] / toughness)}" if at_end else ""
+
+
+def of_comparison(summary, fronts, history=None):
+    """Of a scene with a toughness with which G is compared, in which no front can grow. history: to say when G reached it, or None"""
     start = summary["start_of_growth"]
     first = max(fronts, key=lambda entry: entry[2]["closest_to_initiation"] if is_number(entry[2].get("closest_to_initiation")) else -1.0)
     release, error = first[2].get("closest_to_initiation"), relative_error(first[2])
@@ -195,14 +214,11 @@ def of_comparison(summary, fronts):
     decided = "Not certain" if near else "Yes" if reached > 1.0 else "No"
     how = f", and K of the largest hoop stress {short(hoop)} of that of the toughness" if hoop * HOOP > release ** 0.5 else ""
     toughness = start["toughness"]
-    larger = has_larger_node(first[2]) and is_number(toughness) and toughness > 0.0
-    what = f"the largest G along {name_of(first)}" if larger else f"G of {name_of(first)}"
-    highest = max(release, first[2]["closest_at_surface"]) if is_number(first[2].get("closest_at_surface")) else release
-    at_end = larger and abs(first[2]["G_J_max"] / toughness - highest) <= 1e-3 * highest  # the mean is only known there
-    mean = f", and the mean along it {short(first[2]['G_J'] / toughness)}" if at_end else ""
+    what, mean = what_reached(first, summary, toughness)
     early = not went_to_its_end(summary)
     decided += EARLY if early else ""
     text = f"{decided}: {what} reached {short(release)} of the toughness of {readable(toughness, 'J/m²')}{mean}{how}."
+    text += when_reached(history, first, toughness) if release >= 1.0 else ""
     if is_number(start.get("load_factor")):
         estimate = "" if error is None else f" ± {50.0 * error:.2g} %"
         text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of the scene."
@@ -230,8 +246,8 @@ def of_no_toughness(fronts):
             f"{name_of(most)}: G = {at_end}{peak}. With Energy Release > Toughness (or Toughness From Library) a run decides.")
 
 
-def verdict(summary):
-    """Whether a crack has run; None where the scene has no crack."""
+def verdict(summary, history=None):
+    """Whether a crack has run; None where the scene has no crack. history: of the run, to say when G reached a toughness, or None"""
     fronts = all_fronts(summary)
     if not fronts:
         return None
@@ -240,9 +256,9 @@ def verdict(summary):
     if is_number(start):
         text = of_load_factor(fronts, start, grown)
     elif "start_of_growth" in summary:
-        text = of_comparison(summary, fronts)
+        text = of_comparison(summary, fronts, history)
     elif grown:
-        text = f"Yes: {growth_of(grown, len(fronts), summary)}.{unstable(summary)}"
+        text = f"Yes: {growth_of(grown, len(fronts), summary)}.{unstable(summary)}{not_stopped(summary, grown)}"
     else:
         text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts)
     stopped = [entry for entry in fronts if entry[2].get("stopped")]

@@ -119,6 +119,12 @@ def draw_fronts(panel, positions):
         panel.axes.plot(*panel.flat(positions).T, ls="none", marker="o", ms=4.5, mfc="white", mec=style.INK, mew=1.2, zorder=6, label="crack front")
 
 
+def in_a_row(symbol):
+    """Whether arrows are one behind the other, so that a label at the head of one would be on another."""
+    away = symbol.points - symbol.points.mean(axis=0)
+    return bool(np.linalg.norm(away @ symbol.direction) > 0.5 * np.linalg.norm(away) > 0.0)
+
+
 def draw_arrows(panel, symbol):
     """Arrows, or where they point at the reader or away from him, rings with a dot or a cross."""
     direction = panel.view.flat(symbol.direction)
@@ -135,8 +141,7 @@ def draw_arrows(panel, symbol):
     if not symbol.label:
         return
     middle = symbol.points.mean(axis=0)
-    spread = np.linalg.norm(symbol.points - middle)
-    if np.linalg.norm((symbol.points - middle) @ symbol.direction) > 0.5 * spread > 0.0:  # in a row, one behind the other
+    if in_a_row(symbol):
         panel.label(f"{symbol.name}: {symbol.label}", middle, colour, panel.flat(middle) - panel.middle())
         return
     end = middle + symbol.direction * ARROW * panel.extent * (-1.0 if symbol.into else 1.0)

@@ -6,20 +6,21 @@ import numpy as np
 from matplotlib.patches import Circle
 
 from . import style
-from .field_picture import View, limits
+from .field_picture import View, limits, moved_inside
 from .report_facts import readable
 from .scene_outlines import outlines_of
-from .scene_panel import ARROW, COLOUR, Panel, draw_bodies, draw_cells, draw_cracks, draw_fronts, draw_outlines, draw_symbols, front_positions
+from .scene_panel import ARROW, COLOUR, Panel, draw_bodies, draw_cells, draw_cracks, draw_fronts, draw_outlines, draw_symbols, front_positions, in_a_row
 from .scene_panel import part_labels
-from .scene_spatial import draw_perspective, perspective
+from .scene_spatial import Perspective
 from .scene_symbols import MOTION, Arrows, Mark, Nodes, Plane, Region, crack_loads, symbols_of
 from .scene_values import array, lists
 from .style import plt
+from .vtk_window import Window
 
 LONGEST_LINE = 150  # letters of the list below the picture
 MOST_LINES = 24
 ROUNDING = 1.0e-6  # of the largest extent of the bodies
-LABEL = 0.3  # length of a label, of the largest extent of the bodies
+LABEL = 0.3  # length of a label, of the largest extent of the bodies in a view
 
 
 class Drawing:
@@ -94,12 +95,13 @@ def list_lines(drawing):
 def frame(panel, drawing):
     """Limits of the axes around the bodies with their arrows, and with the labels of those that point to a side."""
     low, high = drawing.seen_low.copy(), drawing.seen_high.copy()
+    label = LABEL * float(np.max(np.ptp([panel.view.flat(low), panel.view.flat(high)], axis=0)))
     for symbol in drawing.symbols:
         if isinstance(symbol, Arrows):
             reach = symbol.direction * ARROW * drawing.extent * (-1.0 if symbol.into else 1.0)
             across, up = panel.view.flat(symbol.direction)
-            if symbol.label and abs(across) > abs(up):
-                reach = reach + LABEL * drawing.extent * np.sign(reach) * (np.arange(3) == panel.view.axes[0])
+            if symbol.label and abs(across) > abs(up) and not in_a_row(symbol):
+                reach = reach + label * np.sign(reach) * (np.arange(3) == panel.view.axes[0])
             low = np.minimum(low, np.min(symbol.points + np.minimum(reach, 0.0), axis=0))
             high = np.maximum(high, np.max(symbol.points + np.maximum(reach, 0.0), axis=0))
     limits(panel.axes, panel.flat(low), panel.flat(high), 0.06)
@@ -147,7 +149,9 @@ def draw_close_up(axes, drawing):
     half = max(1.3 * outer, 6.0 * finest)
     factor, unit = style.scale(half, "m")
     panel = Panel(axes, View([0, 1]), factor, 2.0 * half)
-    middle = panel.flat(drawing.focus)
+    front_at = panel.flat(drawing.focus)
+    spare = max(half - max(1.05 * outer, 0.2 * half), 0.0) * factor  # the circles stay inside
+    middle = moved_inside(front_at, 2 * [half * factor], panel.flat(drawing.low), panel.flat(drawing.high), spare)
     axes.set_aspect("equal")
     axes.grid(False)
     axes.set_xlim(middle[0] - half * factor, middle[0] + half * factor)
@@ -160,7 +164,7 @@ def draw_close_up(axes, drawing):
     draw_fronts(panel, drawing.fronts)
     for name in ("inner_radius", "outer_radius"):
         if front.get(name):
-            axes.add_patch(Circle(middle, front[name] * factor, fill=False, ec=style.COLOURS[1], lw=1.1, ls="-" if name == "outer_radius" else "--", zorder=7))
+            axes.add_patch(Circle(front_at, front[name] * factor, fill=False, ec=style.COLOURS[1], lw=1.1, ls="-" if name == "outer_radius" else "--", zorder=7))
     caption = f"at a crack front: cells of {readable(finest, 'm')}"
     axes.set_title(caption + ("\ncircles: inner and outer radius of the J integral" if outer else ""), fontweight="normal", fontsize=10)
     axes.set_xlabel(f"x [{unit}]")
@@ -193,7 +197,7 @@ def flat_figure(drawing):
 
 
 def spatial_figure(drawing, found):
-    """Figure and panels of a scene in 3D, seen along z, x and y. found: a picture in perspective, as scene_spatial.perspective gives it"""
+    """Figure and panels of a scene in 3D, seen along z, x and y. found: a Perspective, or None"""
     below = 0.18 * len(list_lines(drawing)) + 0.15
     figure, axes = plt.subplots(3, 2, figsize=(11.0, 9.4 + below), layout="constrained", gridspec_kw={"height_ratios": [4.7, 4.7, below]})
     panels = []
@@ -204,7 +208,7 @@ def spatial_figure(drawing, found):
         panel.set_title(f"seen along {'xyz'[normal]}; cells at {'xyz'[normal]} = {where}", fontweight="normal", fontsize=10)
     axes[1, 1].set_axis_off()
     if found is not None:
-        draw_perspective(axes[1, 1], found)
+        found.draw(axes[1, 1])
     draw_list(axes[2, 0], drawing)
     axes[2, 1].set_axis_off()
     return figure, panels
@@ -212,12 +216,20 @@ def spatial_figure(drawing, found):
 
 def draw_scene(drawing, path):
     """Writes the picture of a scene. \return whether a view in perspective is missing, for want of VTK"""
-    found = perspective(drawing) if drawing.fields.dimension == 3 else None
-    figure, panels = flat_figure(drawing) if drawing.fields.dimension == 2 else spatial_figure(drawing, found)
+    if drawing.fields.dimension == 2:
+        write_figure(drawing, path, *flat_figure(drawing))
+        return False
+    with Window() as window:
+        perspective = Perspective(drawing, window)
+        figure, panels = spatial_figure(drawing, perspective)
+    write_figure(drawing, path, figure, panels)
+    return not perspective.drawn
+
+
+def write_figure(drawing, path, figure, panels):
     figure.suptitle(f"{drawing.title}: the scene before the run", x=0.01, ha="left", fontsize=12, fontweight="bold", parse_math=False)
     part_labels(panels, figure)
     style.save(figure, path)
-    return drawing.fields.dimension == 3 and found is None
 
 
 def summary_line(drawing):

@@ -7,8 +7,9 @@ from .scene_panel import ARROW, COLOUR
 from .scene_symbols import TOOL, Arrows, Nodes, Region
 from .spatial_pieces import crack_pieces, outline_pieces, rgb
 from .spatial_picture import camera_of, triad
-from .vtk_window import Piece, render
+from .vtk_window import Piece
 
+NODE = 0.3  # edge of the cube at a supported node, of the largest cells
 SIDES = 12  # of a cone
 HEAD, WIDE, SHAFT = 0.35, 0.12, 0.035  # length and radius of an arrow's head, radius of its shaft, of the length of the arrow
 
@@ -49,6 +50,11 @@ def tool_pieces(tools):
             for lines in tools.values() for line in lines]
 
 
+def node_spacing(fields):
+    """The edge [m] of the largest cells."""
+    return fields.size if fields.leaves is None else float(np.ptp(fields.leaves.corners[:, :, 0], axis=1).max())
+
+
 def scene_pieces(drawing):
     """All pieces of a scene in 3D."""
     fields = drawing.fields
@@ -57,7 +63,7 @@ def scene_pieces(drawing):
         if isinstance(symbol, Arrows):
             pieces += arrow_pieces(symbol, 1.4 * ARROW * drawing.extent)
         elif isinstance(symbol, Nodes) and len(symbol.points):
-            pieces.append(cube_piece(symbol.points, 0.3 * fields.size, COLOUR[symbol.kind]))
+            pieces.append(cube_piece(symbol.points, NODE * node_spacing(fields), COLOUR[symbol.kind]))
         elif isinstance(symbol, Region) and symbol.radius is None:
             pieces.append(box_piece(symbol.low, symbol.high, COLOUR[symbol.kind]))
         elif isinstance(symbol, Region):
@@ -81,16 +87,19 @@ def ball_piece(centre, radius, colour, count=16):
     return Piece(points.reshape(-1, 3), cells, rgb(colour), opacity=0.4)
 
 
-def perspective(drawing):
-    """(picture (rows, columns, 3), Camera) of a scene in 3D, or None where VTK draws nothing."""
-    camera, _ = camera_of(drawing.fields, choose_view(drawing.fields), 1.0, onto=drawing.fields.crack is not None)
-    camera.half_height *= 1.0 + 1.2 * ARROW * any(isinstance(symbol, Arrows) for symbol in drawing.symbols)
-    image = render(scene_pieces(drawing), camera)
-    return None if image is None else (image, camera)
+class Perspective:
+    """The picture of a scene in 3D in perspective, which a window draws while its user does other things. drawn: whether VTK has drawn it"""
 
+    def __init__(self, drawing, window):
+        self.window, self.drawn = window, False
+        self.camera, _ = camera_of(drawing.fields, choose_view(drawing.fields), 1.0, onto=drawing.fields.crack is not None)
+        self.camera.half_height *= 1.0 + 1.2 * ARROW * any(isinstance(symbol, Arrows) for symbol in drawing.symbols)
+        window.send(scene_pieces(drawing), self.camera)
 
-def draw_perspective(axes, found):
-    """The picture in perspective with the directions of the axes. found: as perspective gives it"""
-    image, camera = found
-    axes.imshow(image)
-    triad(axes, camera)
+    def draw(self, axes):
+        """Draws it with the directions of the axes; nothing where VTK draws nothing."""
+        image = self.window.receive()
+        self.drawn = image is not None
+        if self.drawn:
+            axes.imshow(image)
+            triad(axes, self.camera)

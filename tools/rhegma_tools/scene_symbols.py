@@ -98,11 +98,25 @@ def arrows(kind, name, label, points, direction, fields, into=None):
     return Arrows(kind, name, label, points, direction, has_material(fields, points[len(points) // 2] + 0.6 * fields.size * unit))
 
 
+def spread(points, most):
+    """Indices of at most so many points (k, 3) that are far from one another: each next one is the farthest from all that are chosen."""
+    if len(points) <= most:
+        return np.arange(len(points))
+    chosen = [int(np.argmax(np.linalg.norm(points - points.mean(axis=0), axis=1)))]
+    away = np.linalg.norm(points - points[chosen[0]], axis=1)
+    while len(chosen) < most:
+        chosen.append(int(np.argmax(away)))
+        away = np.minimum(away, np.linalg.norm(points - points[chosen[-1]], axis=1))
+    return np.array(sorted(chosen))
+
+
 def surface_points(values, chosen=None, count_line=ALONG_LINE):
     """(points (k, 3), normal into the body (3)) of a part of a surface: a line in 2D, a parallelogram in 3D; of a choice of the body's whole
     surface, whose entry of the summary is chosen, the normals (k, 3)."""
     if chosen:
-        return tuple(sign * np.array([spatial(point) for point in chosen[name][:ON_SURFACE]]) for name, sign in (("points", 1.0), ("normals", -1.0)))
+        points, normals = (np.array([spatial(point) for point in chosen[name]]) for name in ("points", "normals"))
+        drawn = spread(points, ON_SURFACE)
+        return points[drawn], -normals[drawn]
     if values.get("Surface") == "Body":
         return np.zeros((0, 3)), np.zeros(3)  # of a program that does not say where it is
     if "From" in values:

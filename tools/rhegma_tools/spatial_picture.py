@@ -15,14 +15,14 @@ from .quantity import label_of, quantity_shown, unit_of
 from .report_facts import all_fronts, readable
 from .spatial_pieces import body_piece, cell_piece, crack_pieces, cut_open, front_segments, outline_pieces
 from .style import plt
-from .vtk_window import Camera, Piece, render
+from .vtk_window import Camera, Piece
 
 SIZE = (1500, 1150)  # pixels
 TUBE = 0.006  # radius of a front, of the largest extent of the picture
 MARGIN = 1.12
 LEAST_SPAN = 0.2  # of the largest value along a front: the least that its colours span
 SMALL = 0.2  # of the picture: cracks that are smaller in it are drawn in a close-up, too
-AROUND = 1.6  # height of a close-up, of the cracks in it
+AROUND = 1.35  # extent of a close-up, of the cracks in it
 STEEP = 0.6  # sine of the least angle at which the cracks are seen
 
 
@@ -105,13 +105,23 @@ def camera_of(fields, view, magnification, onto=False, bounds=None):
     toward[vertical] = abs(toward[vertical])  # from above
     if onto:
         toward = onto_cracks(toward, fields.crack)
-    drawn = fields.position + (magnification - 1.0) * fields.displacement
-    low, high = (drawn.min(axis=0) - fields.size, drawn.max(axis=0) + fields.size) if bounds is None else bounds
-    corners = np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
-    camera = Camera(0.5 * (low + high), toward, np.eye(3)[vertical], 1.0, SIZE)
-    arm = corners - camera.focus
-    camera.half_height = MARGIN * float(max(np.abs(arm @ camera.up).max(), np.abs(arm @ camera.right).max() * SIZE[1] / SIZE[0]))
-    return camera, signs[view.normal]
+    if bounds is None:
+        drawn, margin = fields.position + (magnification - 1.0) * fields.displacement, fields.size
+    else:
+        drawn, margin = np.array([[bounds[i][0], bounds[j][1], bounds[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]), 0.0
+    return aimed_at(drawn, margin, toward, np.eye(3)[vertical]), signs[view.normal]
+
+
+def aimed_at(points, margin, toward, up, around=MARGIN, size=SIZE):
+    """A camera in whose middle points (k, 3) are, and that shows all of them with a margin [m] around each. around: the larger extent of the picture
+    over theirs; size: pixels"""
+    camera = Camera(np.zeros(3), toward, up, 1.0, size)
+    across, along = points @ camera.right, points @ camera.up
+    camera.focus = 0.5 * sum(side * (values.min() + values.max()) for side, values in ((camera.right, across), (camera.up, along)))
+    depth = points @ camera.toward
+    camera.focus = camera.focus + 0.5 * (depth.min() + depth.max()) * camera.toward
+    camera.half_height = around * float(margin + 0.5 * max(np.ptp(along), np.ptp(across) * size[1] / size[0]))
+    return camera
 
 
 def front_piece(front, norm, camera):
@@ -154,13 +164,9 @@ def scale_bar(axes, camera):
 
 
 def close_up_of(points, camera):
-    """A camera that shows points (k, 3) large, where they are small in the picture of another one; else None."""
+    """A camera that shows points (k, 3) large and in its middle, where they are small in the picture of another one; else None."""
     extent = np.ptp(camera.pixels(points), axis=0)
-    if (extent / camera.size).max() >= SMALL:
-        return None
-    metres = 2.0 * camera.half_height / camera.size[1]
-    half = 0.5 * AROUND * metres * max(extent[1], extent[0] * camera.size[1] / camera.size[0])
-    return Camera(0.5 * (points.min(axis=0) + points.max(axis=0)), camera.toward, camera.up, half, camera.size)
+    return None if (extent / camera.size).max() >= SMALL else aimed_at(points, 0.0, camera.toward, camera.up, AROUND, camera.size)
 
 
 def draw_close_up(whole, axes, camera, close):
@@ -215,45 +221,74 @@ def cut_text(view, side):
     return f"cut open: {'xyz'[view.normal]} {'<' if side > 0 else '>'} {view.where * factor:.3g} {unit} is shown"
 
 
-def draw_cut_body(fields, summary, title, path, stress="principal", magnification=None, asked=None, cells=False):
-    """Writes the picture of the body cut open; cells: also those in the cut. \\return the magnification, or None where VTK draws nothing"""
-    view, quantity = choose_view(fields, asked), quantity_shown(fields, stress)
-    if magnification is None:  # cells do not follow displacements that are drawn larger
-        magnification = 1.0 if cells else automatic_magnification(fields.position, fields.displacement, fields.deformation)
-    camera, side = camera_of(fields, view, magnification)
-    kept = cut_open(fields, view.normal, view.where, side)
-    if len(kept) == 0:
-        kept = np.arange(len(fields.position))
-    values = fields.values(quantity)
-    factor, unit = unit_of(quantity, values)
-    colour_map, norm = scale_of(quantity, values * factor, fields.counts, at_fronts(fields))
-    pieces = [body_piece(fields, kept, magnification, body_colours_at(values * factor, colour_map, norm))] + crack_pieces(fields, magnification)
-    if cells and fields.leaves is not None:
-        pieces.append(cell_piece(fields, view, side))
-    image = render(pieces, camera)
-    if image is None:
-        return None
-    lines = heading(fields, summary, magnification, [cut_text(view, side)])
-    label = label_of(quantity) + (f" [{unit}]" if unit else "")
-    compose(image, camera, title, lines, [(colour_map, norm, label, "both" if quantity != "temperature" else "neither")], path)
-    return magnification
+class CutBody:
+    """The picture of the body cut open, coloured by a quantity; cells: also those in the cut. It is sent to a window, and written later."""
+
+    def __init__(self, fields, summary, title, stress="principal", magnification=None, asked=None, cells=False):
+        view, quantity = choose_view(fields, asked), quantity_shown(fields, stress)
+        if magnification is None:  # cells do not follow displacements that are drawn larger
+            magnification = 1.0 if cells else automatic_magnification(fields.position, fields.displacement, fields.deformation)
+        self.title, self.magnification = title, magnification
+        self.camera, side = camera_of(fields, view, magnification)
+        kept = cut_open(fields, view.normal, view.where, side)
+        if len(kept) == 0:
+            kept = np.arange(len(fields.position))
+        values = fields.values(quantity)
+        factor, unit = unit_of(quantity, values)
+        colour_map, norm = scale_of(quantity, values * factor, fields.counts, at_fronts(fields))
+        self.pieces = [body_piece(fields, kept, magnification, body_colours_at(values * factor, colour_map, norm))] + crack_pieces(fields, magnification)
+        if cells and fields.leaves is not None:
+            self.pieces.append(cell_piece(fields, view, side))
+        self.lines = heading(fields, summary, magnification, [cut_text(view, side)])
+        self.bars = [(colour_map, norm, label_of(quantity) + (f" [{unit}]" if unit else ""), "both" if quantity != "temperature" else "neither")]
+
+    def send(self, window):
+        window.send(self.pieces, self.camera)
+
+    def write(self, window, path):
+        """\return the magnification, or None where VTK draws nothing"""
+        image = window.receive()
+        if image is None:
+            return None
+        compose(image, self.camera, self.title, self.lines, self.bars, path)
+        return self.magnification
 
 
-def draw_cracks_in_body(fields, summary, title, path):
-    """Writes the picture of the cracks in the outline of the body, at true positions. \\return what the fronts are coloured by, "" for nothing,
-    or None where VTK draws nothing"""
-    camera, _ = camera_of(fields, choose_view(fields), 1.0, onto=True)
-    pieces = outline_pieces(fields) + crack_pieces(fields, None)
-    front, bars = fronts_at_end(summary, fields.time), []
-    norm = None if front is None else front_norm(front.values)
-    if front is not None:
-        bars.append(("plasma", norm, f"{front.label} along the front", "neither"))
+class CracksInBody:
+    """The picture of the cracks in the outline of the body, at true positions, with a close-up of small ones."""
 
-    def seen(by):
-        return render(pieces + ([] if front is None else [front_piece(front, norm, by)]), by)
+    def __init__(self, fields, summary, title):
+        self.title, self.lines = title, heading(fields, summary, 1.0, [])
+        self.camera, _ = camera_of(fields, choose_view(fields), 1.0, onto=True)
+        self.close = close_up_of(fields.crack.points, self.camera)
+        self.pieces = outline_pieces(fields) + crack_pieces(fields, None)
+        self.front, self.bars, self.norm = fronts_at_end(summary, fields.time), [], None
+        if self.front is not None:
+            self.norm = front_norm(self.front.values)
+            self.bars.append(("plasma", self.norm, f"{self.front.label} along the front", "neither"))
 
-    image, close = seen(camera), close_up_of(fields.crack.points, camera)
-    if image is None:
-        return None
-    compose(image, camera, f"{title}: cracks", heading(fields, summary, 1.0, []), bars, path, None if close is None else (seen(close), close))
-    return "" if front is None else front.label
+    def send(self, window):
+        for camera in [self.camera] + ([] if self.close is None else [self.close]):
+            window.send(self.pieces + ([] if self.front is None else [front_piece(self.front, self.norm, camera)]), camera)
+
+    def write(self, window, path):
+        """\return what the fronts are coloured by, "" for nothing, or None where VTK draws nothing"""
+        image = window.receive()
+        close = None if self.close is None else (window.receive(), self.close)
+        if image is None:
+            return None
+        compose(image, self.camera, f"{self.title}: cracks", self.lines, self.bars, path, close if close and close[0] is not None else None)
+        return "" if self.front is None else self.front.label
+
+
+class SpatialPictures:
+    """The pictures of a run in 3D, being drawn: the body cut open (body), and its cracks (cracks), or None. window: a Window, in use; more: as for
+    CutBody"""
+
+    def __init__(self, window, fields, summary, title, **more):
+        self.window = window
+        self.body = CutBody(fields, summary, title, **more)
+        self.body.send(window)
+        self.cracks = None if fields.crack is None else CracksInBody(fields, summary, title)
+        if self.cracks is not None:
+            self.cracks.send(window)

@@ -17,7 +17,8 @@ FACES = np.array([[[-1, -1, -1], [-1, -1, 1], [-1, 1, 1], [-1, 1, -1]], [[1, -1,
 OUTWARD = FACES.mean(axis=1)
 MOST_NODES = 4.0e6  # of the lattice on which the surface of curved bodies is found
 HALF_FULL = 0.5  # fraction of material at a surface: a plane one that lies anywhere between nodes
-MOST_EDGES = 3.0  # times the edges of the bodies' bounding boxes: with more, surfaces are curved or oblique
+SHORT = 3.5  # particles: edges of fewer in a row are steps of curved or oblique surfaces
+MOST_SHORT, FEW_EDGES = 0.5, 24  # fraction of edges that may be short, as those of a thin plate are; number of edges that may be
 
 
 def rgb(colour):
@@ -50,22 +51,57 @@ def body_piece(fields, kept, magnification, colours, **look):
     return Piece(corners.reshape(-1, 3), np.arange(4 * len(corners)).reshape(-1, 4), chosen, **look)
 
 
-def edge_piece(fields, magnification, colour, **look):
-    """Edges of the bodies, where two outer faces of a particle meet. Of bodies with curved surfaces, which have them everywhere, none."""
+def edge_segments(fields):
+    """(particles (k), ends (k, 2, 3) in half edge vectors) of the edges of bodies, where two outer faces of a particle meet."""
     free = np.zeros((len(fields.position), 6), dtype=bool)
     free[outer_faces(fields, np.arange(len(fields.position)))] = True
-    segments = []
+    owners, ends = [], []
     for one in range(6):
         for other in range(one + 1 - one % 2 + 1, 6):  # faces of other axes
-            owners = np.flatnonzero(free[:, one] & free[:, other])
+            found = np.flatnonzero(free[:, one] & free[:, other])
             along = np.cross(OUTWARD[one], OUTWARD[other])
-            ends = np.stack([OUTWARD[one] + OUTWARD[other] - along, OUTWARD[one] + OUTWARD[other] + along])
-            position = fields.position[owners] + (magnification - 1.0) * fields.displacement[owners]
-            segments.append(position[:, None, :] + 0.5 * np.einsum("ce,kei->kci", ends, fields.boxes(owners, magnification)))
-    points = np.concatenate(segments).reshape(-1, 3)
-    start = fields.position - fields.displacement
-    of_boxes = sum(4.0 * np.ptp(start[fields.body == body], axis=0).sum() + 12.0 * fields.size for body in np.unique(fields.body))
-    if len(points) // 2 * fields.size > MOST_EDGES * of_boxes:
+            owners.append(found)
+            ends.append(np.broadcast_to([OUTWARD[one] + OUTWARD[other] - along, OUTWARD[one] + OUTWARD[other] + along], (len(found), 2, 3)))
+    return np.concatenate(owners), np.concatenate(ends)
+
+
+def row_lengths(middle, extent, kind):
+    """How many particles are in each row of segments that follow one another along their axis. middle (k, 3), extent (k): length along the axis; kind
+    (k): number of the axis and of the side of its particle that a segment is on"""
+    axis = kind % 3
+    along = middle[np.arange(len(middle)), axis]
+    across = np.round(np.delete(middle.ravel(), 3 * np.arange(len(middle)) + axis).reshape(-1, 2) / (0.05 * extent.min())).astype(np.int64)
+    order = np.lexsort((along, across[:, 1], across[:, 0], kind))
+    begin, end = (along - 0.5 * extent)[order], (along + 0.5 * extent)[order]
+    row = np.c_[kind, across][order]
+    first = np.r_[True, (row[1:] != row[:-1]).any(axis=1) | (begin[1:] > end[:-1] + 0.05 * extent.min())]
+    number = np.cumsum(first) - 1
+    length, largest = np.zeros(number[-1] + 1), np.zeros(number[-1] + 1)
+    np.add.at(length, number, extent[order])
+    np.maximum.at(largest, number, extent[order])
+    return length / largest
+
+
+def is_curved(fields, owners, ends):
+    """Whether bodies have curved or oblique surfaces: most of their edges are steps of a few particles. owners, ends: as edge_segments gives them"""
+    if len(owners) == 0:
+        return False
+    extent = np.abs(fields.edges[owners]).sum(axis=1)
+    side = ends.mean(axis=1)
+    axis = np.argmax(np.abs(ends[:, 1] - ends[:, 0]), axis=1)
+    kind = 3 * np.round((side + 1.0) @ [9.0, 3.0, 1.0]).astype(np.int64) + axis
+    middle = fields.position[owners] - fields.displacement[owners] + 0.5 * side * extent
+    rows = row_lengths(middle, extent[np.arange(len(owners)), axis], kind)
+    short = np.count_nonzero(rows < SHORT)
+    return short > max(MOST_SHORT * len(rows), FEW_EDGES)
+
+
+def edge_piece(fields, magnification, colour, **look):
+    """Edges of the bodies. Of bodies with curved or oblique surfaces, whose steps have them everywhere, none."""
+    owners, ends = edge_segments(fields)
+    position = fields.position[owners] + (magnification - 1.0) * fields.displacement[owners]
+    points = (position[:, None, :] + 0.5 * np.einsum("kce,kei->kci", ends, fields.boxes(owners, magnification))).reshape(-1, 3)
+    if is_curved(fields, owners, ends):
         points = points[:0]
     return Piece(points, np.arange(len(points)).reshape(-1, 2), rgb(colour), lines=True, flat=True, **look)
 

@@ -29,6 +29,17 @@ def grey_values(picture, name):
     return values
 
 
+def bits_of(picture):
+    """Bits of a grey value of a picture of Pillow: 1, 8, or 16 (and more)."""
+    return 1 if picture.mode == "1" else 16 if picture.mode.startswith("I") else 8
+
+
+def refuse_lossy(picture, name):
+    """JPEG changes grey values around edges, so that voxels of one material no longer have one value."""
+    if picture.format == "JPEG" or "jpeg" in str(picture.info.get("compression", "")).lower():
+        raise Problem(f"{name} is compressed by JPEG, which changes grey values at the edges of materials; save it without loss, as PNG or as TIFF with LZW.")
+
+
 def read_pictures(paths):
     """Array (x, y) of one picture, or (x, y, z) of a file with several pages or of several files in their order: z = 0 is the first."""
     try:
@@ -36,13 +47,19 @@ def read_pictures(paths):
     except ImportError:
         raise Problem(PILLOW)
     Image.MAX_IMAGE_PIXELS = None
-    layers = []
+    layers, bits = [], []
     for path in paths:
         if not os.path.isfile(path):
             raise Problem(f"there is no file {path}; give pictures, such as PNG or TIFF files.")
         try:
             with Image.open(path) as image:
-                layers += [grey_values(page, path) for page in ImageSequence.Iterator(image)]
+                for page in ImageSequence.Iterator(image):
+                    refuse_lossy(page, path)
+                    layers.append(grey_values(page, path))
+                    bits.append(bits_of(page))
+                    if bits[-1] != bits[0]:
+                        raise Problem(f"{path}{f', page {page.tell() + 1}' if len(paths) == 1 else ''} has {bits[-1]} bits per pixel and the first picture "
+                                      f"{bits[0]}, so that one grey value means two things; save all pictures of a stack with as many bits.")
         except (UnidentifiedImageError, OSError) as error:
             raise Problem(f"{path} can't be read as a picture ({error}).")
     for path, layer in zip(paths if len(paths) == len(layers) else [paths[0]] * len(layers), layers):

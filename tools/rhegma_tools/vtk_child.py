@@ -8,8 +8,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTubeFilter
+from vtkmodules.vtkFiltersHybrid import vtkPolyDataSilhouette
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the back end registers itself)
+
+OUTLINE = (0.54, 0.58, 0.61)  # of surfaces that one sees through
 
 
 def poly_data(points, cells, colours, lines):
@@ -55,13 +58,31 @@ def side_of(mapper, colour, opacity, far):
     return result
 
 
-def actors(points, cells, colours, look):
-    """look: lines, tube (radius), opacity, width (pixels), flat (without light), lattice (of a field, whose values are in points)"""
+def silhouette(surface, camera):
+    """Where a surface turns away from the reader, as lines."""
+    edges = vtkPolyDataSilhouette()
+    edges.SetInputConnection(surface.GetOutputPort())
+    edges.SetCamera(camera)
+    edges.SetEnableFeatureAngle(0)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(edges.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    result = vtkActor()
+    result.SetMapper(mapper)
+    look = result.GetProperty()
+    look.SetColor(*OUTLINE)
+    look.SetLineWidth(1.5)
+    look.LightingOff()
+    return result
+
+
+def actors(points, cells, colours, look, camera):
+    """camera: of the view; look: lines, tube (radius), opacity, width (pixels), flat (without light), lattice (of a field, whose values are in points)"""
     if look.get("lattice"):
         mapper, surface = vtkPolyDataMapper(), level_surface(points, look["lattice"])
         mapper.SetInputConnection(surface.GetOutputPort())
         mapper.ScalarVisibilityOff()
-        return [side_of(mapper, colours[0], look.get("opacity", 1.0), far) for far in (True, False)]
+        return [*(side_of(mapper, colours[0], look.get("opacity", 1.0), far) for far in (True, False)), silhouette(surface, camera)]
     data = poly_data(points, cells, colours, look.get("lines"))
     mapper = vtkPolyDataMapper()
     if look.get("tube"):
@@ -99,9 +120,6 @@ class Window:
         """found: looks and camera as JSON and the arrays of each piece"""
         camera = json.loads(str(found["camera"]))
         self.renderer.RemoveAllViewProps()
-        for i, look in enumerate(json.loads(str(found["looks"]))):
-            for one in actors(found[f"points{i}"], found[f"cells{i}"], found[f"colours{i}"], look):
-                self.renderer.AddActor(one)
         self.window.SetSize(*camera["size"])
         view = self.renderer.GetActiveCamera()
         view.ParallelProjectionOn()
@@ -109,6 +127,9 @@ class Window:
         view.SetPosition(*camera["position"])
         view.SetViewUp(*camera["up"])
         view.SetParallelScale(camera["half_height"])
+        for i, look in enumerate(json.loads(str(found["looks"]))):
+            for one in actors(found[f"points{i}"], found[f"cells{i}"], found[f"colours{i}"], look, view):
+                self.renderer.AddActor(one)
         self.renderer.ResetCameraClippingRange()
         self.window.Render()
 

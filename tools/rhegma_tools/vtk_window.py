@@ -93,10 +93,11 @@ class Display:
 
 
 class Window:
-    """One VTK process on one display, that draws pictures one after another; each costs no start of either. Use it in a with statement."""
+    """One VTK process on one display, that draws pictures one after another; each costs no start of either. It draws while its user does other
+    things: send pictures as early as their pieces are known, and receive them late. Use it in a with statement."""
 
     def __enter__(self):
-        self.python, self.child, self.number = python_with_vtk(), None, 0
+        self.python, self.child, self.number, self.received = python_with_vtk(), None, 0, 0
         if self.python is not None:
             self.display, self.folder = Display(), tempfile.TemporaryDirectory(prefix="rhegma-picture-")
             environment = self.display.__enter__()
@@ -111,6 +112,8 @@ class Window:
         if self.python is None:
             return
         if self.child is not None:
+            if self.received < self.number:
+                self.child.kill()  # nobody waits for its pictures
             for end in (self.child.stdin, self.child.stdout):
                 try:
                     end.close()  # the process ends with what it reads
@@ -124,21 +127,33 @@ class Window:
         self.display.__exit__()
         self.folder.cleanup()
 
-    def render(self, pieces, camera):
-        """A picture (rows, columns, 3) of pieces, or None where there is no VTK or no display."""
+    def file(self, number, ending):
+        return os.path.join(self.folder.name, f"{number}.{ending}")
+
+    def send(self, pieces, camera):
+        """Lets a picture of pieces be drawn; receive it in the order in which it was sent."""
         if self.child is None:
-            return None
+            return
         self.number += 1
-        source, target = (os.path.join(self.folder.name, f"{self.number}.{ending}") for ending in ("npz", "npy"))
         shown = [piece for piece in pieces if len(piece.cells)]
         arrays = {f"{name}{i}": getattr(piece, name) for i, piece in enumerate(shown) for name in ("points", "cells", "colours")}
-        np.savez(source, camera=camera.as_json(), looks=json.dumps([piece.look for piece in shown]), **arrays)
+        np.savez(self.file(self.number, "npz"), camera=camera.as_json(), looks=json.dumps([piece.look for piece in shown]), **arrays)
+        try:
+            self.child.stdin.write(json.dumps([self.file(self.number, "npz"), self.file(self.number, "npy")]) + "\n")
+            self.child.stdin.flush()
+        except OSError:
+            pass  # VTK has ended the process, as it does without a display
+
+    def receive(self):
+        """The next picture (rows, columns, 3) that was sent, or None where there is no VTK or no display."""
+        if self.child is None:
+            return None
+        self.received += 1
+        target = self.file(self.received, "npy")
         late = threading.Timer(LONGEST, self.child.kill)
         late.start()
         try:
-            self.child.stdin.write(json.dumps([source, target]) + "\n")
-            self.child.stdin.flush()
-            drawn = self.child.stdout.readline()  # empty where VTK has ended the process, as it does without a display
+            drawn = self.child.stdout.readline()  # empty where VTK has ended the process
         except OSError:
             drawn = ""
         finally:
@@ -146,9 +161,14 @@ class Window:
         if not drawn or not os.path.exists(target):
             return None
         image = np.load(target)
-        os.remove(source)
+        os.remove(self.file(self.received, "npz"))
         os.remove(target)
         return image
+
+    def render(self, pieces, camera):
+        """A picture (rows, columns, 3) of pieces, or None where there is no VTK or no display."""
+        self.send(pieces, camera)
+        return self.receive()
 
 
 def render(pieces, camera):

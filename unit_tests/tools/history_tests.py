@@ -9,6 +9,7 @@ import numpy as np
 
 from rhegma_tools import style
 from rhegma.history import History as Samples, read_history
+from rhegma_tools.front_picture import draw_along
 from rhegma_tools.growth_panels import draw_growth, grown_in_equilibrium, growth
 from rhegma_tools.heat_panels import draw_energies, draw_temperatures, energy_parts, temperatures
 from rhegma_tools.history_picture import draw_history, draw_pressures, draw_release, panels_of
@@ -299,6 +300,21 @@ class OneSample(ToolTest):
         self.assertEqual((status, messages), (0, ""))
         self.assertIn(f"Wrote {self.path('history.png')}: 1 sample, 1 crack front.", output)
         self.assertGreater(picture_size(self.path("history.png"))[1], 500)
+
+    def test_a_toughness_far_above_is_named_and_not_drawn(self):
+        """It would flatten the curves; up to three times the largest value it is a line."""
+        samples = Samples({"time": np.array([0.0, 1.0]), "A.0.G_J": np.array([1.0, 20.0]), "A.0.G_J_min": np.array([1.0, 10.0]),
+                           "A.0.G_J_max": np.array([2.0, 50.0])})
+        nodes = {"arc_length": np.array([0.0, 1e-3]), "G_J": np.array([10.0, 50.0])}
+        for toughness, far in ((149.0, False), (151.0, True)):
+            for draw in (lambda axes: draw_release(axes, samples, {"propagation": {"initiation_toughness": toughness}}, samples.time),
+                         lambda axes: draw_along(axes, [("A, front 0", nodes)], {"G_J": "-"}, "J/m²", "Energy release rate", "G", toughness)):
+                figure, axes = plt.subplots()
+                draw(axes)
+                self.assertEqual("(the initiation toughness, 151 J/m², is far above)" in axes.get_title(loc="left"), far)
+                self.assertEqual(any("toughness" in line.get_label() for line in axes.lines), not far)
+                self.assertEqual(axes.get_ylim()[1] > 100.0, not far)
+                plt.close(figure)
 
     def test_in_3d_the_mean_and_the_largest_node_have_bars(self):
         """The largest node is compared with the toughness, not the mean."""

@@ -25,6 +25,15 @@ class Parts(ToolTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(result.stdout.count("Wrote"), 3)
 
+    def test_without_numpy_one_line_says_what_is_missing(self):
+        """A NumPy that can't be imported, for this Python and for the system's."""
+        os.makedirs(self.path("numpy"))
+        self.write(os.path.join("numpy", "__init__.py"), "raise ImportError")
+        result = subprocess.run([sys.executable, SCRIPT, self.path("parts")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                                env=dict(os.environ, PYTHONPATH=self.folder, PYTHONDONTWRITEBYTECODE="1"))
+        self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (1, "", 1), result.stderr)
+        self.assertRegex(result.stderr, "^three_parts.py: needs the Python packages numpy, matplotlib, and .*; install them, .* apt-get install python3-numpy")
+
     def test_surfaces_are_closed_and_have_the_volume(self):
         self.write_parts()
 

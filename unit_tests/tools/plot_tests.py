@@ -13,14 +13,17 @@ from matplotlib.colors import to_hex, to_rgb
 
 from rhegma_tools import cell_picture, path_picture, quantity, style
 from rhegma_tools.boxes import cut, parallelograms
+from rhegma_tools.crack_fronts import crossings
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.colour_scales import GREY, add_bar, colour_scale, scale_of
-from rhegma_tools.field_picture import choose_view, close_up, crack_segments, drawn_fronts, in_slice
+from rhegma_tools.field_picture import choose_view, close_up, crack_segments, drawn_fronts, in_slice, moved_inside
 from rhegma_tools.field_picture import read_slice, stop_after, stopped_nodes
 from rhegma_tools.style import plt
 from rhegma.fields import Crack, far_frame, read_fields
 from rhegma.history import read_history
 
+
+SEED = int(os.environ.get("RHEGMA_SEED", "20261130"))
 
 class Plot(ToolTest):
     def test_draws_a_beam(self):
@@ -311,6 +314,26 @@ class FieldPicture(ToolTest):
             points[:, along], points[:, across] = [-0.5, 0.5, 0.5, -0.5], [-0.6, -0.6, 0.0, 0.0]
             fields.crack = Crack(points, np.array([[0, 1, 2], [0, 2, 3]]), np.zeros((4, 3)))
             self.assertEqual(choose_view(fields).normal, along)
+
+    def test_a_section_marks_the_front_and_not_the_edge_at_the_surface(self):
+        """The crack of a cube from its side at y = -0.5 to y = 0.1: a section normal to x cuts the front there, halfway between the faces as drawn."""
+        made_up_run.penny(self.folder)
+        fields = read_fields(self.folder)
+        points = np.array([[-0.6, -0.6, 0.0], [0.6, -0.6, 0.0], [0.6, 0.1, 0.0], [-0.6, 0.1, 0.0]])
+        fields.crack = Crack(points, np.array([[0, 1, 2], [0, 2, 3]]), np.zeros((4, 3)))
+        chance = np.random.default_rng(SEED)
+        print(f"seed {SEED}")
+        for where in chance.uniform(-0.4, 0.4, 3):
+            found = crossings(fields, [points + [0.0, 0.0, 0.03], points - [0.0, 0.0, 0.01]], 0, where)
+            np.testing.assert_allclose(found, [[where, 0.1, 0.01]], atol=1e-12)
+
+    def test_a_close_up_stays_at_the_body(self):
+        """Near an edge it is moved inwards but for its margin, no farther than it may; one that is larger than the body has it in its middle."""
+        low, high = [0.0, 0.0], [10.0, 4.0]
+        np.testing.assert_allclose(moved_inside([0.5, 2.0], [2.0, 1.0], low, high, margin=0.1), [1.8, 2.0])
+        np.testing.assert_allclose(moved_inside([9.9, 3.9], [2.0, 1.0], low, high, margin=0.1), [8.2, 3.1])
+        np.testing.assert_allclose(moved_inside([0.5, 2.0], [2.0, 1.0], low, high, most=0.5, margin=0.1), [1.0, 2.0])
+        np.testing.assert_allclose(moved_inside([5.0, 3.0], [2.0, 9.0], low, high), [5.0, 2.0])
 
     def test_slice_of_3d_cuts_the_crack(self):
         """A penny in the plane z = 0 is a line only in a slice along z: of x and y, equally wide, y is taken. The

@@ -19,7 +19,7 @@ from rhegma_tools.interpreter import Problem
 from rhegma_tools.scene_outlines import outlines_of
 from rhegma_tools.scene_picture import Drawing, flat_figure, list_lines, spatial_figure, summary_line
 from rhegma_tools.scene_state import attempts, state_of
-from rhegma_tools.scene_symbols import Arrows, Nodes, Plane, peak
+from rhegma_tools.scene_symbols import Arrows, Nodes, Plane, peak, spread
 from rhegma_tools.scene_values import Scene
 
 PROGRAM = os.environ.get("RHEGMA_PROGRAM")
@@ -63,6 +63,19 @@ def block(cell=1e-3, **more):
             "Boundaries": {"Middle": {"Type": "Symmetry", "Axis": "x", "Position": 0.0},
                            "Floor": {"Type": "Velocity", "Lower Corner": [0, 0, 0], "Upper Corner": [0.012, 0.01, 0], "Components": "z", "Value": [0, 0, 0]},
                            "Pull": pull}, **more}
+
+
+class Spread(unittest.TestCase):
+    def test_points_are_even(self):
+        """No point is farther from a chosen one than the chosen ones are from one another; few points are all chosen."""
+        seed = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
+        print(f"RHEGMA_SEED = {seed}")
+        points = np.random.default_rng(seed).uniform(size=(48, 3))
+        chosen = spread(points, 16)
+        self.assertEqual(len(set(chosen.tolist())), 16)
+        apart = np.linalg.norm(points[chosen][:, None] - points[chosen], axis=2) + 9.0 * np.eye(16)
+        self.assertLessEqual(np.linalg.norm(points[:, None] - points[chosen], axis=2).min(axis=1).max(), apart.min())
+        self.assertEqual(spread(points[:3], 16).tolist(), [0, 1, 2])
 
 
 @unittest.skipUnless(PROGRAM, "needs the program, RHEGMA_PROGRAM")

@@ -9,13 +9,13 @@ import made_up_run
 import numpy as np
 from PIL import Image
 
-from rhegma_tools import scene_spatial, spatial_picture, style
+from rhegma_tools import occupancy, scene_spatial, spatial_picture, style
 from rhegma.fields import Crack, read_fields
 from rhegma_tools.front_picture import shown_opening
 from rhegma_tools.scene_symbols import LOAD, Arrows
 from rhegma_tools.spatial_pieces import HALF_FULL, cell_piece, crack_pieces, cut_open, edge_piece, filling, front_segments, outer_faces, outline_pieces
 from rhegma_tools.spatial_picture import camera_of, fronts_at_end, scale_bar
-from rhegma_tools.vtk_window import Camera, Level, Piece, render
+from rhegma_tools.vtk_window import Camera, Level, Piece, Window, render
 
 SEED = int(os.environ.get("RHEGMA_SEED", "20261128"))
 SQUARE = Piece(np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), [[0, 1, 2, 3]], [200, 30, 40], flat=True)
@@ -216,13 +216,47 @@ class Pieces(ToolTest):
         self.assertTrue(((pixels > 0) & (pixels < spatial_picture.SIZE)).all())
 
     def test_a_small_crack_has_a_close_up(self):
-        """It fills the close-up to 1 / 1.6; a crack of a fifth of the picture has none."""
+        """It fills the close-up to 1 / 1.35, in its middle also where most points are at one side; a crack of a fifth of the picture has none."""
         square = np.array([[0.5, 0.5, 0.0], [0.6, 0.5, 0.0], [0.6, 0.6, 0.0], [0.5, 0.6, 0.0]])  # 300 pixels are 2 m
         close = spatial_picture.close_up_of(square, FROM_ABOVE)
         np.testing.assert_allclose(close.focus, [0.55, 0.55, 0.0])
         extent = np.ptp(close.pixels(square), axis=0)
-        np.testing.assert_allclose(extent, 300 / 1.6)
+        np.testing.assert_allclose(extent, 300 / 1.35)
+        oblique = Camera([0.5, 0.5, 0.0], [1, 2, 3], [0, 0, 1], 2.0, (400, 300))
+        half_disk = np.c_[0.1 * np.cos(np.linspace(0, np.pi, 30)), 0.1 * np.sin(np.linspace(0, np.pi, 30)), np.zeros(30)]
+        pixels = spatial_picture.close_up_of(half_disk, oblique).pixels(half_disk)
+        np.testing.assert_allclose(0.5 * (pixels.min(axis=0) + pixels.max(axis=0)), [200, 150])
         self.assertIsNone(spatial_picture.close_up_of(0.5 + 4.1 * (square - 0.5), FROM_ABOVE))
+
+    def test_a_plate_with_a_round_hole_is_curved_and_a_thin_one_is_not(self):
+        """Most edges of the hole are steps, so that the plate is drawn as a surface; those of a plate of three layers are its own."""
+        for name, hole in (("whole", 0.0), ("holed", 4.2)):
+            start = made_up_run.lattice(np.arange(0.5, 24), np.arange(0.5, 16), np.arange(0.5, 3))
+            start = start[np.linalg.norm(start[:, :2] - [9.3, 8.2], axis=1) >= hole]
+            os.makedirs(self.path(name))
+            made_up_run.write_fields(self.path(name), [(1.0, {"particles": made_up_run.particles(start, 0 * start, np.zeros((len(start), 6)), 1.0)})])
+            self.assertEqual(isinstance(outline_pieces(read_fields(self.path(name)))[0], Level), hole > 0.0)
+
+    def test_a_table_and_a_list_say_the_same_of_covered_cells(self):
+        made_up_run.balls(self.folder)
+        fields = read_fields(self.folder)
+        everyone = np.arange(len(fields.position))
+        before, occupancy.LARGEST_TABLE = occupancy.LARGEST_TABLE, 0
+        try:
+            listed = outer_faces(fields, everyone)
+        finally:
+            occupancy.LARGEST_TABLE = before
+        for one, other in zip(listed, outer_faces(fields, everyone)):
+            np.testing.assert_array_equal(one, other)
+
+    @unittest.skipUnless(DRAWS, "VTK draws nothing here")
+    def test_pictures_come_in_the_order_in_which_they_were_sent(self):
+        colours = ([200, 30, 40], [30, 40, 200], [40, 200, 30])
+        with Window() as window:
+            for colour in colours:
+                window.send([Piece(SQUARE.points, SQUARE.cells, colour, flat=True)], FROM_ABOVE)
+            middles = [window.receive()[150, 200].astype(int) for _ in colours[:2]]  # nobody waits for the last one
+        self.assertEqual([int(np.argmax(pixel)) for pixel in middles], [0, 2])
 
     def test_the_outline_of_a_refined_body_has_no_holes(self):
         """Coarse and fine particles next to each other: no node inside is empty, which would draw a speckle."""

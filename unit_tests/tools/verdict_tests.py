@@ -1,20 +1,61 @@
 """Tests of what a page of a run states: its answer, certainty, references and the table of fronts."""
 
+import os
 import random
 import unittest
 
 from tool import ToolTest  # first, as it finds the Python for all others
 
+import made_up_run
 import numpy as np
 
+from rhegma_tools.extreme_rows import answers_without_peak, extreme_rows
 from rhegma_tools.front_table import front_table
 from rhegma_tools.report_facts import SHAPE, analysis_of, cells_of, certainty, duration, readable, reference_rows, run_facts, short, sound
 from rhegma.history import History
 from rhegma_tools.report_verdict import so_far, verdict
 
 
+SEED = int(os.environ.get("RHEGMA_SEED", "20261130"))
+
+
 def summary_of(*fronts, **more):
     return dict({"end": "finished", "status": "finished", "cracks": [{"name": "A", "fronts": list(fronts)}]}, **more)
+
+
+class Extremes(ToolTest):
+    """The table of largest and smallest values."""
+
+    def test_a_quench_is_described_by_its_coldest_and_its_largest_difference(self):
+        start = made_up_run.lattice(np.arange(0.5, 4), np.arange(0.5, 3))
+        start = np.c_[1e-3 * start, np.zeros(len(start))]
+        group = made_up_run.particles(start, 0 * start, np.zeros((len(start), 6)), 1e-3)
+        chance = np.random.default_rng(SEED)
+        print(f"seed {SEED}")
+        cold = int(chance.integers(len(start)))
+        group["temperature"] = np.where(np.arange(len(start)) == cold, 300.0, 500.0)
+        made_up_run.write_fields(self.folder, [(2.0, {"particles": group})])
+        history = History({"time": np.array([1.0, 2.0, 3.0]), "temperature_highest": np.array([500.0, 490.0, 320.0]),
+                           "temperature_lowest": np.array([400.0, 300.0, 310.0])})
+        summary = {"answers": ["the run finished", "peak temperature 500 K (rise 0 K)"],
+                   "temperature": {"highest": {"time": 0.5, "value": 500.5, "where": [1e-3, 2e-3]}}}
+        rows = extreme_rows(summary, history, self.folder)
+        where = f"({', '.join(f'{1e3 * x:.4g}' for x in start[cold, :2])}) mm"
+        self.assertEqual(rows, [("largest temperature", "500.5 K", "500 ms", "(1, 2) mm"), ("smallest temperature", "300 K", "2 s", where),
+                                ("largest difference of temperature at one time", "190 K", "2 s", "-")])
+        self.assertEqual(answers_without_peak(summary, rows), ["the run finished"])  # the rows have it
+        self.assertEqual(answers_without_peak(summary, []), summary["answers"])
+        # Without a frame of that time the position is not known.
+        self.assertEqual(extreme_rows({}, history, self.path("no"))[1], ("smallest temperature", "300 K", "2 s", "-"))
+
+    def test_extremes_that_the_scene_asks_for(self):
+        """Over all samples with their positions; of the end where there is no history."""
+        summary = {"extremes": {"Peak": {"field": "Von Mises Stress", "largest": 2e6, "largest_position": [0.0, 3e-3], "smallest": None}}}
+        columns = {"time": np.array([1.0, 2.0]), "Peak.largest": np.array([5e6, 2e6]), "Peak.largest_x": np.array([1e-3, 0.0]),
+                   "Peak.largest_y": np.array([2e-3, 3e-3]), "Peak.smallest": np.array([np.nan, np.nan])}
+        self.assertEqual(extreme_rows(summary, History(columns), self.folder), [("Peak: largest Von Mises Stress", "5 MPa", "1 s", "(1, 2) mm")])
+        self.assertEqual(extreme_rows(summary, None, self.folder), [("Peak: largest Von Mises Stress", "2 MPa", "end", "(0, 3) mm")])
+        self.assertEqual(extreme_rows({}, None, self.folder), [])
 
 
 class Verdict(ToolTest):
@@ -68,13 +109,57 @@ class Verdict(ToolTest):
             front = {"G_J": 50.0, "G_J_max": 100.0 * max(inside, surface), "closest_to_initiation": inside, "closest_at_surface": surface}
             return verdict(summary_of(front, start_of_growth={"toughness": 100.0, "load_factor": factor, "load_factor_at_surface": at_surface}))
 
-        self.assertNotIn("surface", of(0.64, 0.6))
+        self.assertEqual(of(0.64, 0.6), "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Inner nodes are two cells "
+                                        "or more from the surface; at the others G depends on the cells.")
+        self.assertNotIn("surface", of(0.64, 0.0))
         self.assertEqual(of(0.64, 0.81, 1.25, 1.111),
-                         "No: the largest G along A, front 0 reached 0.64 of the toughness of 100 J/m², and the mean along it 0.5. Cracks start at 1.25 times the "
-                         "loads and prescribed displacements of the scene. Nodes less than two cells from the surface are left out, as G depends on the cells "
-                         "there: they reached 0.81, which is 1.111 times the loads.")
+                         "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Cracks start at 1.25 times the "
+                         "loads and prescribed displacements of the scene. Inner nodes are two cells or more from the surface; at the others G depends on the "
+                         "cells: they reached 0.81, which is 1.111 times the loads.")
         self.assertTrue(of(0.64, 1.2).endswith("they reached 1.2; by them the crack would grow, so use smaller cells to decide."))
         self.assertTrue(of(4.0, 5.0).startswith("Yes") and of(4.0, 5.0).endswith("they reached 5."))
+
+    def test_largest_and_mean_are_of_the_same_nodes(self):
+        """The largest G of the inner nodes stands next to their own mean, by the trapezoidal rule, not next to that of all nodes."""
+        release = [90.0, 40.0, 20.0, 30.0, 80.0]
+        front = {"G_J": 42.5, "G_J_max": 90.0, "closest_to_initiation": 0.4, "closest_at_surface": 0.9,
+                 "front_nodes": {"G_J": release, "arc_length": [0.0, 2e-3, 4e-3, 6e-3, 8e-3], "line": [0] * 5}}
+        more = {"start_of_growth": {"toughness": 100.0, "load_factor": None}, "cells": {"smallest": 1e-3}}
+        # Two cells are 2 mm: the inner nodes are the second to the fourth, with the mean (30 + 25) / 2 = 27.5.
+        self.assertIn("reached 0.4 of the toughness of 100 J/m², and their mean 0.275.", verdict(summary_of(front, **more)))
+        # The largest values are not those of the end, or of other nodes: there is no such mean.
+        for changed in ({"closest_to_initiation": 0.5}, {"closest_at_surface": 0.95}):
+            self.assertNotIn("mean", verdict(summary_of(dict(front, **changed), **more)))
+        self.assertNotIn("mean", verdict(summary_of(front, **dict(more, cells={}))))
+        head, rows, _ = front_table(summary_of(front, **more))
+        self.assertEqual([rows[0][head.index(f"largest G of {which} / toughness")] for which in ("an inner node", "a node at the surface")], ["0.4", "0.9"])
+
+    def test_when_the_toughness_was_reached(self):
+        """Between samples, by the root of G, which is in proportion to loads."""
+        def of(release, most=None, closest=4.0):
+            columns = {"time": np.arange(1.0, 1.0 + len(release)), "A.0.G_J": np.array(release)}
+            columns.update({} if most is None else {"A.0.G_J_max": np.array(most)})
+            front = {"closest_to_initiation": closest, "G_J": release[-1]}
+            return verdict(summary_of(front, start_of_growth={"toughness": 100.0, "load_factor": None}), History(columns))
+
+        self.assertTrue(of([25.0, 400.0]).endswith(" G reached it at about t = 1.333 s (between the samples at 1 s and 2 s)."), of([25.0, 400.0]))
+        self.assertIn("The largest G of all its nodes reached it at about t = 1.5 s", of([1.0, 1.0], [25.0, 225.0]))
+        self.assertTrue(of([101.0, 400.0]).endswith("G exceeded it at the first sample, at t = 1 s, already."))
+        self.assertTrue(of([400.0]).endswith("That is at t = 1 s, the only time that was computed."))
+        self.assertNotIn("t =", of([25.0, 64.0], closest=0.64))  # a no has no time
+
+    def test_a_crack_that_has_not_stopped(self):
+        """Growth under given loads in equilibrium that ends with G above the toughness."""
+        front = {"initiated": 0.5, "mean_advance": 3e-3, "G_J": 47.2, "G_J_max": 48.0}
+
+        def of(**more):
+            return verdict(summary_of(dict(front, **more), propagation={"initiation_toughness": 40.0}, equilibrium={}))
+
+        self.assertTrue(of().endswith(" The crack has not stopped: at the end of the run the largest G along A, front 0 is 1.2 times the initiation toughness "
+                                      "of 40 J/m², so its growth is a lower bound."), of())
+        for more in ({"G_J_max": 40.1}, {"ended": True}, {"stopped": True}):
+            self.assertNotIn("lower bound", of(**more))
+        self.assertNotIn("lower bound", verdict(summary_of(front, propagation={"initiation_toughness": 40.0})))  # motion: its speed says it
 
     def test_a_negative_release_decides_nothing(self):
         for more in ({}, {"start_of_growth": {"toughness": 7.0, "load_factor": None}}):
@@ -217,6 +302,11 @@ class Facts(ToolTest):
         self.assertEqual([name for name, _ in pairs], ["Numerical error of G", "No estimate of errors", "Error of the energy balance"])
         self.assertIn("at most 4.5 % (1 front)", pairs[0][1])
         self.assertEqual(pairs[2][1], "500 mJ (0.5 % of the energy supplied)")
+
+    def test_the_page_has_the_percentage_of_the_terminal(self):
+        line = "energy balance: external work 184.3 mJ, strain 184.1 mJ; residual -61.59 uJ (0.03343 % of the largest of these); this is a note (of 2 %)"
+        pairs = certainty(summary_of({}, energy={"residual": -61.594e-6}, largest_energy_supplied=0.1843, answers=["x", line]))
+        self.assertEqual(dict(pairs)["Error of the energy balance"], "-61.59 uJ (0.03343 % of the largest energy in it)")
         self.assertIn("not static", certainty({"ended_before_settled": True})[0][1])
 
     def test_references(self):

@@ -2,13 +2,18 @@
 """Three parts as STL files, turned against the axes of the cells as parts from a drawing are, each with its scene: an axle with a flaw in its
 fillet, a bracket on two bolts with a flaw in its corner, and a ring of glass whose outside is quenched. docs/tutorials/three-parts.md is on them.
 
-    xml_inputs/studies/three_parts.py FOLDER      (needs NumPy and matplotlib)
+    xml_inputs/studies/three_parts.py FOLDER      (needs NumPy and Matplotlib)
 """
 import os
 import sys
 
-import numpy as np
-from matplotlib.tri import Triangulation
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "tools"))
+from rhegma_tools import interpreter  # noqa: E402
+
+interpreter.need("numpy", "matplotlib")  # goes on with the Python of the system where this one lacks them
+
+import numpy as np  # noqa: E402
+from matplotlib.tri import Triangulation  # noqa: E402
 
 
 def turned(seed):
