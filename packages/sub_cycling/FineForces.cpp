@@ -328,8 +328,8 @@ void FineParticles<D>::smooth(const State<D>& state, int level, const Values& fo
   const View<int*> nodeOf = nodeOf_;
   const auto now = static_cast<double>(state.clock.step);
   // A run that starts in equilibrium starts with its mean: from zero it would approach it by impulses. Nodes
-  // that come later start from zero, because a force that is held for a step feeds waves where it is held again
-  // and again.
+  // that come later start from zero, because a force that is held for a step feeds waves where it is held
+  // again and again.
   const bool starts = state.clock.step == 0;
   const int inner = numInner_;
   parallelForSmall<smallSlots>(
@@ -337,7 +337,9 @@ void FineParticles<D>::smooth(const State<D>& state, int level, const Values& fo
         const int row = rowOf(nodeOf(i));
         for (int d = 0; d < D; ++d)
         {
-          const double before = starts ? force(i, d) : kept(row, D) == now - 1.0 ? kept(row, d) : 0.0;
+          const double before = starts && i < inner         ? force(i, d)
+                                : kept(row, D) == now - 1.0 ? kept(row, d)
+                                                            : 0.0;
           kept(row, d) = before + (force(i, d) - before) / meanOver;
           mean(i, d) = i < inner ? kept(row, d) : 0.0;
         }
