@@ -297,6 +297,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList list = scene.sublist("Adaptivity"), domain = scene.sublist("Domain");
   const Options<D> options = readOptions<D>(list);
+  const bool startsInEquilibrium = scene.sublist("Time").get<std::string>("Initial State") != "Unloaded";
   const auto progress = std::make_shared<std::shared_ptr<Progress<D>>>();
   Effect<D> effect;
   effect.name = "Adaptivity";
@@ -318,6 +319,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
               {quantity::cells}, {},
               [=](State<D>& state)
               {
+                // A motion that starts in equilibrium has the particles of that equilibrium, which are those
+                // of the start in both.
+                if (state.method.analysis == Analysis::Preload ||
+                    (startsInEquilibrium && state.clock.step == 0))
+                  return;
                 // The stress of a load step is in equilibrium on the cells that it was solved on.
                 if (state.method.equilibrium())
                   return fitParticles(state, **progress);
