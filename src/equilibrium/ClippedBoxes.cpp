@@ -123,7 +123,7 @@ struct KeepWhole
   View<char*> clipped;       ///< not 0 where a particle's box is
   View<double*> left, whole; ///< stiffness of the nodes with clipping and without
   double part;               ///< of the stiffness of all particles that is left to weak nodes at most
-  int axes;                  ///< along which these are outside the cell of a box that is given back
+  int axes;                  ///< along which these are outside the cell of a box that stays whole
   Nodes<D> nodes;
   NodePositions<D> positions;
   double spacing;
