@@ -293,10 +293,29 @@ void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
 }
 
 template <int D>
+void adaptBetweenSteps(State<D>& state, const Options<D>& options, bool startsInEquilibrium,
+                       Progress<D>& progress)
+{
+  // A motion that starts in equilibrium has the particles of that equilibrium: in both those of the start.
+  if (state.method.analysis == Analysis::Preload || (startsInEquilibrium && state.clock.step == 0))
+    return;
+  // The stress of a load step is in equilibrium on the cells that it was solved on.
+  if (state.method.equilibrium())
+    return fitParticles(state, progress);
+  // Counted in steps of the finest cells, so that no particle runs far into them unsplit.
+  const int interval = std::max(options.interval >> ownLevels(state), 1);
+  if (state.clock.time < options.startTime)
+    return;
+  if (state.clock.step % interval == (state.clock.step < interval ? 1 % interval : 0))
+    adapt(state, options, progress);
+}
+
+template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList list = scene.sublist("Adaptivity"), domain = scene.sublist("Domain");
   const Options<D> options = readOptions<D>(list);
+  const bool startsInEquilibrium = scene.sublist("Time").get<std::string>("Initial State") != "Unloaded";
   const auto progress = std::make_shared<std::shared_ptr<Progress<D>>>();
   Effect<D> effect;
   effect.name = "Adaptivity";
@@ -316,18 +335,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.call(Stage::BetweenSteps, "adaptation of cells and particles", {ifWritten(quantity::crackGeometry)},
               {quantity::cells}, {},
-              [=](State<D>& state)
-              {
-                // The stress of a load step is in equilibrium on the cells that it was solved on.
-                if (state.method.equilibrium())
-                  return fitParticles(state, **progress);
-                // Counted in steps of the finest cells, so that no particle runs far into them unsplit.
-                const int interval = std::max(options.interval >> ownLevels(state), 1);
-                if (state.clock.time < options.startTime)
-                  return;
-                if (state.clock.step % interval == (state.clock.step < interval ? 1 % interval : 0))
-                  adapt(state, options, **progress);
-              });
+              [=](State<D>& state) { adaptBetweenSteps(state, options, startsInEquilibrium, **progress); });
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     Progress<D>& done = **progress;

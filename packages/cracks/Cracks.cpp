@@ -62,6 +62,15 @@ std::shared_ptr<const CrackedBodies<D>> readBodies(const Teuchos::ParameterList&
   return bodies;
 }
 
+/// Whether steps of motion limit the stiffness of springs. Added inertia would have to be part of a mass
+/// matrix, and of the first traction of a new face. It is for the law of FrontCell.hpp, which needs heat to
+/// pass between the fields. \param options of the motion
+bool hasLimitedSprings(const RunOptions& options, bool moves)
+{
+  return ((options.growth || options.contact) && moves) || options.nodalMass.lumpedFraction < 1.0 ||
+         options.nodalMass.terms > 0 || !options.fieldsConduct;
+}
+
 /// What the calls of the effect have in common.
 template <int D>
 struct Parts
@@ -76,14 +85,14 @@ struct Parts
   bool grows;
   bool moves;    ///< in the whole run, or in its last part: the law of springs is that of motion
   bool releases; ///< new faces open against a traction; in equilibrium they are free at once
-  bool limited;  ///< steps of motion limit the stiffness of springs
+  bool limited;  ///< hasLimitedSprings: steps of motion limit the stiffness of springs
   bool joins;    ///< cracks may end on others
   bool touching; ///< contact keeps faces apart
   bool startsInEquilibrium;
-  bool startsUnloaded; ///< not in an equilibrium, whose particles must be those of the run
-  int pieces;          ///< of a cell, for edges of surfaces
-  int levels;          ///< of finer cells at fronts
-  bool adaptive;       ///< cells are refined after this effect has started
+  bool startsWithoutCracks; ///< in an equilibrium without them, whose particles must be those of the run
+  int pieces;               ///< of a cell, for edges of surfaces
+  int levels;               ///< of finer cells at fronts
+  bool adaptive;            ///< cells are refined after this effect has started
   Surroundings surroundings;
   Ghosts ghosts;
   CrackMotion<D> motion;
@@ -101,16 +110,14 @@ struct Parts
         formulation(readFormulation(section)),
         hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
         grows(options.growth),
-        moves(!isEquilibrium(scene) || handsOver(scene)),
+        moves(!isEquilibrium(scene) || handsOver(scene) || options.motion),
         releases(grows && !isEquilibrium(scene)),
-        // Added inertia would have to be part of a mass matrix, and of the first traction of a new face. It
-        // is for the law of FrontCell.hpp, which needs heat to pass between the fields.
-        limited((grows && moves) || options.nodalMass.lumpedFraction < 1.0 || options.nodalMass.terms > 0 ||
-                !options.fieldsConduct || (options.contact && moves)),
+        limited(hasLimitedSprings(options.ofMotion(), moves)),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
         startsInEquilibrium(scene.sublist("Time").get<std::string>("Initial State") == "Equilibrium"),
-        startsUnloaded(scene.sublist("Time").get<std::string>("Initial State") == "Unloaded"),
+        startsWithoutCracks(scene.sublist("Time").get<std::string>("Initial State") ==
+                            "Equilibrium Without Cracks"),
         pieces(piecesOfACell(options)),
         levels(options.frontLevels),
         adaptive(options.adaptive),
@@ -119,7 +126,9 @@ struct Parts
   {
     // Where faces touch in motion, the contact of nodes near a front would store energy next to their
     // springs.
-    surroundings.law.ofCells = !(grows && moves) && options.fieldsConduct && (!touching || !moves);
+    const RunOptions& motion = options.ofMotion();
+    surroundings.law.ofCells =
+        !(motion.growth && moves) && motion.fieldsConduct && (!motion.contact || !moves);
   }
 };
 
@@ -159,14 +168,13 @@ std::pair<double, double> sizesOf(const Parts<D>& parts, const State<D>& state)
 }
 
 /// Whether cracks divide particles: where the law of springs was derived so, at rest or with that of
-/// FrontCell.hpp at any angle; not where a run of motion follows from an equilibrium, perhaps one without
-/// cracks, whose particles must be the same.
+/// FrontCell.hpp at any angle; not where a run of motion follows from an equilibrium without cracks, whose
+/// particles must be the same.
 template <int D>
 bool dividesParticles(const Parts<D>& parts, const State<D>& state)
 {
   const bool inMotion = parts.hasSprings && parts.surroundings.law.ofCells && !parts.limited;
-  return staysAtRest(state) ||
-         (inMotion && parts.startsUnloaded && state.method.analysis != Analysis::Preload);
+  return staysAtRest(state) || (inMotion && !parts.startsWithoutCracks);
 }
 
 /// Where the cracks divide particles. Nowhere if a crack is wrong, which is said where they are read again.
@@ -194,10 +202,7 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
-  FrontLaw& law = parts->surroundings.law;
-  law.unlimited = staysAtRest(state) || !parts->limited;
-  if (state.method.analysis == Analysis::Preload && parts->touching) // as in the motion that follows
-    law = {};
+  parts->surroundings.law.unlimited = staysAtRest(state) || !parts->limited;
   if (parts->hasSprings && state.method.equilibrium())
     state.motion.stepForces.push_back(std::make_shared<SpringsInEquilibrium<D>>());
   if (parts->formulation == Formulation::BrokenCell && state.method.equilibrium())

@@ -27,7 +27,7 @@ KOKKOS_INLINE_FUNCTION bool bothHaveMass(double mass, double other)
 
 /// The largest stiffness of a spring between the fields of the i-th node with two that is stable in the step
 /// that this node takes, a substep where it is subcycled, without added inertia [N/m]. Zero where a field has
-/// no mass; without limit in steps of equilibrium.
+/// no mass; in equilibrium that of the motion that starts in it, or without limit.
 template <int D>
 struct StableStiffness
 {
@@ -44,10 +44,11 @@ struct StableStiffness
         level(state.mesh.tree.nodeLevel),
         firstSubcycled(state.mesh.tree.deepest -
                        std::min(state.mesh.subcycledLevels, state.mesh.tree.deepest) + 1),
-        limit(state.method.equilibrium() ? std::numeric_limits<double>::max()
-                                         : springs::stableStiffness / (state.clock.dt * state.clock.dt)),
-        dt(state.clock.dt)
+        limit(std::numeric_limits<double>::max()),
+        dt(state.method.equilibrium() ? state.clock.stepOfMotion : state.clock.dt)
   {
+    if (dt > 0.0)
+      limit = springs::stableStiffness / (dt * dt);
   }
 
   /// How often the step of a node is halved.

@@ -327,13 +327,19 @@ void FineParticles<D>::smooth(const State<D>& state, int level, const Values& fo
   const NodalFieldRow<D> rowOf = state.mesh.nodalFields.rowsOf(state.mesh.nodes);
   const View<int*> nodeOf = nodeOf_;
   const auto now = static_cast<double>(state.clock.step);
+  // A run that starts in equilibrium starts with its mean: from zero it would approach it by impulses. Nodes
+  // that come later start from zero, because a force that is held for a step feeds waves where it is held
+  // again and again.
+  const bool starts = state.clock.step == 0;
   const int inner = numInner_;
   parallelForSmall<smallSlots>(
       "rhegma::subcycling::smooth", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const int row = rowOf(nodeOf(i));
         for (int d = 0; d < D; ++d)
         {
-          const double before = kept(row, D) == now - 1.0 ? kept(row, d) : 0.0;
+          const double before = starts && i < inner         ? force(i, d)
+                                : kept(row, D) == now - 1.0 ? kept(row, d)
+                                                            : 0.0;
           kept(row, d) = before + (force(i, d) - before) / meanOver;
           mean(i, d) = i < inner ? kept(row, d) : 0.0;
         }

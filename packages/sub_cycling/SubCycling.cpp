@@ -53,7 +53,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
         {{meanForceField(k), D + 1, "N",
           k == 0 ? "mean force of particles that take the whole step, and step number"
                  : "the same of particles that take 2^-" + std::to_string(k) + " of it"},
-         OnRemesh::Drop,
+         OnRemesh::Keep,
          true});
   effect.atStart = [=](State<D>& state) { state.mesh.subcycledLevels = levels; };
   effect.call(

@@ -5,7 +5,6 @@
 #include "transfer/ParticleViews.hpp"
 
 #include <cmath>
-#include <vector>
 
 namespace Rhegma::equilibrium
 {
@@ -16,6 +15,8 @@ namespace
 /// Fraction of boxes that reach over rows of nodes from which a reduced stiffness is worth its assembly.
 constexpr double leastSpanning = 1.0 / 3.0;
 
+using ParticleRange = Kokkos::RangePolicy<ExecSpace>;
+
 /// Part of the width of a box that may be beyond a row of nodes and is left out.
 double reachOf(Clipping clipping) { return clipping == Clipping::LittleBeyondCells ? leastReach : 0.5; }
 
@@ -24,7 +25,7 @@ double partOf(Clipping clipping) { return clipping == Clipping::LittleBeyondCell
 
 /// Clips a box along an axis. \param at, half its centre and half width in cells \param part of its width
 /// that is left out at most \return whether it was
-bool clip(double& at, double& half, double part)
+KOKKOS_INLINE_FUNCTION bool clip(double& at, double& half, double part)
 {
   const double low = at - half, high = at + half, reach = 2.0 * half * part;
   const double above = std::ceil(low), below = std::floor(high);
@@ -35,18 +36,24 @@ bool clip(double& at, double& half, double part)
   return lower || upper;
 }
 
-/// Whether the stencil of a particle is stored: then it keeps its box.
-template <int D>
-bool isStored(const State<D>& state, int p)
+/// Particles whose stencils are stored: they keep their boxes.
+struct KeepsBox
 {
-  return state.stored.count > 0 && state.stored.row(p) >= 0;
-}
+  View<int*> row; ///< empty where none are stored
+
+  template <int D>
+  explicit KeepsBox(const State<D>& state)
+  {
+    if (state.stored.count > 0)
+      row = state.stored.row;
+  }
+  KOKKOS_INLINE_FUNCTION bool operator()(int p) const { return row.extent(0) > 0 && row(p) >= 0; }
+};
 
 /// Calls use(node, stiffness) for each node that a particle sees, with a measure of what it exerts there.
-template <int D, class Connect, class Use>
-void forNodesOf(const State<D>& state, const Connect& connect, int p, const Use& use)
+template <class Connect, class Use>
+KOKKOS_INLINE_FUNCTION void forNodesOf(const Connect& connect, double spacing, int p, const Use& use)
 {
-  const double spacing = state.mesh.grid.spacing;
   connect.visitStraining(p,
                          [&](int node, double weight, const auto& slopes)
                          {
@@ -59,74 +66,89 @@ void forNodesOf(const State<D>& state, const Connect& connect, int p, const Use&
                          });
 }
 
+template <class Connect>
+struct StiffnessOfNodes
+{
+  Connect connect;
+  double spacing;
+  View<double*> sum;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    for (int p = begin; p < end; ++p)
+      forNodesOf(connect, spacing, p, [&](int node, double part) { sum(node) += part; });
+  }
+};
+
 /// What the particles of all ranks exert on each node, as a measure.
 template <int D, class Connect>
 View<double*> stiffnessOfNodes(const State<D>& state, const Connect& connect)
 {
   const View<double*> sum("rhegma::equilibrium::stiffnessOfNodes", state.mesh.nodes.sums.extent(0));
-  for (int p = 0; p < state.particles.size(); ++p)
-    forNodesOf(state, connect, p, [&](int node, double part) { sum(node) += part; });
+  forEachBlock("rhegma::equilibrium::stiffnessOfNodes", state.mesh.blocks,
+               StiffnessOfNodes<Connect>{connect, state.mesh.grid.spacing, sum});
   sumOverRanks(state, sum.data(), 1, 0, 1);
   return sum;
 }
 
-/// Clips the boxes of particles without stored stencils. \return which were
+/// Clips the boxes of particles without stored stencils. \return not 0 where they were
 template <int D>
-std::vector<char> clipAll(const State<D>& state, Clipping clipping, const ClippedBoxes<D>& boxes)
+View<char*> clipAll(const State<D>& state, Clipping clipping, const ClippedBoxes<D>& boxes)
 {
-  const Grid<D>& grid = state.mesh.grid;
+  const Grid<D> grid = state.mesh.grid;
   const auto position = state.particles.template real<D>(fields::position);
   const auto box = state.particles.template real<D>(fields::box);
-  const int count = state.particles.size();
-  std::vector<char> clipped(count, 0);
-  for (int p = 0; p < count; ++p)
-    for (int d = 0; d < D; ++d)
-    {
-      double at = grid.inCells(position(p, d), d), half = box(p, d) * grid.inverse;
-      const bool is = !isStored(state, p) && clip(at, half, reachOf(clipping));
-      clipped[p] = is || clipped[p] != 0 ? 1 : 0;
-      boxes.position(p, d) = is ? grid.origin[d] + at * grid.spacing : position(p, d);
-      boxes.half(p, d) = is ? half * grid.spacing : box(p, d);
-    }
+  const KeepsBox stored(state);
+  const double reach = reachOf(clipping);
+  const View<char*> clipped("rhegma::equilibrium::clipped", state.particles.size());
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::clip", ParticleRange(0, state.particles.size()), KOKKOS_LAMBDA(const int p) {
+        for (int d = 0; d < D; ++d)
+        {
+          double at = grid.inCells(position(p, d), d), half = box(p, d) * grid.inverse;
+          const bool is = !stored(p) && clip(at, half, reach);
+          clipped(p) = is || clipped(p) != 0 ? 1 : 0;
+          boxes.position(p, d) = is ? grid.origin[d] + at * grid.spacing : position(p, d);
+          boxes.half(p, d) = is ? half * grid.spacing : box(p, d);
+        }
+      });
   return clipped;
 }
 
-/// Which nodes need boxes that are not clipped.
-struct Weak
-{
-  double part; ///< of the stiffness of all particles that is left to them at most
-  int axes;    ///< along which they are outside the cell of such a box
-};
-
-/// Gives boxes back their extent along axes in which they reach nodes that need them. \param clipped
-/// particles \param whole stiffness of the nodes without clipping
+/// Gives boxes back their extent along axes in which they reach nodes that need them.
 template <int D, class Connect>
-void keepWhole(const State<D>& state, const Connect& connect, const std::vector<char>& clipped,
-               const Weak& weak, const View<double*>& whole, const ClippedBoxes<D>& boxes)
+struct KeepWhole
 {
-  const View<double*> left = stiffnessOfNodes(state, boxes.in(connect));
-  const NodePositions<D> positions = nodePositions(state);
-  const auto position = state.particles.template real<D>(fields::position);
-  const auto box = state.particles.template real<D>(fields::box);
-  for (int p = 0; p < state.particles.size(); ++p)
+  Connect connect;
+  View<char*> clipped;       ///< not 0 where a particle's box is
+  View<double*> left, whole; ///< stiffness of the nodes with clipping and without
+  double part;               ///< of the stiffness of all particles that is left to weak nodes at most
+  int axes;                  ///< along which these are outside the cell of a box that stays whole
+  Nodes<D> nodes;
+  NodePositions<D> positions;
+  double spacing;
+  BorrowedView<double*[D]> position, box;
+  ClippedBoxes<D> boxes;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p) const
   {
-    if (clipped[p] == 0)
-      continue;
+    if (clipped(p) == 0)
+      return;
     bool keeps[D] = {};
-    forNodesOf(state, connect, p,
+    forNodesOf(connect, spacing, p,
                [&](int node, double)
                {
-                 if (left(node) > weak.part * whole(node))
+                 if (left(node) > part * whole(node))
                    return;
-                 const Vector<D> x = positions(latticeNode(state.mesh.nodes, node));
+                 const Vector<D> x = positions(latticeNode(nodes, node));
                  bool outside[D];
                  int count = 0;
                  for (int d = 0; d < D; ++d)
                  {
-                   outside[d] = std::fabs(x[d] - boxes.position(p, d)) > state.mesh.grid.spacing;
+                   outside[d] = std::fabs(x[d] - boxes.position(p, d)) > spacing;
                    count += outside[d] ? 1 : 0;
                  }
-                 for (int d = 0; d < D && count == weak.axes; ++d)
+                 for (int d = 0; d < D && count == axes; ++d)
                    keeps[d] = keeps[d] || outside[d];
                });
     for (int d = 0; d < D; ++d)
@@ -135,7 +157,7 @@ void keepWhole(const State<D>& state, const Connect& connect, const std::vector<
       boxes.half(p, d) = keeps[d] ? box(p, d) : boxes.half(p, d);
     }
   }
-}
+};
 
 } // namespace
 
@@ -147,20 +169,31 @@ ClippedBoxes<D> clipBoxes(const State<D>& state, Clipping clipping)
   const int count = state.particles.size();
   const ClippedBoxes<D> boxes{View<double* [D]>("rhegma::equilibrium::clippedPosition", count),
                               View<double* [D]>("rhegma::equilibrium::clippedBox", count)};
-  const std::vector<char> clipped = clipAll(state, clipping, boxes);
+  const View<char*> clipped = clipAll(state, clipping, boxes);
+  const auto position = state.particles.template real<D>(fields::position);
+  const auto box = state.particles.template real<D>(fields::box);
   withStraining(state,
                 [&](const auto& connect)
                 {
+                  using Connect = std::decay_t<decltype(connect)>;
                   const View<double*> whole = stiffnessOfNodes(state, connect);
                   for (int axes = 1; axes <= D; ++axes)
-                    keepWhole(state, connect, clipped, {partOf(clipping), axes}, whole, boxes);
+                    Kokkos::parallel_for(
+                        "rhegma::equilibrium::keepWhole", ParticleRange(0, count),
+                        KeepWhole<D, Connect>{connect, clipped, stiffnessOfNodes(state, boxes.in(connect)),
+                                              whole, partOf(clipping), axes, state.mesh.nodes,
+                                              nodePositions(state), state.mesh.grid.spacing, position, box,
+                                              boxes});
                 });
-  const auto box = state.particles.template real<D>(fields::box);
-  double any = 0.0;
-  for (int p = 0; p < count && any == 0.0; ++p)
-    for (int d = 0; d < D; ++d)
-      any = boxes.half(p, d) < box(p, d) ? 1.0 : any;
-  return ranksOf(state).max(any) > 0.0 ? boxes : ClippedBoxes<D>();
+  int any = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::equilibrium::anyClipped", ParticleRange(0, count),
+      KOKKOS_LAMBDA(const int p, int& found) {
+        for (int d = 0; d < D; ++d)
+          found = boxes.half(p, d) < box(p, d) ? 1 : found;
+      },
+      Kokkos::Max<int>(any));
+  return ranksOf(state).max(any > 0 ? 1.0 : 0.0) > 0.0 ? boxes : ClippedBoxes<D>();
 }
 
 template <int D>
@@ -168,21 +201,25 @@ bool spanSeveralCells(const State<D>& state)
 {
   if (state.method.shape != ShapeKind::Gimp)
     return false;
-  const Grid<D>& grid = state.mesh.grid;
+  const Grid<D> grid = state.mesh.grid;
   const auto position = state.particles.template real<D>(fields::position);
   const auto box = state.particles.template real<D>(fields::box);
-  double counts[] = {0.0, static_cast<double>(state.particles.size())}; // spanning, all
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    bool spans = false;
-    for (int d = 0; d < D && !isStored(state, p); ++d)
-    {
-      const double at = grid.inCells(position(p, d), d),
-                   half = box(p, d) * grid.inverse * (1.0 - 2.0 * leastReach);
-      spans = spans || std::floor(at + half) > std::floor(at - half);
-    }
-    counts[0] += spans ? 1.0 : 0.0;
-  }
+  const KeepsBox stored(state);
+  long spanning = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::equilibrium::spanSeveralCells", ParticleRange(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, long& sum) {
+        bool spans = false;
+        for (int d = 0; d < D && !stored(p); ++d)
+        {
+          const double at = grid.inCells(position(p, d), d),
+                       half = box(p, d) * grid.inverse * (1.0 - 2.0 * leastReach);
+          spans = spans || std::floor(at + half) > std::floor(at - half);
+        }
+        sum += spans ? 1 : 0;
+      },
+      spanning);
+  double counts[] = {static_cast<double>(spanning), static_cast<double>(state.particles.size())};
   ranksOf(state).sum(counts, 2);
   return counts[0] > leastSpanning * counts[1];
 }

@@ -128,7 +128,132 @@ struct DiagonalBlock
   }
 };
 
+template <class T>
+View<T*> deviceCopy(const char* label, const std::vector<T>& list)
+{
+  const View<T*> copy(Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string(label)), list.size());
+  Kokkos::deep_copy(copy, Kokkos::View<const T*, Kokkos::HostSpace>(list.data(), list.size()));
+  return copy;
+}
+
+/// Places of entries that are sorted by their rows, those of one row in their order.
+struct ByRow
+{
+  std::vector<int> first; ///< of each row; one more at the end
+  std::vector<int> next;  ///< where the next entry of each row belongs
+
+  /// \param forEach calls its argument with the row of each entry
+  template <class ForEach>
+  ByRow(int rows, const ForEach& forEach) : first(rows + 1, 0)
+  {
+    forEach([&](int row) { ++first[row + 1]; });
+    for (int r = 0; r < rows; ++r)
+      first[r + 1] += first[r];
+    next.assign(first.begin(), first.end() - 1);
+  }
+};
+
+using Rows = Kokkos::RangePolicy<ExecSpace>;
+
 } // namespace
+
+template <int D>
+CoupledRows<D>::CoupledRows(const std::vector<SlopeJump>& jumps, const std::vector<Block>& blocks, int rows)
+    : force("rhegma::equilibrium::forceOfJumps", D * jumps.size())
+{
+  std::vector<int> ofNodes, start(1, 0);
+  std::vector<double> coefficients, weights;
+  for (const SlopeJump& jump : jumps)
+  {
+    ofNodes.insert(ofNodes.end(), jump.row.begin(), jump.row.end());
+    coefficients.insert(coefficients.end(), jump.coefficient.begin(), jump.coefficient.end());
+    weights.push_back(jump.weight);
+    start.push_back(static_cast<int>(ofNodes.size()));
+  }
+  ByRow byRow(rows, [&](const auto& count) { std::for_each(ofNodes.begin(), ofNodes.end(), count); });
+  std::vector<int> jumpsOfRows(ofNodes.size());
+  std::vector<double> theirs(ofNodes.size());
+  for (std::size_t j = 0; j < jumps.size(); ++j)
+    for (int k = start[j]; k < start[j + 1]; ++k)
+    {
+      const int at = byRow.next[ofNodes[k]]++;
+      jumpsOfRows[at] = static_cast<int>(j);
+      theirs[at] = coefficients[k];
+    }
+  ByRow blocksByRow(rows,
+                    [&](const auto& count)
+                    {
+                      for (const Block& block : blocks)
+                        count(block.row);
+                    });
+  std::vector<int> others(blocks.size());
+  std::vector<double> values(D * D * blocks.size());
+  for (const Block& block : blocks)
+  {
+    const int at = blocksByRow.next[block.row]++;
+    others[at] = block.other;
+    std::copy(block.value, block.value + D * D, &values[static_cast<std::size_t>(D * D) * at]);
+  }
+  firstOfJump = deviceCopy("rhegma::equilibrium::firstOfJump", start);
+  rowOfJump = deviceCopy("rhegma::equilibrium::rowOfJump", ofNodes);
+  coefficient = deviceCopy("rhegma::equilibrium::coefficient", coefficients);
+  weight = deviceCopy("rhegma::equilibrium::weight", weights);
+  firstOfRow = deviceCopy("rhegma::equilibrium::firstOfRow", byRow.first);
+  jumpOfRow = deviceCopy("rhegma::equilibrium::jumpOfRow", jumpsOfRows);
+  ofJump = deviceCopy("rhegma::equilibrium::ofJump", theirs);
+  firstBlockOfRow = deviceCopy("rhegma::equilibrium::firstBlockOfRow", blocksByRow.first);
+  other = deviceCopy("rhegma::equilibrium::otherRow", others);
+  value = deviceCopy("rhegma::equilibrium::blocks", values);
+}
+
+template <int D>
+void CoupledRows<D>::multiply(const Values& u, const Values& result) const
+{
+  const CoupledRows<D> all = *this;
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::forceOfJumps", Rows(0, all.weight.extent(0)), KOKKOS_LAMBDA(const int j) {
+        for (int d = 0; d < D; ++d)
+        {
+          double sum = 0.0;
+          for (int k = all.firstOfJump(j); k < all.firstOfJump(j + 1); ++k)
+            sum += all.coefficient(k) * u(D * all.rowOfJump(k) + d);
+          all.force(D * j + d) = all.weight(j) * sum;
+        }
+      });
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::forceOfRows", Rows(0, all.firstOfRow.extent(0) - 1), KOKKOS_LAMBDA(const int r) {
+        double sum[D] = {};
+        for (int k = all.firstOfRow(r); k < all.firstOfRow(r + 1); ++k)
+          for (int d = 0; d < D; ++d)
+            sum[d] += all.force(D * all.jumpOfRow(k) + d) * all.ofJump(k);
+        for (int b = all.firstBlockOfRow(r); b < all.firstBlockOfRow(r + 1); ++b)
+          for (int i = 0; i < D; ++i)
+            for (int k = 0; k < D; ++k)
+              sum[i] += all.value(D * D * b + D * i + k) * u(D * all.other(b) + k);
+        for (int d = 0; d < D; ++d)
+          result(D * r + d) = sum[d];
+      });
+}
+
+template <int D>
+void CoupledRows<D>::addDiagonal(const Values& diagonal) const
+{
+  const CoupledRows<D> all = *this;
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::diagonalOfRows", Rows(0, all.firstOfRow.extent(0) - 1),
+      KOKKOS_LAMBDA(const int r) {
+        for (int d = 0; d < D; ++d)
+        {
+          double sum = diagonal(D * r + d);
+          for (int k = all.firstOfRow(r); k < all.firstOfRow(r + 1); ++k)
+            sum += all.weight(all.jumpOfRow(k)) * all.ofJump(k) * all.ofJump(k);
+          for (int b = all.firstBlockOfRow(r); b < all.firstBlockOfRow(r + 1); ++b)
+            if (all.other(b) == r)
+              sum += all.value(D * D * b + (D + 1) * d);
+          diagonal(D * r + d) = sum;
+        }
+      });
+}
 
 template <int D>
 TangentProduct<D>::TangentProduct(const State<D>& state, const RowOwners& owners, const RowGraph& graph,
@@ -136,20 +261,21 @@ TangentProduct<D>::TangentProduct(const State<D>& state, const RowOwners& owners
     : state_(state),
       owners_(owners),
       graph_(graph),
-      jumps_(resistances.jumps),
       tangent_(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rhegma::equilibrium::tangents"),
                state.particles.size(), tangentSize<D>),
       ofNodes_("rhegma::equilibrium::ofNodes", width<D> * state.mesh.nodes.sums.extent(0)),
       forceOfNodes_("rhegma::equilibrium::forceOfNodes", width<D> * state.mesh.nodes.sums.extent(0))
 {
+  std::vector<typename CoupledRows<D>::Block> blocks;
   for (const auto& force : resistances.forces)
     symmetric_ = force->addStiffness(false,
                                      [&](int row, int other, const double(&value)[D * D])
                                      {
-                                       blocks_.push_back({row, other, {}});
-                                       std::copy(value, value + D * D, blocks_.back().value);
+                                       blocks.push_back({row, other, {}});
+                                       std::copy(value, value + D * D, blocks.back().value);
                                      }) &&
                  symmetric_;
+  coupled_ = CoupledRows<D>(resistances.jumps, blocks, graph.rows);
   const ParticleData<D> data(state, graph, displacement);
   withStraining(state,
                 [&](const auto& connect)
@@ -165,22 +291,14 @@ template <int D>
 void TangentProduct<D>::apply(const Values& u, const Values& force) const
 {
   copyFromOwners(state_, graph_, owners_, u);
-  Kokkos::deep_copy(force, 0.0);
-  for (const SlopeJump& jump : jumps_)
-    for (int d = 0; d < D; ++d)
-    {
-      const double size = jump.weight * jumpOf<D>(jump, u, d);
-      for (std::size_t a = 0; a < jump.row.size(); ++a)
-        force(D * jump.row[a] + d) += size * jump.coefficient[a];
-    }
-  for (const Block& block : blocks_)
-    for (int i = 0; i < D; ++i)
-      for (int k = 0; k < D; ++k)
-        force(D * block.row + i) += block.value[D * i + k] * u(D * block.other + k);
+  coupled_.multiply(u, force);
   Kokkos::deep_copy(ofNodes_, 0.0);
   Kokkos::deep_copy(forceOfNodes_, 0.0);
-  for (int k = 0; k < D * graph_.rows; ++k)
-    ofNodes_(width<D> * graph_.nodeOf(k / D) + k % D) = u(k);
+  const View<double*> ofNodes = ofNodes_, forceOfNodes = forceOfNodes_;
+  const View<int*> nodeOf = graph_.nodeOf;
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::toNodes", Rows(0, D * graph_.rows),
+      KOKKOS_LAMBDA(const int k) { ofNodes(width<D> * nodeOf(k / D) + k % D) = u(k); });
   const auto volume = state_.particles.scalar(fields::volume);
   withStraining(state_,
                 [&](const auto& connect)
@@ -189,8 +307,9 @@ void TangentProduct<D>::apply(const Values& u, const Values& force) const
                   forEachBlock("rhegma::equilibrium::product", state_.mesh.blocks,
                                ProductBlock<D, Connect>{connect, volume, tangent_, ofNodes_, forceOfNodes_});
                 });
-  for (int k = 0; k < D * graph_.rows; ++k)
-    force(k) += forceOfNodes_(width<D> * graph_.nodeOf(k / D) + k % D);
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::fromNodes", Rows(0, D * graph_.rows),
+      KOKKOS_LAMBDA(const int k) { force(k) += forceOfNodes(width<D> * nodeOf(k / D) + k % D); });
   addOverRanks(state_, graph_, force);
 }
 
@@ -198,13 +317,7 @@ template <int D>
 Values TangentProduct<D>::diagonal() const
 {
   const Values diagonal("rhegma::equilibrium::diagonal", D * graph_.rows);
-  for (const SlopeJump& jump : jumps_)
-    for (std::size_t a = 0; a < jump.row.size(); ++a)
-      for (int d = 0; d < D; ++d)
-        diagonal(D * jump.row[a] + d) += jump.weight * jump.coefficient[a] * jump.coefficient[a];
-  for (const Block& block : blocks_)
-    for (int d = 0; d < D && block.row == block.other; ++d)
-      diagonal(D * block.row + d) += block.value[(D + 1) * d];
+  coupled_.addDiagonal(diagonal);
   const ParticleData<D> data(state_, graph_, Values("rhegma::equilibrium::none", D * graph_.rows));
   withStraining(state_,
                 [&](const auto& connect)
@@ -217,6 +330,8 @@ Values TangentProduct<D>::diagonal() const
   return diagonal;
 }
 
+template struct CoupledRows<2>;
+template struct CoupledRows<3>;
 template class TangentProduct<2>;
 template class TangentProduct<3>;
 

@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -68,6 +69,20 @@ struct RunOptions
   /// says; those parameters follow where a run ends at rest.
   std::vector<DrivingFunction> driving;
   std::optional<EndAtRest> endAtRest; ///< none: at Time > Final Time
+
+  /// Of the motion that starts in this equilibrium (Time > Initial State); null: no such motion follows. Its
+  /// scene has sections that the equilibrium's has not.
+  std::shared_ptr<const RunOptions> motion;
+  /// Options of the motion that this run is or starts, else those of the equilibrium.
+  const RunOptions& ofMotion() const { return motion ? *motion : *this; }
+};
+
+/// The motion that starts in an equilibrium.
+struct MotionToCome
+{
+  std::shared_ptr<const RunOptions> options;
+  double step = 0.0;       ///< its first stable one, of nodes that take the whole step [s]
+  int subcycledLevels = 0; ///< number of the deepest levels that take substeps
 };
 
 } // namespace Rhegma

@@ -29,7 +29,8 @@ struct Clock
   double lastTime = std::numeric_limits<double>::infinity(); ///< at which a run ends before that [s]
   long step = 0;                                             ///< steps taken
   long maximumSteps = std::numeric_limits<long>::max();      ///< the run ends after them, if not before
-  double fastestSpeed = 0.0;                                 ///< largest wave speed plus particle speed [m/s]
+  double stepOfMotion = 0.0;    ///< of the motion that starts in this equilibrium [s]; 0: none does
+  double fastestSpeed = 0.0;    ///< largest wave speed plus particle speed [m/s]
   LoadFactor factor;            ///< where the analysis has one (Analysis::LoadFactor)
   StrainPass strainPass;        ///< the current pass, or the next
   bool observing = false;       ///< a sample is taken at the end of this step

@@ -113,10 +113,12 @@ void copyFields(const FieldTable& from, const FieldTable& to, const std::vector<
 
 /// The run on this rank alone, with all particles, from one that is divided among ranks. Collective.
 template <int D>
-std::unique_ptr<Run<D>> onOneRank(Run<D>& divided, const Teuchos::ParameterList& scene)
+std::unique_ptr<Run<D>> onOneRank(Run<D>& divided, const Teuchos::ParameterList& scene,
+                                  const MotionToCome& motion)
 {
   const Record record = recordOf(divided);
   auto whole = std::make_unique<Run<D>>(scene);
+  whole->startsMotion(motion);
   whole->initialize();
   loadRecord(record, *whole);
   return whole;
@@ -125,12 +127,14 @@ std::unique_ptr<Run<D>> onOneRank(Run<D>& divided, const Teuchos::ParameterList&
 } // namespace
 
 template <int D>
-void startInEquilibrium(const Teuchos::ParameterList& scene, const Plan<D>& plan, State<D>& state)
+void startInEquilibrium(const Teuchos::ParameterList& scene, const MotionToCome& motion, const Plan<D>& plan,
+                        State<D>& state)
 {
   const bool cracks = scene.sublist("Time").get<std::string>("Initial State") == initialState::equilibrium;
   const Teuchos::ParameterList other = sceneOfEquilibrium(scene, cracks);
   auto owned = std::make_unique<Run<D>>(other, std::vector<Effect<D>>{}, state.ranks);
   Run<D>& run = *owned;
+  run.startsMotion(motion);
   try
   {
     run.initialize();
@@ -150,7 +154,7 @@ void startInEquilibrium(const Teuchos::ParameterList& scene, const Plan<D>& plan
     throw std::invalid_argument(std::string("Time > Initial State: ") + error.what());
   }
   if (state.ranks.many())
-    owned = onOneRank(run, other);
+    owned = onOneRank(run, other, motion);
   const State<D>& equal = owned->state();
   const std::vector<int> rows = rowsById(equal.particles, state.particles);
   if (equal.particles.size() != state.particles.size() ||
@@ -167,7 +171,9 @@ void startInEquilibrium(const Teuchos::ParameterList& scene, const Plan<D>& plan
   state.particles.sorted = false;
 }
 
-template void startInEquilibrium(const Teuchos::ParameterList&, const Plan<2>&, State<2>&);
-template void startInEquilibrium(const Teuchos::ParameterList&, const Plan<3>&, State<3>&);
+template void startInEquilibrium(const Teuchos::ParameterList&, const MotionToCome&, const Plan<2>&,
+                                 State<2>&);
+template void startInEquilibrium(const Teuchos::ParameterList&, const MotionToCome&, const Plan<3>&,
+                                 State<3>&);
 
 } // namespace Rhegma

@@ -125,7 +125,13 @@ std::vector<Effect<D>> Run<D>::makeEffects(const RunOptions& options, std::vecto
 template <int D>
 void Run<D>::makeAll(const IsDivided<D>& isDivided)
 {
-  const RunOptions options = declaredOptions(*scene_);
+  RunOptions options = declaredOptions(*scene_);
+  if (motion_)
+  {
+    options.motion = motion_->options;
+    state_.clock.stepOfMotion = motion_->step;
+    state_.mesh.subcycledLevels = motion_->subcycledLevels;
+  }
   state_.method.mechanics = options.mechanics;
   std::vector<Field> extra;
   std::vector<Effect<D>> effects = makeEffects(options, extra);
@@ -167,7 +173,7 @@ void Run<D>::makeAll(const IsDivided<D>& isDivided)
       attempts.attempt([&] { equilibrium_.inspect(*scene_, plan_, state_); });
   }
   if (on && scene_->sublist("Time").get<std::string>("Initial State") != initialState::unloaded)
-    attempts.attempt([&] { preload(); });
+    attempts.attempt([&] { preload(options); });
   attempts.attempt([&] { refuseSenselessMass(state_); });
   const bool ends = attempts.attempt([&] { refuseEndless(); });
   if (attempts.succeeded())
@@ -223,12 +229,14 @@ void Run<D>::judge(double step, const RunOptions& options, const Attempt& attemp
 }
 
 template <int D>
-void Run<D>::preload()
+void Run<D>::preload(const RunOptions& options)
 {
   // The first cells of the run, which the particles then are of.
   plan_.run(Stage::BetweenSteps, state_);
   moveNodalFields(state_);
-  startInEquilibrium(*scene_, plan_, state_);
+  const MotionToCome motion{std::make_shared<RunOptions>(options), stableTimeStep(),
+                            state_.mesh.subcycledLevels};
+  startInEquilibrium(*scene_, motion, plan_, state_);
   state_.clock.fastestSpeed = fastestSpeed(state_);
 }
 

@@ -4,10 +4,12 @@
 #include "base/RunError.hpp"
 #include "geometry/Seeds.hpp"
 #include "plan/Plan.hpp"
+#include "plan/RunOptions.hpp"
 #include "step/EnergyWatch.hpp"
 #include "step/EquilibriumSteps.hpp"
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace Rhegma
@@ -28,6 +30,10 @@ public:
 
   /// Makes particles, fields and the plan. Throws std::invalid_argument for errors that depend on the bodies.
   void initialize();
+
+  /// Makes this a run of the equilibrium in which a motion starts, which has the laws of that motion. To be
+  /// called before initialize().
+  void startsMotion(MotionToCome motion) { motion_ = std::move(motion); }
 
   /// The stable step of the current state [s].
   double stableTimeStep() const;
@@ -84,7 +90,7 @@ private:
   /// The effects of the scene and of the application. \param extra gets their fields of particles
   std::vector<Effect<D>> makeEffects(const RunOptions& options, std::vector<Field>& extra);
   /// Starts in equilibrium. Throws std::invalid_argument.
-  void preload();
+  void preload(const RunOptions& options);
   void refuseEndless() const;
   /// Sets the end of motion that has followed an equilibrium.
   void limitMotion();
@@ -102,6 +108,7 @@ private:
 
   Teuchos::RCP<Teuchos::ParameterList> scene_;
   std::vector<Effect<D>> own_;
+  std::optional<MotionToCome> motion_;
   State<D> state_;
   Plan<D> plan_;
   std::vector<Stage> order_;
