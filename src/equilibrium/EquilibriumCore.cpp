@@ -246,7 +246,7 @@ template <int D>
 void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 {
   sumOverRanks(state, SharedSums::Force);
-  tellTime(state);
+  setTimeOfLaws(state);
   std::unique_ptr<NewtonStep<D>> solved;
   StepReport report = solveOnce(state, account, last, Boxes::MayBeClipped, solved);
   // Clipped boxes may be too far from the stiffness, or from what multigrid needs.

@@ -15,7 +15,7 @@ enum
 {
   law,   ///< number of the loaded law
   speed, ///< Wave Speed; 0: by the elastic constants [m/s]
-  time   ///< at the end of the step; set by tellTime [s]
+  time   ///< at the end of the step; set by setTimeOfLaws [s]
 };
 } // namespace SharedLawNumber
 

@@ -248,6 +248,10 @@ void addRulesOfTime(Section& s)
        when::isNot("Time", "Initial State", {"Unloaded"})},
       "the equilibrium at the start has no time in which it could relax or flow; write Time > Initial State "
       "= Unloaded");
+  s.refuse({when::is("Materials > *", "Model", {SharedLibrary::name}),
+            when::isNot("Time", "Initial State", {"Unloaded"})},
+           "the equilibrium at the start has no time, but the law of a shared library is one of steps; write "
+           "Time > Initial State = Unloaded");
 }
 
 /// A static analysis has no time: what relaxes or flows would depend on the length of the run.

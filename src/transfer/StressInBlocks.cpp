@@ -114,7 +114,7 @@ private:
 
 /// "Materials > Steel: the law returned ... at (x, y, z) m at the time t".
 template <int D>
-std::string sentenceOf(const State<D>& state, const Failure& failure)
+std::string messageOf(const State<D>& state, const Failure& failure)
 {
   const auto x = state.particles.template real<D>(fields::position);
   const int p = failure.particle;
@@ -157,7 +157,7 @@ double stressInBlocks(State<D>& state, const View<double * [gradientSize<D>]>& b
   double fastest = 0.0;
   if constexpr (callsSharedLaws)
   {
-    tellTime(state);
+    setTimeOfLaws(state);
     Failure failure;
     BlocksOfParticles<D> blocks;
     blocks.before = before;
@@ -178,13 +178,13 @@ double stressInBlocks(State<D>& state, const View<double * [gradientSize<D>]>& b
                             Kokkos::RangePolicy<ExecSpace>(0, (blocks.size + blockSize - 1) / blockSize),
                             blocks, Kokkos::Max<double>(fastest));
     if (failure.particle < blocks.size && state.failure.empty())
-      state.failure = sentenceOf(state, failure);
+      state.failure = messageOf(state, failure);
   }
   return fastest;
 }
 
 template <int D>
-void tellTime(State<D>& state)
+void setTimeOfLaws(State<D>& state)
 {
   const double time =
       state.clock.time +
@@ -201,7 +201,7 @@ template View<double * [gradientSize<2>]> deformationBefore<2>(const State<2>&);
 template View<double * [gradientSize<3>]> deformationBefore<3>(const State<3>&);
 template double stressInBlocks(State<2>&, const View<double * [gradientSize<2>]>&, double);
 template double stressInBlocks(State<3>&, const View<double * [gradientSize<3>]>&, double);
-template void tellTime(State<2>&);
-template void tellTime(State<3>&);
+template void setTimeOfLaws(State<2>&);
+template void setTimeOfLaws(State<3>&);
 
 } // namespace Rhegma

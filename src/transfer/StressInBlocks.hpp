@@ -21,8 +21,8 @@ View<double * [gradientSize<D>]> deformationBefore(const State<D>& state);
 template <int D>
 double stressInBlocks(State<D>& state, const View<double * [gradientSize<D>]>& before, double duration);
 
-/// Tells such laws the time at the end of the present step.
+/// Gives such laws the time at the end of the present step.
 template <int D>
-void tellTime(State<D>& state);
+void setTimeOfLaws(State<D>& state);
 
 } // namespace Rhegma

@@ -64,8 +64,9 @@ static void j2(const double *constants, const double U[6], const double *old, do
     for (int k = 0; k < 6; ++k)
       s[k] *= shrink;
     const double half = 0.5 * shrink * shrink * square, cube = determinant(s);
-    for (int i = 0; i < 60; ++i) /* det(s + now 1) = 1 */
-      now -= (now * now * now - half * now + cube - 1.0) / (3.0 * now * now - half);
+    double step = 1.0;
+    for (int i = 0; i < 60 && step > 1e-15; ++i) /* det(s + now 1) = 1, from above */
+      now -= step = (now * now * now - half * now + cube - 1.0) / (3.0 * now * now - half);
     double back[6], whole[6];
     for (int k = 0; k < 6; ++k)
       whole[k] = (s[k] + (k < 3 ? now : 0.0)) / scale;

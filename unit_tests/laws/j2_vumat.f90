@@ -52,7 +52,7 @@ subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, stepTime
     enerInelasNew(nblock)
   real(8), parameter :: one(3, 3) = reshape([1d0, 0d0, 0d0, 0d0, 1d0, 0d0, 0d0, 0d0, 1d0], [3, 3])
   real(8) :: U(3, 3), V(3, 3), s(3, 3), back(3, 3), mu, bulk, J, scale, mean, now, trial, limit, gam, shrink, half, cube, &
-    grown, alpha, lost, density0
+    grown, alpha, lost, density0, step
   integer :: l, i
   mu = props(1)/(2*(1 + props(2)))
   bulk = props(1)/(3*(1 - 2*props(2)))
@@ -76,8 +76,10 @@ subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, stepTime
       s = shrink*s
       half = sum(s*s)/2
       cube = det(s)
-      do i = 1, 60
-        now = now - (now**3 - half*now + cube - 1)/(3*now**2 - half)
+      do i = 1, 60 ! det(s + now 1) = 1, from above
+        step = (now**3 - half*now + cube - 1)/(3*now**2 - half)
+        now = now - step
+        if (.not. step > 1d-15) exit
       end do
       back = inverse(U)
       stateNew(l, 1:6) = short(matmul(back, matmul((s + now*one)/scale, back)) - one)

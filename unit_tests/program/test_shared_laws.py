@@ -18,6 +18,7 @@ sys.dont_write_bytecode = True
 
 from own_folder import SOURCE  # noqa: E402
 from program import rhegma  # noqa: E402
+from ranks import LAUNCHER, ROOT  # noqa: E402
 from restart_case import RestartTest  # noqa: E402
 from scenes import Scene  # noqa: E402
 
@@ -138,6 +139,22 @@ class InMotion(SharedLaws):
         mine = self.history(struck(law(self.library("j2_umat.c"), "UMAT", State_Variables=1)), "umat")
         self.assert_close(mine, builtin, 0.05)
         self.assertLess(max(abs(row["residual"]) for row in mine), 5e-3 * mine[0]["kinetic"])
+
+    def test_split_and_merged_particles(self):
+        """Cells that refine and coarsen: the parts of a particle have copies of its state, and one that merges has the mean. The balance misses no
+        more than with the built-in law."""
+        adaptive = {"Maximum Level": 1, "Velocity Change": 20.0, "Coarsening": 0.7}
+        found = {}
+        for name, material in (("builtin", BUILT_IN), ("mine", law(self.library("j2_vumat.c")))):
+            found[name] = self.history(struck(material).set("Adaptivity", adaptive), name)
+        self.assert_close(found["mine"], found["builtin"], 0.02)
+        bound = 3 * max(abs(row["residual"]) for row in found["builtin"]) + 1e-6 * found["mine"][0]["kinetic"]
+        self.assertLess(max(abs(row["residual"]) for row in found["mine"]), bound)
+
+    def test_two_ranks(self):
+        """Rounding in another order, which 100 steps of flow amplify."""
+        scene = struck(law(self.library("j2_vumat.c")))
+        self.assert_close(self.history(scene, "two", launcher=(*LAUNCHER, "-np", "2"), **ROOT), self.history(scene, "one"), 1e-8)
 
     def test_restart_is_the_unbroken_run(self):
         scene = struck(law(self.library("j2_vumat.c")), **{"Checkpoints": True, "Field Interval": 1e-4})
