@@ -41,15 +41,39 @@ inline void towardsRotation(double (&X)[9][polarLanes], double (&change)[polarLa
   }
 }
 
+/// Deformation in a plane: R turns by the angle of (F_xx + F_yy, F_yx - F_xy).
+inline void polarOfPlane(int n, const double* F, double* R, double* U)
+{
+  for (int l = 0; l < n; ++l)
+  {
+    const double xx = F[l], xy = F[n + l], yx = F[3 * n + l], yy = F[4 * n + l];
+    const double x = xx + yy, y = yx - xy, scale = 1.0 / std::sqrt(x * x + y * y), c = x * scale,
+                 s = y * scale;
+    R[l] = R[4 * n + l] = c;
+    R[n + l] = -s;
+    R[3 * n + l] = s;
+    R[8 * n + l] = 1.0;
+    R[2 * n + l] = R[5 * n + l] = R[6 * n + l] = R[7 * n + l] = 0.0;
+    U[l] = c * xx + s * yx;
+    U[n + l] = c * yy - s * xy;
+    U[2 * n + l] = F[8 * n + l];
+    U[3 * n + l] = 0.5 * (c * xy + s * yy + c * yx - s * xx);
+    U[4 * n + l] = U[5 * n + l] = 0.0;
+  }
+}
+
 } // namespace detail
 
 /// Decomposes F = R U. Newton's iteration of Higham (SIAM J. Sci. Stat. Comput. 7 (1986) 1160) squares the
 /// distance to R in each step, so that the step after one of 1e-8 is below rounding.
 /// \param n how many \param F component by component, row by row: F[k * n + l] of gradient l; det F > 0
 /// \param R out: the same layout \param U out: xx yy zz xy yz xz, U[k * n + l]. Both are not numbers where F
-/// is singular or not finite; where det F < 0, R is a reflection.
-inline void polarDecomposition(int n, const double* F, double* R, double* U)
+/// is singular or not finite; where det F < 0, R is a reflection. \param plane whether xz, yz, zx and zy are
+/// zero
+inline void polarDecomposition(int n, const double* F, double* R, double* U, bool plane = false)
 {
+  if (plane)
+    return detail::polarOfPlane(n, F, R, U);
   constexpr int mostSteps = 60; // each halves a stretch that is large
   for (int first = 0; first < n; first += polarLanes)
   {

@@ -14,8 +14,8 @@ namespace
 /// F = R U of both ends of the step.
 void decompose(SharedLawBlock& b)
 {
-  polarDecomposition(b.count, b.before, b.rotation, b.oldStretch);
-  polarDecomposition(b.count, b.F, b.rotation, b.stretch);
+  polarDecomposition(b.count, b.before, b.rotation, b.oldStretch, b.plane);
+  polarDecomposition(b.count, b.F, b.rotation, b.stretch, b.plane);
 }
 
 bool isFinite(const double* values, int components, int n, int l)
@@ -205,7 +205,7 @@ void restOfSharedLaw(const LoadedLaw& law, SharedLawBlock& b)
   std::copy_n(b.oldDissipated, n, b.dissipated);
   std::copy_n(b.oldState, static_cast<std::size_t>(law.numbers) * n, b.state);
   if (law.corotational)
-    polarDecomposition(n, b.F, b.rotation, b.stretch);
+    polarDecomposition(n, b.F, b.rotation, b.stretch, b.plane);
   kirchhoffStress(law, b);
 }
 

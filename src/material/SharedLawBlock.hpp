@@ -18,6 +18,7 @@ struct SharedLawBlock
   double time = 0.0;        ///< at the end of the step [s]
   double temperature = 0.0; ///< [K]
   double density = 0.0;     ///< of the undeformed material [kg/m3]
+  bool plane = false;       ///< whether the deformation is that of a 2D scene
   double length = 0.0;      ///< edge of a cell; 0 if not known [m]
 
   double* before = nullptr;   ///< deformation gradient at the start of the step, 9, row by row

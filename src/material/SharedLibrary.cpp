@@ -166,6 +166,7 @@ bool stressOfSharedLaw(const LawStep& step, const Properties& m, double* F, doub
   b.temperature = step.temperature;
   b.density = m.density;
   b.length = m.cellSize;
+  b.plane = D == 2;
   std::fill_n(b.position, 3, 0.0);
   fillSharedLaw<D>(b, law, 0, step.before, F, history);
   if (step.dt > 0.0)

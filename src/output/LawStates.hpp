@@ -32,7 +32,7 @@ std::vector<DataSet> lawStates(const State<D>& state)
   const auto material = onHost(state.particles.integer(fields::material));
   for (int k = 0; k < most; ++k)
   {
-    DataSet set{"state_" + std::to_string(k + 1), Role::OnPoints, 1, false, {}, {}};
+    DataSet set{"state_" + std::to_string(k + 1), DataSet::Role::OnPoints, 1, false, {}, {}};
     for (std::size_t p = 0; p < material.extent(0); ++p)
       set.real.push_back(k < count[material(p)] ? history(p, first[material(p)] + k) : 0.0);
     sets.push_back(std::move(set));

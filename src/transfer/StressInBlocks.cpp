@@ -79,6 +79,7 @@ private:
     b.temperature = m.temperature;
     b.density = m.density;
     b.length = m.cellSize;
+    b.plane = D == 2;
     std::fill_n(b.position, 3 * count, 0.0);
     for (int l = 0; l < count; ++l)
     {

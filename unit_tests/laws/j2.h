@@ -8,14 +8,17 @@
 /* b = a s a for symmetric a and s. */
 static void sandwich(const double a[6], const double s[6], double b[6])
 {
-  static const int at[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-  static const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
+  const double A[3][3] = {{a[0], a[3], a[5]}, {a[3], a[1], a[4]}, {a[5], a[4], a[2]}};
+  const double S[3][3] = {{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}};
+  const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
+  double half[3][3];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      half[i][j] = A[i][0] * S[0][j] + A[i][1] * S[1][j] + A[i][2] * S[2][j];
   for (int k = 0; k < 6; ++k)
   {
-    b[k] = 0.0;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        b[k] += a[at[row[k]][i]] * s[at[i][j]] * a[at[j][column[k]]];
+    const double *h = half[row[k]];
+    b[k] = h[0] * A[0][column[k]] + h[1] * A[1][column[k]] + h[2] * A[2][column[k]];
   }
 }
 

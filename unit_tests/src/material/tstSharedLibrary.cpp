@@ -210,6 +210,24 @@ TEST(SharedLibrary, PolarDecompositionOfManyGradients)
   }
 }
 
+/// In the plane in closed form: the same as in general.
+TEST(SharedLibrary, PolarDecompositionInThePlane)
+{
+  Random random;
+  for (int i = 0; i < 20; ++i)
+  {
+    const Gradient<3> F = solid(random.deformation<2>(0.2, 5.0));
+    std::array<double, 9> R, RofPlane;
+    std::array<double, 6> U, UofPlane;
+    polarDecomposition(1, F.data(), R.data(), U.data());
+    polarDecomposition(1, F.data(), RofPlane.data(), UofPlane.data(), true);
+    for (int k = 0; k < 9; ++k)
+      EXPECT_NEAR(R[k], RofPlane[k], 1e-14);
+    for (int k = 0; k < 6; ++k)
+      EXPECT_NEAR(U[k], UofPlane[k], 1e-13);
+  }
+}
+
 /// What a scene may have wrong: one sentence each, with the parameter.
 TEST(SharedLibrary, WrongLawsAreRefused)
 {

@@ -45,6 +45,9 @@ void vumat(const int *nblock, const int *ndir, const int *nshr, const int *nstat
     for (int k = 0; k < 6; ++k)
       stressNew[k * n + l] = shrink * s[k] + (k < 3 ? (1.0 - shrink) * mean : 0.0);
     stateNew[l] = alpha + grown;
+    /* Energies per mass: dissipated, and with the elastic energy of the stress. */
     enerInelasNew[l] = enerInelasOld[l] + shrink * mises * grown / density[l];
+    const double bulk = lambda + 2.0 / 3.0 * mu, elastic = shrink * shrink * mises * mises / (6.0 * mu) + 0.5 * mean * mean / bulk;
+    enerInternNew[l] = enerInelasNew[l] + elastic / density[l];
   }
 }
