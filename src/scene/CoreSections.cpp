@@ -248,8 +248,11 @@ void addRulesOfTime(Section& s)
        when::isNot("Time", "Initial State", {"Unloaded"})},
       "the equilibrium at the start has no time in which it could relax or flow; write Time > Initial State "
       "= Unloaded");
-  s.refuse({when::is("Materials > *", "Model", {SharedLibrary::name}),
-            when::isNot("Time", "Initial State", {"Unloaded"})},
+  const Condition shared = when::is("Materials > *", "Model", {SharedLibrary::name});
+  s.refuse(
+      {shared, when::present("Thermal")},
+      "a law of a shared library has one temperature; choose another Model, or remove the section Thermal");
+  s.refuse({shared, when::isNot("Time", "Initial State", {"Unloaded"})},
            "the equilibrium at the start has no time, but the law of a shared library is one of steps; write "
            "Time > Initial State = Unloaded");
 }

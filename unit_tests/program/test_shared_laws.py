@@ -123,12 +123,12 @@ class SharedLaws(RestartTest):
 
 class InMotion(SharedLaws):
     def test_as_the_built_in_law(self):
-        """The equations are the same; the steps differ, by the bounds of the speed of waves, so that the results differ by the errors of
-        steps: halving them changes the energies by 0.1 %."""
+        """The equations are the same; the steps differ, by the bounds of the speed of waves, and with them the times of the samples: by 0.45 % of the
+        energy at most, where steps half as long change the built-in law's by 1.6 %."""
         for dimension in (2, 3):
             builtin = self.history(struck(BUILT_IN, dimension), f"builtin{dimension}")
             mine = self.history(struck(law(self.library("j2_vumat.c")), dimension), f"mine{dimension}")
-            self.assert_close(mine, builtin, 5e-3)
+            self.assert_close(mine, builtin, 0.01)
             self.assert_balance(mine, builtin)
 
     def test_interfaces_and_languages_agree(self):
