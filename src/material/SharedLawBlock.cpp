@@ -154,6 +154,8 @@ SharedLawBlock SharedLawMemory::block(const LoadedLaw& law, int count)
     *array = next;
     next += components * n;
   }
+  for (const auto& [array, components] : {arrays[0], arrays[1], arrays[2]})
+    std::fill_n(*array, components * n, 0.0);
   if (flags_.size() < n)
     flags_.resize(n);
   b.failed = reinterpret_cast<bool*>(flags_.data());

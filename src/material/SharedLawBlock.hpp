@@ -49,7 +49,8 @@ struct SharedLawBlock
 class SharedLawMemory
 {
 public:
-  /// A block of `count` particles of a law; its arrays are valid until the next call.
+  /// A block of `count` particles of a law; its arrays are valid until the next call. Deformation gradients
+  /// and positions are zero.
   SharedLawBlock block(const LoadedLaw& law, int count);
   /// Further arrays for a call of the law: `numbers` numbers, valid until the next call.
   double* scratch(std::size_t numbers);

@@ -121,8 +121,6 @@ void fillSharedLaw(const SharedLawBlock& b, const LoadedLaw& law, int l, const d
                    const double* F, const double* history)
 {
   const int n = b.count;
-  for (int k = 0; k < 9 && D == 2; ++k)
-    b.before[k * n + l] = b.F[k * n + l] = 0.0;
   for (int k = 0; k < gradientSize<D>; ++k)
   {
     b.before[solidGradient<D>(k) * n + l] = before[k];
@@ -167,7 +165,6 @@ bool stressOfSharedLaw(const LawStep& step, const Properties& m, double* F, doub
   b.density = m.density;
   b.length = m.cellSize;
   b.plane = D == 2;
-  std::fill_n(b.position, 3, 0.0);
   fillSharedLaw<D>(b, law, 0, step.before, F, history);
   if (step.dt > 0.0)
     evaluateSharedLaw(law, m, b);

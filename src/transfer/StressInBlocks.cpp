@@ -80,7 +80,6 @@ private:
     b.density = m.density;
     b.length = m.cellSize;
     b.plane = D == 2;
-    std::fill_n(b.position, 3 * count, 0.0);
     for (int l = 0; l < count; ++l)
     {
       const int p = list[l];

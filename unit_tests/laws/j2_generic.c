@@ -27,8 +27,10 @@ static void rotation(const double F[9], double R[9])
 {
   for (int k = 0; k < 9; ++k)
     R[k] = F[k];
-  for (int step = 0; step < 30; ++step)
+  double change = 1.0;
+  for (int step = 0; step < 60 && change > 1e-8; ++step)
   {
+    change = 0.0;
     double C[9];
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
@@ -38,7 +40,11 @@ static void rotation(const double F[9], double R[9])
       }
     const double J = R[0] * C[0] + R[1] * C[1] + R[2] * C[2];
     for (int k = 0; k < 9; ++k)
-      R[k] = 0.5 * (R[k] + C[k] / J);
+    {
+      const double by = 0.5 * (C[k] / J - R[k]);
+      R[k] += by;
+      change = fmax(change, fabs(by));
+    }
   }
 }
 

@@ -8,7 +8,9 @@ contains
   pure function full(a) result(m)
     real(8), intent(in) :: a(6)
     real(8) :: m(3, 3)
-    m = reshape([a(1), a(4), a(6), a(4), a(2), a(5), a(6), a(5), a(3)], [3, 3])
+    m(1, 1) = a(1); m(2, 2) = a(2); m(3, 3) = a(3)
+    m(1, 2) = a(4); m(2, 3) = a(5); m(3, 1) = a(6)
+    m(2, 1) = a(4); m(3, 2) = a(5); m(1, 3) = a(6)
   end function
   pure function short(m) result(a)
     real(8), intent(in) :: m(3, 3)
@@ -60,7 +62,7 @@ subroutine vumat(nblock, ndir, nshr, nstatev, nfieldv, nprops, lanneal, stepTime
     U = full(stretchNew(l, :))
     V = full(stretchOld(l, :))
     J = det(U)
-    scale = J**(-2d0/3d0)
+    scale = exp(-2d0/3d0*log(J))
     s = scale*matmul(U, matmul(full(stateOld(l, 1:6)) + one, U))
     mean = (s(1, 1) + s(2, 2) + s(3, 3))/3
     s = s - mean*one
