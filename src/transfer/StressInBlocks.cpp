@@ -16,7 +16,8 @@ namespace Rhegma
 namespace
 {
 
-/// Particles of a call. The arrays of a block, some 60 numbers a particle, stay in a cache of 64 KiB.
+/// Particles of a call. The arrays of a block, some 120 numbers a particle and its state, stay in a cache of
+/// 256 KiB.
 constexpr int blockSize = 128;
 
 /// The first particle at which a law failed, and what the law said.

@@ -224,6 +224,12 @@ class Wrong(SharedLaws):
                 self.assert_messages(answer.messages, [(start.split(": ")[0], [start.split(": ", 1)[1]])])
                 self.assertFalse(os.path.exists(self.path("out")))
 
+    def test_state_variables_of_other_laws(self):
+        path = self.write("scene.xml", struck(BUILT_IN, **{"State Variables": True}).text())
+        answer = rhegma(path, "--output", self.path("out"), "--quiet")
+        self.assertEqual(answer.status, 1, answer)
+        self.assert_messages(answer.messages, [("Output > State Variables", ["no material has state variables"])])
+
     def test_heat_is_refused(self):
         scene = struck({**law(self.library("j2_vumat.c")), "Specific Heat": 460.0}).set("Thermal", {"Initial Temperature": 300.0})
         answer = rhegma(self.write("scene.xml", scene.text()), "--output", self.path("out"), "--quiet")
