@@ -19,7 +19,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/packages/ DESTINATION ${CMAKE_INSTALL_IN
 file(GLOB tools CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/rhegma-*)
 install(PROGRAMS ${tools} DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/rhegma ${PROJECT_SOURCE_DIR}/tools/rhegma_tools DESTINATION lib/rhegma
-  FILES_MATCHING PATTERN *.py PATTERN *.css PATTERN *.js PATTERN py.typed)
+  FILES_MATCHING PATTERN *.py PATTERN *.css PATTERN *.js PATTERN *.inc PATTERN *.INC PATTERN py.typed)
 
 install(EXPORT RhegmaTargets NAMESPACE Rhegma:: DESTINATION ${RHEGMA_INSTALLED_CMAKE})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/RhegmaConfig.cmake.in ${PROJECT_BINARY_DIR}/RhegmaConfig.cmake

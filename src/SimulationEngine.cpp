@@ -39,7 +39,7 @@ static RequestedFields requestedFields(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& output = scene.sublist("Output");
   return {output.get<bool>("Principal Stress"), output.get<bool>("Energy Density"),
-          output.get<bool>("Damage")};
+          output.get<bool>("Damage"), output.get<bool>("State Variables")};
 }
 
 template <int D>

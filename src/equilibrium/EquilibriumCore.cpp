@@ -11,6 +11,7 @@
 #include "transfer/Gather.hpp"
 #include "transfer/Scatter.hpp"
 #include "transfer/Stencils.hpp"
+#include "transfer/StressInBlocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -245,6 +246,7 @@ template <int D>
 void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 {
   sumOverRanks(state, SharedSums::Force);
+  setTimeOfLaws(state);
   std::unique_ptr<NewtonStep<D>> solved;
   StepReport report = solveOnce(state, account, last, Boxes::MayBeClipped, solved);
   // Clipped boxes may be too far from the stiffness, or from what multigrid needs.

@@ -7,6 +7,7 @@
 #include "material/LinearElastic.hpp"
 #include "material/MooneyRivlin.hpp"
 #include "material/NeoHookean.hpp"
+#include "material/SharedLibrary.hpp"
 #include "material/ViscoScram.hpp"
 #include "material/Viscoelastic.hpp"
 
@@ -23,8 +24,8 @@ struct LawList
 };
 
 /// Properties::law is an index in it.
-using Laws =
-    LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid, ViscoScram>;
+using Laws = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid,
+                     ViscoScram, SharedLibrary>;
 
 /// Index of a law in a list.
 template <class Law, class... Listed>
@@ -36,6 +37,18 @@ constexpr int indexIn(LawList<Listed...> /*list*/)
   ((found = found || std::is_same_v<Law, Listed>, index += found ? 0 : 1), ...);
   return index;
 }
+
+/// Whether a law computes many particles in one call, after the pass that strains them
+/// (transfer/StressInBlocks.hpp): it has `numbers(properties)`, how many of its historySize a material
+/// stores. Its `stress`, for one particle, serves everything else.
+template <class Law, class = void>
+struct ComputesBlocks : std::false_type
+{
+};
+template <class Law>
+struct ComputesBlocks<Law, std::void_t<decltype(&Law::numbers)>> : std::true_type
+{
+};
 
 template <class Law>
 constexpr int lawIndex = indexIn<Law>(Laws{});

@@ -75,6 +75,12 @@ public:
     return {values.begin(), values.end()};
   }
 
+  /// A whole number; the default where the scene does not have it.
+  int integer(const std::string& parameter, int byDefault) const
+  {
+    return list_.isType<int>(parameter) ? list_.get<int>(parameter) : byDefault;
+  }
+
   /// A text; the default where the scene does not have it.
   std::string choice(const std::string& parameter, const std::string& byDefault) const
   {

@@ -163,10 +163,23 @@ struct MeanCall
 
 struct HistorySizeCall
 {
+  const Properties& properties;
   template <class Law, int D, Plane>
-  KOKKOS_INLINE_FUNCTION int run() const
+  int run() const
   {
-    return Law::template historySize<D>;
+    if constexpr (ComputesBlocks<Law>::value)
+      return Law::numbers(properties);
+    else
+      return Law::template historySize<D>;
+  }
+};
+
+struct InBlocksCall
+{
+  template <class Law, int D, Plane>
+  KOKKOS_INLINE_FUNCTION bool run() const
+  {
+    return ComputesBlocks<Law>::value;
   }
 };
 
@@ -235,7 +248,13 @@ inline bool damages(const Properties& properties)
 template <int D>
 int historySize(const Properties& properties)
 {
-  return withLaw<D>(properties.law, properties.plane, HistorySizeCall{});
+  return withLaw<D>(properties.law, properties.plane, HistorySizeCall{properties});
+}
+
+/// Whether a law computes many particles in one call.
+inline bool isInBlocks(const Properties& properties)
+{
+  return withLaw<3>(properties.law, Plane::Solid, InBlocksCall{});
 }
 
 /// Whether a law may dissipate energy.

@@ -19,7 +19,8 @@ class Archive;
 ///                 von_mises (n) [Pa]; mass (n) [kg]; edge (n) first undeformed edge [m]; deformation (n,9) F
 ///                 row by row; edges (n,9) undeformed edge vectors one after another [m]; body, material (n)
 ///                 int; the fields of effects under their names with _ for spaces; on request
-///                 principal_stress (n) [Pa], energy_density (n) [J/m3], damage (n) from 0 to 1
+///                 principal_stress (n) [Pa], energy_density (n) [J/m3], damage (n) from 0 to 1,
+///                 state_1 (n), state_2 (n), ... of laws of shared libraries
 ///     leaves/     points (m,3), cells (k,4 or 8): the cells that hold particles
 ///     tools/      points (t,3), cells (u,2 or 3) of the surfaces of rigid tools, tool (u) number of the tool
 ///                 of each cell; only where there are tools

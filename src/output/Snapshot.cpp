@@ -1,6 +1,7 @@
 #include "output/Snapshot.hpp"
 
 #include "output/CellMesh.hpp"
+#include "output/LawStates.hpp"
 #include "state/ParticleDamage.hpp"
 #include "state/ParticleStress.hpp"
 
@@ -102,6 +103,9 @@ void addRequested(const State<D>& state, const RequestedFields& fields, OutputMe
     mesh.data.push_back(derived("energy_density", state, EnergyDensityOf<D>{ParticleEnergy<D>(state)}));
   if (fields.damage && hasDamage(state))
     mesh.data.push_back(derived("damage", state, DamageOf<D>(state)));
+  if (fields.stateVariables)
+    for (DataSet& set : lawStates(state))
+      mesh.data.push_back(std::move(set));
 }
 
 /// F row by row, nine columns.

@@ -56,6 +56,7 @@ struct RequestedFields
   bool principalStress = false; ///< largest principal Cauchy stress [Pa]
   bool energyDensity = false;   ///< elastic energy per undeformed volume [J/m3]
   bool damage = false;          ///< damage of the law, where a law of the run has one
+  bool stateVariables = false;  ///< state variables of laws of shared libraries (LawStates.hpp)
 };
 
 /// Particles, leaves and, where there are any, cracks as they are now; FieldWriter.hpp lists the tables.

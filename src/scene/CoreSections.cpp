@@ -8,6 +8,8 @@
 #include "scene/NearestName.hpp"
 #include "scene/Schema.hpp"
 
+#include <algorithm>
+
 namespace Rhegma
 {
 
@@ -246,6 +248,13 @@ void addRulesOfTime(Section& s)
        when::isNot("Time", "Initial State", {"Unloaded"})},
       "the equilibrium at the start has no time in which it could relax or flow; write Time > Initial State "
       "= Unloaded");
+  const Condition shared = when::is("Materials > *", "Model", {SharedLibrary::name});
+  s.refuse(
+      {shared, when::present("Thermal")},
+      "a law of a shared library has one temperature; choose another Model, or remove the section Thermal");
+  s.refuse({shared, when::isNot("Time", "Initial State", {"Unloaded"})},
+           "the equilibrium at the start has no time, but the law of a shared library is one of steps; write "
+           "Time > Initial State = Unloaded");
 }
 
 /// A static analysis has no time: what relaxes or flows would depend on the length of the run.
@@ -293,16 +302,22 @@ Section boundaries(const std::vector<Section>& types)
   return s;
 }
 
-/// Whether no material of the section has a law with a damage.
-bool haveNoDamage(const Teuchos::ParameterList& materials)
+/// Whether no material of the section has one of some laws.
+bool haveNone(const Teuchos::ParameterList& materials, const std::vector<std::string>& laws)
 {
   for (const auto& entry : materials)
     if (const auto* material = valueIf<Teuchos::ParameterList>(entry.second))
       if (const auto* model = valueIf<std::string>(*material, "Model"))
-        for (const std::string& law : lawsWithDamage())
-          if (*model == law)
-            return false;
+        if (std::find(laws.begin(), laws.end(), *model) != laws.end())
+          return false;
   return true;
+}
+
+bool haveNoDamage(const Teuchos::ParameterList& materials) { return haveNone(materials, lawsWithDamage()); }
+
+bool haveNoSharedLaw(const Teuchos::ParameterList& materials)
+{
+  return haveNone(materials, {SharedLibrary::name});
 }
 
 Section output()
@@ -336,6 +351,14 @@ Section output()
             when::satisfies("Materials", "without a law that has a damage", haveNoDamage)},
            "no material has a damage; write Materials > NAME > Model = " + asText(lawsWithDamage()) +
                ", or Damage = false");
+  s.boolean("State Variables")
+      .byDefault(false)
+      .meaning("Whether the fields have the state variables of each particle with a law of a shared library, "
+               "state_1, state_2 and so on.");
+  s.refuse({when::is("Output", "State Variables", {"true"}),
+            when::satisfies("Materials", "without a law of a shared library", haveNoSharedLaw)},
+           std::string("no material has state variables; write Materials > NAME > Model = ") +
+               SharedLibrary::name + ", or State Variables = false");
   s.choice("Front Values", {"With Fields", "With History", "None"})
       .onlyIn(3)
       .byDefault("With Fields")

@@ -1,4 +1,7 @@
 #include "transfer/StrainAndMove.hpp"
+#include "transfer/StressInBlocks.hpp"
+
+#include <algorithm>
 
 namespace Rhegma
 {
@@ -6,9 +9,16 @@ namespace Rhegma
 template <int D>
 double strainAndMove(State<D>& state, StrainVelocity velocity, bool strain, bool move)
 {
-  return state.materials.thermo.empty()
-             ? detail::strainAndMoveAll<detail::NoHeat>(state, velocity, strain, move)
-             : detail::strainAndMoveHeated(state, velocity, strain, move);
+  if (!state.materials.thermo.empty())
+    return detail::strainAndMoveHeated(state, velocity, strain, move);
+  View<double * [gradientSize<D>]> before;
+  if (strain)
+    before = deformationBefore(state);
+  const double fastest = detail::strainAndMoveAll<detail::NoHeat>(state, velocity, strain, move);
+  if (before.extent(0) == 0 || !std::isfinite(fastest))
+    return fastest;
+  const double duration = state.clock.strainPass.fraction * state.clock.dt;
+  return std::max(fastest, stressInBlocks(state, before, duration));
 }
 
 template double strainAndMove(State<2>&, StrainVelocity, bool, bool);

@@ -66,6 +66,8 @@ struct StressOfLanes
   KOKKOS_INLINE_FUNCTION void run() const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
+    if constexpr (ComputesBlocks<Law>::value)
+      return strainOnly();
     const typename Law::Ready ready(properties, dt, properties.temperature);
     for (int l = from; l < to; ++l)
     {
@@ -81,6 +83,22 @@ struct StressOfLanes
           stressOfLaw<Law, D, P>(ready, {before, dt, properties.temperature}, properties, F, tau, own);
       const double wave = Law::template waveSpeed<D, P>(properties, F, own);
       at.speed[l] = good && finite ? at.speed[l] + wave : infinity;
+      storeLane(at, l, F, tau);
+    }
+  }
+
+  /// For laws that find the stress later.
+  KOKKOS_INLINE_FUNCTION void strainOnly() const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (int l = from; l < to; ++l)
+    {
+      double F[gradientSize<D>], tau[symmetricSize<D>];
+      strained<D>(at, l, dt, F);
+      const double J = determinant<D>(F);
+      if (!(J > 0.0 && J < infinity))
+        at.speed[l] = infinity;
+      noStress<D>(tau);
       storeLane(at, l, F, tau);
     }
   }

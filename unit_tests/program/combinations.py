@@ -2,12 +2,19 @@
 
 The choices of a parameter are read from the reference that the program prints, so that a new one is drawn by itself."""
 
+import atexit
+import functools
 import itertools
 import math
+import os
 import re
+import shutil
+import tempfile
 
-from program import rhegma
+from program import SOURCE, rhegma
 from scenes import Scene
+
+from rhegma_tools.law_library import build
 
 # Choices that other tests draw, or that a scene as small as these can't show.
 NOT_HERE = {"Rigid"}
@@ -131,6 +138,16 @@ def most_new(levels, random, seen, tries=40):
 CELL = 1e-3  # [m]
 
 
+@functools.lru_cache(maxsize=None)
+def shared_law():
+    """Path of a library with the equations of J2 Plastic as a VUMAT."""
+    folder = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    path = os.path.join(folder, "j2.so")
+    build(os.path.join(SOURCE, "unit_tests", "laws", "j2_vumat.c"), path)
+    return path
+
+
 def material(model):
     soft = {"Model": model, "Density": 1200.0}
     if model == "Mooney-Rivlin":
@@ -139,6 +156,8 @@ def material(model):
         soft.update({"Young Modulus": 3e9, "Poisson Ratio": 0.33})
     if model == "J2 Plastic":
         soft.update({"Yield Stress": 4e6, "Hardening Modulus": 1e8})
+    elif model == "Shared Library":
+        soft.update({"Library File": shared_law(), "Constants": [3e9, 0.33, 4e6, 1e8]})
     elif model == "Viscoelastic":
         soft.update({"Relaxation Times": [1e-5, 1e-3], "Shear Fractions": [0.3, 0.2]})
     elif model == "ViscoSCRAM":

@@ -1,0 +1,99 @@
+"""Shared libraries of material laws: compiles them and looks what is in them."""
+
+import ctypes
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+
+from rhegma.problem import Problem
+
+INCLUDES = os.path.join(os.path.dirname(os.path.realpath(__file__)), "includes")
+
+# By the end of the file's name: the variable that chooses the compiler, the compiler, and its options. Local arrays of Fortran must not
+# be static, for several threads call a law at the same time. Fixed lines may be as long as Abaqus allows them to be.
+FORTRAN = ("FC", "gfortran", ["-frecursive", "-ffixed-line-length-none", "-ffree-line-length-none", "-std=legacy", "-I", INCLUDES])
+COMPILERS = {
+    ".c": ("CC", "cc", ["-lm"]),
+    ".cpp": ("CXX", "c++", []),
+    ".cc": ("CXX", "c++", []),
+    ".cxx": ("CXX", "c++", []),
+    ".f": FORTRAN,
+    ".for": FORTRAN,
+    ".f90": FORTRAN,
+    ".f95": FORTRAN,
+}
+PACKAGES = {"cc": "gcc", "c++": "g++", "gfortran": "gfortran"}
+COMMON = ["-O3", "-march=native", "-fno-math-errno", "-shared", "-fPIC"]
+
+
+def build(source, library, flags=()):
+    """Compiles a source into a shared library. The library is replaced only if it compiles. Throws Problem."""
+    end = os.path.splitext(source)[1].lower()
+    if end not in COMPILERS:
+        raise Problem(f"{source}: must be a source in C, C++ or Fortran: a file that ends in {', '.join(sorted(COMPILERS))}.")
+    if not os.path.isfile(source):
+        raise Problem(f"{source}: there is no such file.")
+    variable, usual, options = COMPILERS[end]
+    compiler = os.environ.get(variable, usual).split()
+    if not compiler or shutil.which(compiler[0]) is None:
+        raise Problem(f"{source}: needs the compiler {compiler[0] if compiler else usual}, which is not there; install it, on Debian or Ubuntu with "
+                      f"apt-get install {PACKAGES[usual]}, or set {variable}.")
+    folder = os.path.dirname(os.path.abspath(library))
+    if not os.path.isdir(folder):
+        raise Problem(f"{library}: there is no folder {folder}.")
+    with tempfile.TemporaryDirectory(dir=folder) as own:
+        made = os.path.join(own, "law.so")
+        modules = ["-J", own] if (variable, compiler[0]) == ("FC", "gfortran") else []
+        command = [*compiler, *COMMON, source, "-o", made, *options, *modules, *flags]
+        answer = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
+        if answer.returncode != 0:
+            raise Problem(f"{source}: does not compile:\n{answer.stdout.strip()}")
+        if answer.stdout.strip():
+            print(answer.stdout.strip())
+        os.replace(made, library)
+
+
+def symbols(library):
+    """Names that a library defines."""
+    answer = subprocess.run(["nm", "-D", "--defined-only", library], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    if answer.returncode != 0:
+        raise Problem(f"{library}: its names can't be read: {answer.stderr.strip()}")
+    return {line.split()[-1].split("@")[0] for line in answer.stdout.splitlines() if line.strip()}
+
+
+def number(opened, name):
+    """A number that a library has, or None."""
+    try:
+        return ctypes.c_ushort.in_dll(opened, name).value
+    except ValueError:
+        return None
+
+
+def laws_of(library, source, behaviour=None):
+    """A line for each law of a library: its name, its interface and how many constants and state variables it says to have. behaviour: the name of
+    a further function that is a law."""
+    names = symbols(library)
+    try:
+        opened = ctypes.CDLL(os.path.abspath(library))
+    except OSError as error:
+        raise Problem(f"{library}: can't be loaded: {error}") from error
+    found = [(name.rstrip("_"), "VUMAT" if name.startswith("vumat") else "UMAT") for name in sorted(names) if re.fullmatch(r"v?umat_?", name)]
+    found += [(name[: -len("_Tridimensional")], "MFront") for name in sorted(names) if name.endswith("_Tridimensional")]
+    if behaviour is not None:
+        if not names & {behaviour, behaviour.lower(), behaviour + "_", behaviour.lower() + "_"}:
+            raise Problem(f"{source}: has no function {behaviour}.")
+        found.append((behaviour, "VUMAT or UMAT"))
+    if not found:
+        others = sorted(name for name in names if not name.startswith("_"))
+        raise Problem(f"{source}: has no function vumat, umat or NAME_Tridimensional, but {', '.join(others[:8]) or 'no function at all'}; "
+                      "give the name of the law with --behaviour; a function of C++ needs extern \"C\".")
+    lines = []
+    for name, interface in found:
+        line = f"Behaviour: {name}, Interface: {interface}"
+        for what, symbol in (("constants", "nMaterialProperties"), ("state variables", "nInternalStateVariables")):
+            count = number(opened, f"{name}_{symbol}")
+            line += f", {what}: {count if count is not None else 'not exported'}"
+        lines.append(line)
+    return lines
