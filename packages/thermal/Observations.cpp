@@ -227,7 +227,8 @@ template <int D>
 std::vector<std::string> TemperatureRecord<D>::asText(const State<D>& state, double initial,
                                                       const Extremes<D>& last) const
 {
-  constexpr double little = 0.01; // of the other one: less is what conduction undershoots
+  constexpr double little =
+      0.02; // of the other one: conduction overshoots by half of it (docs/explanation/heat.md)
   const double rise = highest.value - initial, fall = initial - lowest.value;
   std::vector<std::string> lines;
   if (rise > little * fall || !(fall > 0.0))

@@ -11,7 +11,8 @@ namespace
 /// Whether bodies are only cooled: the highest temperature rises by next to nothing where the lowest falls.
 bool isOnlyCooled(const json& run)
 {
-  constexpr double little = 0.01; // of the fall
+  constexpr double little =
+      0.02; // of the fall: conduction overshoots by half of it (docs/explanation/heat.md)
   const double rise = numberOrNone(run["temperature"], "peak_rise");
   const double fall = numberOrNone(run["temperature"], "largest_fall");
   return fall > 0.0 && rise <= little * fall;
