@@ -27,6 +27,14 @@ std::string kokkosSpelling(const std::string& argument)
   return argument;
 }
 
+/// A path after an option; throws UsageError with a message where there is none, or another option.
+std::string pathIn(const std::string& value, const char* missing)
+{
+  if (value.empty() || startsWith(value, "--"))
+    throw UsageError(missing);
+  return value;
+}
+
 /// Throws UsageError where options do not go together.
 void refuseMisfits(const Options& options)
 {
@@ -118,17 +126,9 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     else if (bool* const flag = flagOf(a, options))
       *flag = true;
     else if (a == "--picture")
-    {
-      options.picture = valueOf(k);
-      if (options.picture.empty() || startsWith(options.picture, "--"))
-        throw UsageError("--picture has no file; write one after it, such as scene.png");
-    }
+      options.picture = pathIn(valueOf(k), "--picture has no file; write one after it, such as scene.png");
     else if (a == "--state")
-    {
-      options.state = valueOf(k);
-      if (options.state.empty() || startsWith(options.state, "--"))
-        throw UsageError("--state has no folder; write a new one after it");
-    }
+      options.state = pathIn(valueOf(k), "--state has no folder; write a new one after it");
     else if (a == "--check")
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
