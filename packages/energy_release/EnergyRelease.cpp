@@ -20,6 +20,7 @@
 #include "energy_release/NegativeRelease.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "energy_release/RecordFrontValues.hpp"
+#include "energy_release/SurfaceNodes.hpp"
 #include "energy_release/ToughnessReached.hpp"
 #include "energy_release/YieldedPart.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -311,6 +312,7 @@ void reportSamples(const State<D>& state, const Options& options, Samples<D>& sa
     crack["name"] = state.cracks.cracks[s.front.crack].name;
     nlohmann::json& front = crack["fronts"][s.front.number];
     s.report(options, front);
+    reportNodesAtSurface(state, s.front, samples.reached.mirrors(), front);
     reportError(s, options, errors[k], front);
     // Where all loads rise in proportion the largest is the last.
     const bool proportional =

@@ -100,4 +100,20 @@ std::vector<char> nodesAtSurface(const State<3>& state, const CrackFront<3>& fro
   return marked;
 }
 
+template <int D>
+void reportNodesAtSurface(const State<D>& state, const CrackFront<D>& front,
+                          const std::vector<MirrorPlane>& mirrors, nlohmann::json& entry)
+{
+  if (D == 2)
+    return;
+  nlohmann::json& list = entry["front_nodes"]["at_surface"] = nlohmann::json::array();
+  for (const char marked : nodesAtSurface(state, front, mirrors))
+    list.push_back(marked != 0);
+}
+
+template void reportNodesAtSurface(const State<2>&, const CrackFront<2>&, const std::vector<MirrorPlane>&,
+                                   nlohmann::json&);
+template void reportNodesAtSurface(const State<3>&, const CrackFront<3>&, const std::vector<MirrorPlane>&,
+                                   nlohmann::json&);
+
 } // namespace Rhegma::energy_release

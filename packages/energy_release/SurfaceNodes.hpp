@@ -5,6 +5,8 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <vector>
 
 namespace Rhegma::energy_release
@@ -25,5 +27,10 @@ std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene);
 template <int D>
 std::vector<char> nodesAtSurface(const State<D>& state, const CrackFront<D>& front,
                                  const std::vector<MirrorPlane>& mirrors);
+
+/// Adds `at_surface` to `front_nodes` of the entry of a front in 3D: a boolean for each front node.
+template <int D>
+void reportNodesAtSurface(const State<D>& state, const CrackFront<D>& front,
+                          const std::vector<MirrorPlane>& mirrors, nlohmann::json& entry);
 
 } // namespace Rhegma::energy_release

@@ -56,7 +56,44 @@ bool isProportional(const State<D>& state, const RunOptions& run)
                      { return state.materials.properties[body.material].law == lawIndex<LinearElastic>; });
 }
 
+/// Whether times of samples are those of loads: of a static state they only count parts of the loads.
+template <int D>
+bool hasTimes(const State<D>& state)
+{
+  return state.method.analysis != Analysis::Static && state.method.analysis != Analysis::LoadFactor;
+}
+
 } // namespace
+
+void StartTime::add(double time, double ratio)
+{
+  if (!isKnown() && ratio >= 1.0)
+  {
+    isFirst_ = !std::isfinite(lastRatio_);
+    const double before = std::sqrt(std::max(lastRatio_, 0.0)), now = std::sqrt(ratio);
+    time_ = isFirst_ ? time : lastTime_ + (time - lastTime_) * (1.0 - before) / (now - before);
+  }
+  lastTime_ = time;
+  lastRatio_ = ratio;
+}
+
+std::string StartTime::asText() const
+{
+  if (!isKnown())
+    return {};
+  return isFirst_ ? "; G exceeds the toughness at the first sample already, at t = " + readableTime(time_)
+                  : "; G came to the toughness at about t = " + readableTime(time_);
+}
+
+StartTime StartTime::of(const double* row)
+{
+  StartTime start;
+  start.time_ = row[0];
+  start.isFirst_ = row[1] > 0.5;
+  start.lastTime_ = row[2];
+  start.lastRatio_ = row[3];
+  return start;
+}
 
 template <int D>
 void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<D>>& samples)
@@ -67,6 +104,7 @@ void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<
       continue;
     const std::vector<char> atSurface = nodesAtSurface(state, sample.front, mirrors_);
     const Elasticity e = elasticity(state.materials.properties[materialAt(state, sample.front.position)]);
+    double now = FrontSample<D>::notYet; // largest of the nodes that are not at the surface
     for (std::size_t k = 0; k < sample.J.size(); ++k)
     {
       const double modeIII = D == 3 ? sample.modeIII[k] : 0.0;
@@ -77,10 +115,14 @@ void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<
           openingRelease(sample.J[k], sample.modeI[k], sample.modeII[k], modeIII, e) / toughness_;
       double& largest = atSurface[k] != 0 ? reached.atSurface : reached.release;
       largest = std::max(largest, release);
+      if (atSurface[k] == 0)
+        now = std::isfinite(now) ? std::max(now, release) : release;
       if (D == 2)
         reached.intensity =
             std::max(reached.intensity, hoopIntensity(release, sample.modeI[k], sample.modeII[k]));
     }
+    if (std::isfinite(now))
+      reached_[{sample.front.crack, sample.front.number}].start.add(state.clock.time, now);
   }
 }
 
@@ -98,18 +140,20 @@ ToughnessReached::Factors ToughnessReached::report(const State<D>& state, const 
     const auto found = reached_.find({front.crack, front.number});
     const bool known = found != reached_.end();
     entry["closest_to_initiation"] = known ? found->second.release : FrontSample<D>::notYet;
+    const bool timed = known && hasTimes(state);
+    entry["time_of_toughness"] = timed ? found->second.start.time() : FrontSample<D>::notYet;
     if (D == 2)
       entry["closest_by_hoop_stress"] = known ? found->second.intensity : FrontSample<D>::notYet;
     else
       entry["closest_at_surface"] = known ? found->second.atSurface : FrontSample<D>::notYet;
     if (!known)
       continue;
-    const auto& [release, atSurface, intensity] = found->second;
+    const auto& [release, atSurface, intensity, start] = found->second;
     most = std::max({most, std::sqrt(release), intensity});
     mostAtSurface = std::max(mostAtSurface, std::sqrt(atSurface));
-    summary["answers"].push_back(frontName(state.cracks, front) + ": " +
-                                 reachedAsText(release, intensity, toughness_) +
-                                 surfaceAsText(release, atSurface));
+    summary["answers"].push_back(
+        frontName(state.cracks, front) + ": " + reachedAsText(release, intensity, toughness_) +
+        surfaceAsText(release, atSurface) + (timed ? start.asText() : std::string()));
   }
   const bool scales = isProportional(state, run) && most > 0.0;
   // Static loads rise in proportion to the time.
@@ -133,16 +177,20 @@ ToughnessReached::Factors ToughnessReached::report(const State<D>& state, const 
 
 void ToughnessReached::serialize(Archive& archive)
 {
-  constexpr std::size_t width = 5;
+  constexpr std::size_t own = 5, width = own + StartTime::width;
   std::vector<double> rows;
   for (const auto& [front, reached] : reached_)
+  {
     rows.insert(rows.end(), {double(front.first), double(front.second), reached.release, reached.atSurface,
                              reached.intensity});
+    const std::vector<double> start = reached.start.row();
+    rows.insert(rows.end(), start.begin(), start.end());
+  }
   archive("closest_to_toughness", rows, width);
   reached_.clear();
   for (std::size_t k = 0; k + width <= rows.size(); k += width)
-    reached_[{static_cast<int>(rows[k]), static_cast<int>(rows[k + 1])}] = {rows[k + 2], rows[k + 3],
-                                                                            rows[k + 4]};
+    reached_[{static_cast<int>(rows[k]), static_cast<int>(rows[k + 1])}] = {
+        rows[k + 2], rows[k + 3], rows[k + 4], StartTime::of(&rows[k + own])};
 }
 
 template void ToughnessReached::add(const State<2>&, const std::vector<FrontSample<2>>&);

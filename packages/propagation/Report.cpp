@@ -225,6 +225,39 @@ std::vector<CrackRun> reportFront(const State<D>& state, const CrackFront<D>& fr
   return runs;
 }
 
+/// Of growth under given loads in equilibrium: fronts that grew in the last load step, as the loads still
+/// rise, or whose G is above the toughness.
+template <int D>
+void reportUnstopped(const State<D>& state, const std::vector<FrontState<D>>& fronts, const Options& options,
+                     nlohmann::json& summary)
+{
+  if (!options.equilibrium || state.method.analysis == Analysis::LoadFactor)
+    return;
+  constexpr double noticeable = 1.01; // G over the toughness: G is no more accurate
+  std::vector<std::string> names;
+  double most = 0.0;
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+  {
+    const CrackFront<D>& front = state.cracks.fronts[f];
+    const FrontEnd<D> end(state, options, front, fronts[f]);
+    const double ratio = end.toughness > 0.0 ? end.release / end.toughness : 0.0;
+    if (fronts[f].increments == 0 || !end.inPart || (end.fate != Fate::Growing && !(ratio > noticeable)))
+      continue;
+    names.push_back(frontName(state.cracks, front));
+    most = std::max(most, ratio);
+  }
+  summary["propagation"]["not_stopped"] = names;
+  if (names.empty())
+    return;
+  const bool one = names.size() == 1;
+  summary["answers"].push_back(
+      (one ? names.front() + ": the crack has not stopped: its"
+           : counted(static_cast<long>(names.size()), "front") + " (" + names.front() +
+                 " and others): the cracks have not stopped: their") +
+      " growth is that of the loads up to t = " + readableTime(state.clock.time) +
+      (most > noticeable ? ", where G is still " + formatShort(most) + " times the toughness" : ""));
+}
+
 } // namespace
 
 template <int D>
@@ -257,6 +290,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
       summary["ended_by"] = name + (D == 2 ? " " : ": ") + fateAsText(front, own, end) + adviceAtStop;
   }
   reportEnergy(state, required, summary);
+  reportUnstopped(state, fronts, options, summary);
   const auto& all = state.cracks.fronts;
   if (options.equilibrium && state.clock.time < state.clock.finalTime && !all.empty() &&
       std::all_of(all.begin(), all.end(),

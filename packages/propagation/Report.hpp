@@ -13,7 +13,8 @@ namespace Rhegma::propagation
 
 /// The entries of all fronts: whether each runs, when it initiated and arrested, its path (2D); a warning of
 /// each that has not initiated; and the energy of new faces. Where a stop of a front ends the run
-/// (Options::endsAtStops), `ended_by` is why, and what to change.
+/// (Options::endsAtStops), `ended_by` is why, and what to change. Of growth under given loads in equilibrium,
+/// `propagation.not_stopped` has the fronts that would grow further, and an answer says so.
 template <int D>
 void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, const Options& options,
                   nlohmann::json& summary);

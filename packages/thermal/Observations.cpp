@@ -4,6 +4,9 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 
+#include <limits>
+#include <utility>
+
 namespace Rhegma::thermal
 {
 
@@ -25,42 +28,17 @@ Vector<D> shared(const Ranks& ranks, const Vector<D>& own, bool here)
   return value;
 }
 
-} // namespace
-
+/// Where a particle of one rank is now [m], on all ranks. \param here whether it is one of this rank
 template <int D>
-Extremes<D> extremes(const State<D>& state)
+Vector<D> placeOf(const State<D>& state, int particle, bool here)
 {
-  const auto T = state.particles.scalar(fields::temperature);
-  using Most = Kokkos::MaxLoc<double, int>;
-  Most::value_type most;
-  double least = 0.0;
-  const Kokkos::RangePolicy<ExecSpace> every(0, state.particles.size());
-  Kokkos::parallel_reduce(
-      "rhegma::thermal::highest", every,
-      KOKKOS_LAMBDA(const int p, Most::value_type& top) {
-        if (T(p) > top.val)
-        {
-          top.val = T(p);
-          top.loc = p;
-        }
-      },
-      Most(most));
-  Kokkos::parallel_reduce(
-      "rhegma::thermal::lowest", every,
-      KOKKOS_LAMBDA(const int p, double& bottom) { bottom = T(p) < bottom ? T(p) : bottom; },
-      Kokkos::Min<double>(least));
-  Extremes<D> found;
-  found.highest = state.ranks.max(most.val);
-  found.lowest = -state.ranks.max(-least);
   Vector<D> where{};
-  // There is no highest temperature if none is a number.
-  const bool here = most.loc >= 0 && most.loc < state.particles.size() && most.val == found.highest;
   if (here)
   {
     const auto row = [&](const std::string& field)
     {
       const auto all = state.particles.template real<D>(field);
-      return onHost(Kokkos::subview(all, std::make_pair(most.loc, most.loc + 1), Kokkos::ALL));
+      return onHost(Kokkos::subview(all, std::make_pair(particle, particle + 1), Kokkos::ALL));
     };
     const auto at = row(fields::position);
     for (int d = 0; d < D; ++d)
@@ -72,7 +50,97 @@ Extremes<D> extremes(const State<D>& state)
         where[d] += moved(0, d);
     }
   }
-  found.where = shared<D>(state.ranks, where, here);
+  return shared<D>(state.ranks, where, here);
+}
+
+/// The highest of sign times the temperatures, times sign. \param where of that particle [m]
+template <int D>
+double extreme(const State<D>& state, double sign, Vector<D>& where)
+{
+  const auto T = state.particles.scalar(fields::temperature);
+  using Most = Kokkos::MaxLoc<double, int>;
+  Most::value_type most;
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::extreme", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, Most::value_type& top) {
+        if (sign * T(p) > top.val)
+        {
+          top.val = sign * T(p);
+          top.loc = p;
+        }
+      },
+      Most(most));
+  const double found = state.ranks.max(most.val);
+  // There is none if none is a number.
+  const bool here = most.loc >= 0 && most.loc < state.particles.size() && most.val == found;
+  where = placeOf(state, most.loc, here);
+  return sign * found;
+}
+
+/// Highest temperature of each body, then its lowest times -1 [K]; of one without particles the lowest
+/// number.
+template <int D>
+std::vector<double> rangesOfBodies(const State<D>& state)
+{
+  const int count = static_cast<int>(state.bodies.info.size());
+  const View<double*> most("rhegma::thermal::most", 2 * count);
+  Kokkos::deep_copy(most, std::numeric_limits<double>::lowest());
+  const auto T = state.particles.scalar(fields::temperature);
+  const auto body = state.particles.integer(fields::body);
+  Kokkos::parallel_for(
+      "rhegma::thermal::rangesOfBodies", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        const int b = body(p);
+        if (T(p) > most(b)) // so that most particles write nothing
+          Kokkos::atomic_fetch_max(&most(b), T(p));
+        if (-T(p) > most(count + b))
+          Kokkos::atomic_fetch_max(&most(count + b), -T(p));
+      });
+  const auto host = onHost(most);
+  return {host.data(), host.data() + 2 * count};
+}
+
+/// Sets the largest difference within a body.
+template <int D>
+void findDifference(const State<D>& state, Extremes<D>& found)
+{
+  const std::size_t count = state.bodies.info.size();
+  if (count <= 1)
+  {
+    found.difference = found.highest - found.lowest;
+    return;
+  }
+  const std::vector<double> most = rangesOfBodies(state);
+  for (std::size_t b = 0; b < count; ++b)
+  {
+    const double difference = state.ranks.max(most[b]) + state.ranks.max(most[count + b]);
+    if (difference > found.difference)
+    {
+      found.difference = difference;
+      found.body = static_cast<int>(b);
+    }
+  }
+}
+
+/// Position and time of an extreme, as text.
+template <int D>
+std::string placeAndTime(const ExtremeTemperature<D>& extreme)
+{
+  std::string text;
+  for (int d = 0; d < D; ++d)
+    text += formatShort(extreme.where[d]) + (d + 1 < D ? ", " : " m");
+  return text + ", t = " + readableTime(extreme.time);
+}
+
+} // namespace
+
+template <int D>
+Extremes<D> extremes(const State<D>& state)
+{
+  Extremes<D> found;
+  found.highest = extreme(state, 1.0, found.hottest);
+  found.lowest = extreme(state, -1.0, found.coldest);
+  findDifference(state, found);
   return found;
 }
 
@@ -120,36 +188,95 @@ double temperatureAt(const State<D>& state, const Vector<D>& position)
 }
 
 template <int D>
-void PeakTemperature<D>::sample(const Extremes<D>& now, double at)
+void ExtremeTemperature<D>::sample(double temperature, const Vector<D>& position, double at, double sign)
 {
-  if (!(now.highest > value))
+  if (!(temperature > 0.0) || (value > 0.0 && !(sign * (temperature - value) > 0.0)))
     return;
-  value = now.highest;
-  where = now.where;
+  value = temperature;
+  where = position;
   time = at;
 }
 
 template <int D>
-std::string PeakTemperature<D>::asText(double initial, double last) const
+nlohmann::json ExtremeTemperature<D>::asJson() const
 {
-  std::string text =
-      "peak temperature " + formatShort(value) + " K (rise " + formatShort(value - initial) + " K) at ";
-  for (int d = 0; d < D; ++d)
-    text += formatShort(where[d]) + (d + 1 < D ? ", " : " m");
-  text += ", t = " + readableTime(time);
-  return last < value ? text + "; " + formatShort(last) + " K at the end" : text;
+  return {{"value", value}, {"time", time}, {"where", std::vector<double>(where.c, where.c + D)}};
 }
 
 template <int D>
-void PeakTemperature<D>::serialize(Archive& archive)
+void ExtremeTemperature<D>::serialize(Archive& archive)
 {
   archive("value", value);
   archive("where", where);
   archive("time", time);
 }
 
-template struct PeakTemperature<2>;
-template struct PeakTemperature<3>;
+template <int D>
+void TemperatureRecord<D>::sample(const Extremes<D>& now, double at)
+{
+  highest.sample(now.highest, now.hottest, at, 1.0);
+  lowest.sample(now.lowest, now.coldest, at, -1.0);
+  if (!(now.difference > difference))
+    return;
+  difference = now.difference;
+  body = now.body;
+  time = at;
+}
+
+template <int D>
+std::vector<std::string> TemperatureRecord<D>::asText(const State<D>& state, double initial,
+                                                      const Extremes<D>& last) const
+{
+  constexpr double little =
+      0.02; // of the other one: conduction overshoots by half of it (docs/explanation/heat.md)
+  const double rise = highest.value - initial, fall = initial - lowest.value;
+  std::vector<std::string> lines;
+  if (rise > little * fall || !(fall > 0.0))
+    lines.push_back("peak temperature " + formatShort(highest.value) + " K (rise " + formatShort(rise) +
+                    " K) at " + placeAndTime(highest) +
+                    (last.highest < highest.value ? "; " + formatShort(last.highest) + " K at the end" : ""));
+  if (fall > little * rise && fall > 0.0)
+    lines.push_back("lowest temperature " + formatShort(lowest.value) + " K (fall " + formatShort(fall) +
+                    " K) at " + placeAndTime(lowest) +
+                    (last.lowest > lowest.value ? "; " + formatShort(last.lowest) + " K at the end" : ""));
+  if (difference > 0.0)
+    lines.push_back(
+        "largest difference of temperature within a body " + formatShort(difference) + " K (" +
+        state.bodies.info[body].name + ") at t = " + readableTime(time) +
+        (last.difference < difference ? "; " + formatShort(last.difference) + " K at the end" : ""));
+  return lines;
+}
+
+template <int D>
+void TemperatureRecord<D>::report(const State<D>& state, nlohmann::json& temperature) const
+{
+  temperature["highest"] = highest.asJson();
+  temperature["coldest"] = lowest.asJson();
+  temperature["largest_difference"] = {
+      {"value", difference}, {"time", time}, {"body", state.bodies.info[body].name}};
+}
+
+template <int D>
+void TemperatureRecord<D>::serialize(Archive& archive)
+{
+  {
+    const Archive::Group group(archive, "peak");
+    highest.serialize(archive);
+  }
+  {
+    const Archive::Group group(archive, "coldest");
+    lowest.serialize(archive);
+  }
+  const Archive::Group group(archive, "largest difference");
+  archive("value", difference);
+  archive("body", body);
+  archive("time", time);
+}
+
+template struct ExtremeTemperature<2>;
+template struct ExtremeTemperature<3>;
+template struct TemperatureRecord<2>;
+template struct TemperatureRecord<3>;
 template Extremes<2> extremes(const State<2>&);
 template Extremes<3> extremes(const State<3>&);
 template double temperatureAt(const State<2>&, const Vector<2>&);

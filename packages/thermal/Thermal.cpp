@@ -47,7 +47,7 @@ struct Run
   double initial = 0.0, finalTime = 0.0;
   double settledPeaks = 0.0; ///< sum of the highest temperatures at the samples of the last twentieth [K]
   int settledSamples = 0;
-  PeakTemperature<D> peak;
+  TemperatureRecord<D> record;
   std::vector<TabulatedProperty> tables; ///< of all materials
   std::vector<LibraryRange> library;     ///< materials of the library
   bool startCorrected = false;           ///< CellExpansion.hpp
@@ -156,7 +156,7 @@ template <int D>
 void observe(State<D>& state, Run<D>& run)
 {
   const Extremes<D> now = extremes(state);
-  run.peak.sample(now, state.clock.time);
+  run.record.sample(now, state.clock.time);
   sampleRanges(state, run.library);
   if (state.clock.time >= 0.95 * run.finalTime)
   {
@@ -211,7 +211,7 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
   const Extremes<D> now = extremes(state);
   nlohmann::json where = nlohmann::json::array();
   for (int d = 0; d < D; ++d)
-    where.push_back(now.where[d]);
+    where.push_back(now.hottest[d]);
   summary["conduction"] = {{"steps", run.conduction.stepsTaken},
                            {"passes", run.conduction.stepsTaken + run.conduction.integrator.products}};
   nlohmann::json& temperature = summary["temperature"];
@@ -222,14 +222,14 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
                                            ? run.settledPeaks / run.settledSamples - run.initial
                                            : std::numeric_limits<double>::quiet_NaN()},
                  {"lowest", now.lowest},
+                 {"largest_fall", run.initial - now.lowest},
                  {"probes", nlohmann::json::object()}};
-  PeakTemperature<D> peak = run.peak;
-  peak.sample(now, state.clock.time);
-  temperature["highest"] = {{"value", peak.value},
-                            {"time", peak.time},
-                            {"where", std::vector<double>(peak.where.c, peak.where.c + D)}};
+  TemperatureRecord<D> record = run.record;
+  record.sample(now, state.clock.time);
+  record.report(state, temperature);
   if (state.clock.step > 0) // not of a scene that is only checked
-    summary["answers"].push_back(peak.asText(run.initial, now.highest));
+    for (const std::string& line : record.asText(state, run.initial, now))
+      summary["answers"].push_back(line);
   for (const Probe<D>& probe : run.probes)
   {
     const double here = temperatureAt(state, probe.position);
@@ -296,10 +296,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     archive("front heat", run->conduction.frontHeat);
     archive("settled peaks", run->settledPeaks);
     archive("settled samples", run->settledSamples);
-    {
-      const Archive::Group peak(archive, "peak");
-      run->peak.serialize(archive);
-    }
+    run->record.serialize(archive);
     storeRanges(run->library, archive);
     archive("pending", run->conduction.pending);
     archive("waited", run->conduction.waited);

@@ -13,6 +13,7 @@ struct Picture
 {
   std::int64_t columns = 0, rows = 0;
   int channels = 1;
+  int bits = 8; ///< of a sample in the file: 1, 8 (also of 2 and 4, which are read as 8) or 16
   std::vector<std::uint16_t> samples; ///< of each pixel, its channels one after the other
 };
 

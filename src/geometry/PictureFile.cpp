@@ -1,5 +1,6 @@
 #include "geometry/PictureFile.hpp"
 
+#include "base/Counted.hpp"
 #include "base/ShortNumber.hpp"
 #include "geometry/Picture.hpp"
 
@@ -78,6 +79,28 @@ std::vector<std::uint16_t> greyOf(const Picture& picture)
   return grey;
 }
 
+/// The pictures of a stack as they are read.
+struct Layers
+{
+  std::vector<std::vector<std::uint16_t>> grey;
+  Picture first; ///< the first one, without its samples
+};
+
+/// Refuses a picture that is no layer of a stack. \param which "it", or "page 2"
+void refuseOther(const Picture& picture, const Picture& first, const std::string& which)
+{
+  if (picture.columns != first.columns || picture.rows != first.rows)
+    throw std::invalid_argument(which + " has " + std::to_string(picture.columns) + " x " +
+                                std::to_string(picture.rows) + " pixels and the first picture " +
+                                std::to_string(first.columns) + " x " + std::to_string(first.rows) +
+                                "; all pictures of a stack must have one size");
+  if (picture.bits != first.bits)
+    throw std::invalid_argument(which + " has " + counted(picture.bits, "bit") +
+                                " per pixel and the first picture " + std::to_string(first.bits) +
+                                ", so that one grey value means two things; save all pictures of a stack "
+                                "with as many bits");
+}
+
 } // namespace
 
 void checkMemory(double samples, double available)
@@ -121,47 +144,36 @@ Pictures readPictures(const std::string& path, double available)
   if (files.empty())
     throw std::invalid_argument("the folder has no PNG or TIFF files");
   Pictures all;
-  std::vector<std::vector<std::uint16_t>> layers;
+  Layers layers;
   double samples = 0.0;
   for (const std::string& file : files)
-  {
-    const auto fail = [&](const std::string& what)
-    {
-      throw std::invalid_argument(
-          (files.size() > 1 ? std::filesystem::path(file).filename().string() + ": " : "") + what);
-    };
     try
     {
-      std::vector<Picture> pages =
+      const std::vector<Picture> pages =
           isPng(endingOf(file)) ? std::vector<Picture>{readPng(file, available)} : readTiff(file, available);
-      for (const Picture& page : pages)
+      for (std::size_t k = 0; k < pages.size(); ++k)
       {
-        if (layers.empty())
-          all.count = {page.columns, page.rows, 0};
-        if (page.columns != all.count[0] || page.rows != all.count[1])
-          fail("it has " + std::to_string(page.columns) + " x " + std::to_string(page.rows) +
-               " pixels and the first picture " + std::to_string(all.count[0]) + " x " +
-               std::to_string(all.count[1]) + "; all pictures of a stack must have one size");
-        samples += static_cast<double>(page.samples.size());
+        if (layers.grey.empty())
+          layers.first = {pages[k].columns, pages[k].rows, pages[k].channels, pages[k].bits, {}};
+        refuseOther(pages[k], layers.first, pages.size() > 1 ? "page " + std::to_string(k + 1) : "it");
+        samples += static_cast<double>(pages[k].samples.size());
         checkMemory(samples, available);
-        layers.push_back(greyOf(page));
+        layers.grey.push_back(greyOf(pages[k]));
       }
     }
     catch (const std::invalid_argument& wrong)
     {
-      const std::string what = wrong.what();
-      if (files.size() > 1 && what.rfind(std::filesystem::path(file).filename().string(), 0) != 0)
-        fail(what);
-      throw;
+      if (files.size() == 1)
+        throw;
+      throw std::invalid_argument(std::filesystem::path(file).filename().string() + ": " + wrong.what());
     }
-  }
-  all.count[2] = static_cast<std::int64_t>(layers.size());
-  const std::size_t columns = all.count[0], rows = all.count[1], number = layers.size();
+  all.count = {layers.first.columns, layers.first.rows, static_cast<std::int64_t>(layers.grey.size())};
+  const std::size_t columns = all.count[0], rows = all.count[1], number = layers.grey.size();
   all.grey.resize(columns * rows * number);
   for (std::size_t z = 0; z < number; ++z)
     for (std::size_t row = 0; row < rows; ++row)
       for (std::size_t x = 0; x < columns; ++x)
-        all.grey[(x * rows + (rows - 1 - row)) * number + z] = layers[z][row * columns + x];
+        all.grey[(x * rows + (rows - 1 - row)) * number + z] = layers.grey[z][row * columns + x];
   return all;
 }
 

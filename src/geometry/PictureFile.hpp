@@ -26,7 +26,8 @@ std::vector<std::string> filesOfPictures(const std::string& path);
 /// Reads a PNG file, a TIFF file of one or more pages, or all such files of a folder. The first picture is
 /// the lowest one; the upper row of a picture has the largest y. Values have 8 or 16 bits; pictures of one
 /// bit have 0 and 1. \param available memory [bytes] \throws std::invalid_argument, where a file is none of
-/// these, is in colour or has another size than the first one, or if there is too little memory
+/// these, is in colour or compressed by JPEG, or has another size or other bits than the first one, or if
+/// there is too little memory
 Pictures readPictures(const std::string& path, double available);
 
 } // namespace Rhegma::Geometry

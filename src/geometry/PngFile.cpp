@@ -24,6 +24,7 @@ struct Reader
   png_structp png = nullptr;
   png_infop info = nullptr;
   std::string error;
+  bool packed = false; ///< one bit for each pixel
 
   explicit Reader(const std::string& path) : file(std::fopen(path.c_str(), "rb"))
   {
@@ -53,7 +54,8 @@ struct Reader
     png_init_io(png, file);
     png_read_info(png, info);
     const int bits = png_get_bit_depth(png, info);
-    if (bits == 1 && png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY)
+    packed = bits == 1 && png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY;
+    if (packed)
       png_set_packing(png);
     else if (bits < 8 && png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY)
       png_set_expand_gray_1_2_4_to_8(png);
@@ -96,6 +98,7 @@ Picture readPng(const std::string& path, double available)
   if (!reader.finish(rows.data()))
     throw std::invalid_argument("it can't be read as a PNG picture (" + reader.error + ")");
   const std::size_t each = png_get_bit_depth(reader.png, reader.info) == 16 ? 2 : 1;
+  picture.bits = reader.packed ? 1 : static_cast<int>(8 * each);
   const std::size_t inRow = static_cast<std::size_t>(picture.columns * picture.channels);
   picture.samples.reserve(inRow * rows.size());
   for (const png_bytep row : rows)

@@ -3,6 +3,8 @@
 #include <stdexcept>
 
 #ifdef RHEGMA_HAVE_TIFF
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <tiffio.h>
 #endif
@@ -15,13 +17,22 @@ namespace Rhegma::Geometry
 namespace
 {
 
+/// Whether a compression changes samples, or may do so.
+bool isLossy(std::uint16_t compression)
+{
+  // All that are JPEG: of TIFF 6 and of the revised tag, JPEG 2000 (two numbers), JPEG-LS and JPEG XR.
+  constexpr std::uint16_t jpegs[] = {6, 7, 33003, 33005, 34712, 34715, 34933};
+  return std::find(std::begin(jpegs), std::end(jpegs), compression) != std::end(jpegs);
+}
+
 /// The page that a file is at.
 /// \param before samples of the pages before it
 Picture readPage(TIFF* file, double before, double available)
 {
   std::uint32_t columns = 0, rows = 0;
   std::uint16_t channels = 1, bits = 1, format = SAMPLEFORMAT_UINT, planar = PLANARCONFIG_CONTIG,
-                orientation = ORIENTATION_TOPLEFT, colours = PHOTOMETRIC_MINISBLACK;
+                orientation = ORIENTATION_TOPLEFT, colours = PHOTOMETRIC_MINISBLACK,
+                compression = COMPRESSION_NONE;
   TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &columns);
   TIFFGetField(file, TIFFTAG_IMAGELENGTH, &rows);
   TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLESPERPIXEL, &channels);
@@ -30,6 +41,10 @@ Picture readPage(TIFF* file, double before, double available)
   TIFFGetFieldDefaulted(file, TIFFTAG_PLANARCONFIG, &planar);
   TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &colours);
   TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &orientation);
+  TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &compression);
+  if (isLossy(compression))
+    throw std::invalid_argument("it is compressed by JPEG, which changes grey values at the edges of "
+                                "materials; save it without loss, as PNG or as TIFF with LZW");
   if (orientation != ORIENTATION_TOPLEFT)
     throw std::invalid_argument("its tag Orientation turns or mirrors it; save it upright");
   if (colours == PHOTOMETRIC_PALETTE)
@@ -44,6 +59,7 @@ Picture readPage(TIFF* file, double before, double available)
   picture.columns = columns;
   picture.rows = rows;
   picture.channels = channels;
+  picture.bits = bits;
   checkMemory(before + static_cast<double>(columns) * static_cast<double>(rows) * channels, available);
   const std::size_t inRow = std::size_t{columns} * channels;
   std::vector<unsigned char> row(static_cast<std::size_t>(TIFFScanlineSize(file)));

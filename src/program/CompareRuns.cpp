@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "program/CompareTemperatures.hpp"
 #include "program/Comparison.hpp"
 #include "program/GrowthInHistory.hpp"
 #include "program/PathDistance.hpp"
@@ -23,16 +24,8 @@ using nlohmann::json;
 
 using Point = std::vector<double>;
 
-constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
-
 /// A stress intensity below this fraction of the largest of its front is as good as zero.
 constexpr double smallIntensity = 0.02;
-
-double numberOrNone(const json& object, const char* name)
-{
-  const auto at = object.find(name);
-  return at != object.end() && at->is_number() ? at->get<double>() : noNumber;
-}
 
 Point position(const json& front)
 {
@@ -207,15 +200,6 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
                       distanceBetweenPaths(pathOf(first.history, name), pathOf(second.history, name)));
   if (!growsByIncrements(first, second) && endTogether(first, second))
     comparison.distance("last position of " + name, distanceBetween(position(asIs), position(half)));
-}
-
-void compareTemperatures(Comparison& comparison, const json& asIs, const json& half)
-{
-  if (!asIs.contains("temperature") || !half.contains("temperature"))
-    return;
-  // Sources are resolved to the second order (docs/explanation/verification/accuracy-and-cost.md).
-  comparison.value("peak rise of temperature", "K", numberOrNone(asIs["temperature"], "peak_rise"),
-                   numberOrNone(half["temperature"], "peak_rise"), 2);
 }
 
 void compareReferences(Comparison& comparison, const json& asIs, const json& half)

@@ -5,11 +5,21 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <optional>
 #include <string>
 
 namespace Rhegma::program
 {
+
+constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// A number of a summary; not a number where it has none.
+inline double numberOrNone(const nlohmann::json& object, const char* name)
+{
+  const auto at = object.find(name);
+  return at != object.end() && at->is_number() ? at->get<double>() : noNumber;
+}
 
 /// Answers of a scene as it is and with cells of half the size. All are added before result() is called.
 class Comparison

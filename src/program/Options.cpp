@@ -27,6 +27,14 @@ std::string kokkosSpelling(const std::string& argument)
   return argument;
 }
 
+/// A path after an option; throws UsageError with a message where there is none, or another option.
+std::string pathIn(const std::string& value, const char* missing)
+{
+  if (value.empty() || startsWith(value, "--"))
+    throw UsageError(missing);
+  return value;
+}
+
 /// Throws UsageError where options do not go together.
 void refuseMisfits(const Options& options)
 {
@@ -39,6 +47,9 @@ void refuseMisfits(const Options& options)
     throw UsageError("--watch keeps a page of a run; leave it out, or run the scene");
   if (!options.picture.empty() && options.action != Options::Action::Check)
     throw UsageError("--picture draws a scene that is checked; write --check, too, or leave it out");
+  if (!options.state.empty() && options.action != Options::Action::Check)
+    throw UsageError(
+        "--state writes the state of a scene that is checked; write --check, too, or leave it out");
   const bool needsScene = options.action == Options::Action::Run ||
                           options.action == Options::Action::Check ||
                           options.action == Options::Action::PrintPlan;
@@ -115,11 +126,9 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     else if (bool* const flag = flagOf(a, options))
       *flag = true;
     else if (a == "--picture")
-    {
-      options.picture = valueOf(k);
-      if (options.picture.empty() || startsWith(options.picture, "--"))
-        throw UsageError("--picture has no file; write one after it, such as scene.png");
-    }
+      options.picture = pathIn(valueOf(k), "--picture has no file; write one after it, such as scene.png");
+    else if (a == "--state")
+      options.state = pathIn(valueOf(k), "--state has no folder; write a new one after it");
     else if (a == "--check")
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
@@ -162,7 +171,8 @@ std::string usage()
          "of the run for a browser\nrhegma SCENE.xml --twice        run it as it is and with "
          "cells of half the size, and print how much the results change\nrhegma SCENE.xml --check        "
          "check the scene, list every error, forecast the cost, and stop;\n                        --picture "
-         "FILE.png: draw it, too\nrhegma SCENE.xml --print-plan   "
+         "FILE.png: draw it, too; --state DIR: write its state before any motion\nrhegma SCENE.xml "
+         "--print-plan   "
          "list the effects, fields and stages of the scene\nrhegma --describe [Section]     every parameter: "
          "type, unit, default, allowed values, meaning;\n                        of a part: --describe "
          "'Thermal > Sources', --describe Domain:Accuracy;\n                        of a name anywhere: "

@@ -42,6 +42,7 @@ struct Options
   std::string section; ///< of --describe, the template of --new, or the material of --materials
   std::string restart; ///< checkpoint to continue from; empty: start of the scene
   std::string picture; ///< file of --check --picture; empty: none
+  std::string state;   ///< folder of --check --state; empty: none
   std::vector<std::string> overrides;
   bool quiet = false;
   bool twice = false;  ///< run as it is and with cells of half the size

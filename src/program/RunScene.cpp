@@ -16,6 +16,7 @@
 #include "program/Answer.hpp"
 #include "program/Budget.hpp"
 #include "program/CheckText.hpp"
+#include "program/CheckedState.hpp"
 #include "program/Forecast.hpp"
 #include "program/Intervals.hpp"
 #include "program/MaterialsText.hpp"
@@ -33,6 +34,7 @@
 
 #include <iostream>
 #include <new>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -282,10 +284,13 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
       << cellsAsText(summary, simulation.particles()) << unknownsAsText(summary)
       << stepsAsText(simulation, *scene) << "\n"
       << std::flush;
+  const Ranks ranks(world());
+  const std::string loads = options.quiet && options.state.empty() ? std::string() : loadsAsText(*scene);
+  if (!options.state.empty()) // before the forecast, which takes steps
+    writeCheckedState(options.state, simulation, summary, loads, ranks);
   if (options.quiet)
     return exitFinished;
-  out << bodiesAsText(summary, *scene) << loadsAsText(*scene) << libraryUsesAsText(*scene, effectSchema());
-  const Ranks ranks(world());
+  out << bodiesAsText(summary, *scene) << loads << libraryUsesAsText(*scene, effectSchema());
   const Forecast forecast = makeForecast(simulation, *scene, ranks, setup);
   if (!forecast.rates.failure.empty())
   {
@@ -298,13 +303,26 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   return exitFinished;
 }
 
-/// Checks a scene, and draws it if the options say so.
-int checkAndDraw(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
+/// Checks a scene, and draws it if the options say so, from the state that the check writes.
+int checkAndDraw(Options options, const Teuchos::RCP<Teuchos::ParameterList>& scene, double start,
                  std::ostream& out, std::ostream& err)
 {
-  const int code = checkScene(options, scene, start, out, err);
-  out << std::flush; // before the output of the tool that draws
-  return code == exitFinished && !options.picture.empty() ? drawScene(options, Ranks(world()), err) : code;
+  const Ranks ranks(world());
+  std::optional<TemporaryFolder> folder;
+  try
+  {
+    if (!options.picture.empty() && options.state.empty() && !ranks.many())
+      options.state = folder.emplace().path();
+    const int code = checkScene(options, scene, start, out, err);
+    out << std::flush; // before the output of the tool that draws
+    return code == exitFinished && !options.picture.empty() ? drawScene(options, ranks, err) : code;
+  }
+  catch (const OutputError& error)
+  {
+    err << "rhegma: " << error.what()
+        << (folder ? "; set TMPDIR to a folder with free space\n" : "; choose another folder with --state\n");
+    return exitWrongScene;
+  }
 }
 
 /// \param start as in checkScene \param beforeFiles called before the run changes files

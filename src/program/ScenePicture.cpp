@@ -57,6 +57,8 @@ int drawScene(const Options& options, const Ranks& ranks, std::ostream& err)
   std::vector<std::string> words{findTool(), "--scene", options.scene, "--output", options.picture};
   if (const std::string own = ownPath(); !own.empty())
     words.insert(words.end(), {"--rhegma", own});
+  if (!options.state.empty())
+    words.insert(words.end(), {"--state", options.state});
   for (const std::string& one : options.overrides)
     words.insert(words.end(), {"--set", one});
   std::vector<char*> pointers;

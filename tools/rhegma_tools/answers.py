@@ -9,6 +9,8 @@ RELEASES = ("G_J", "G_closure")
 MODES = ("K_I", "K_II", "K_III")
 SMALL = 0.02  # a stress intensity below this fraction of the largest of its front is as good as zero
 
+COOLED = 0.02  # rise over fall up to which bodies are only cooled, as the program has it
+
 
 class Answer:
     """value: a number; reference: what it should be, or None."""
@@ -48,8 +50,11 @@ def answers_of(summary, quantities=(), references=()):
     initiation = (summary.get("propagation") or {}).get("initiation") or {}
     if is_number(initiation.get("load_factor")):
         found["load factor at initiation"] = Answer("", initiation["load_factor"])
-    rise = (summary.get("temperature") or {}).get("peak_rise")
-    if is_number(rise):
+    temperature = summary.get("temperature") or {}
+    rise, fall = temperature.get("peak_rise"), temperature.get("largest_fall")
+    if is_number(rise) and is_number(fall) and rise <= COOLED * fall:
+        found["largest fall of temperature"] = Answer("K", fall)
+    elif is_number(rise):
         found["peak rise of temperature"] = Answer("K", rise)
     for entry in summary.get("references") or []:
         enter(found, f"Reference > {entry.get('name')}", entry.get("value"), entry.get("reference"))

@@ -13,7 +13,7 @@ from .report_facts import readable
 UNITS = {"Principal Stress": "Pa", "Von Mises Stress": "Pa", "Energy Density": "J/m³", "Damage": "", "Speed": "m/s", "Displacement": "m", "Temperature": "K"}
 HEAD = ("quantity", "value", "time", "position")
 SAME_TIME = 1.0e-6  # of a time: two outputs of it
-PEAK = "peak temperature "  # how the line of the program begins that these rows replace
+SAID = ("peak temperature ", "lowest temperature ", "largest difference of temperature ")  # how lines of the program begin that these rows replace
 
 
 def value_text(value, unit):
@@ -73,30 +73,34 @@ def place_in_frame(folder, time, pick):
     return fields.position[pick(fields.temperature)][:fields.dimension]
 
 
-def peak_row(summary):
-    """The row of the largest temperature that the summary has with its time and position, also between samples; None where it has none."""
-    found = (summary.get("temperature") or {}).get("highest")
+def recorded_row(summary, key, title):
+    """The row of an extreme temperature that the summary has with its time, and its position or body, also between samples; None where it has none.
+    key: of the entry of temperatures"""
+    found = (summary.get("temperature") or {}).get(key)
     if not isinstance(found, dict) or not is_number(found.get("value")) or not is_number(found.get("time")):
         return None
-    return ("largest temperature", value_text(found["value"], "K"), time_text(found["time"]), position_text(found.get("where")))
+    place = found["body"] if isinstance(found.get("body"), str) else position_text(found.get("where"))
+    return (title, value_text(found["value"], "K"), time_text(found["time"]), place)
 
 
 def temperature_rows(summary, history, folder, known):
-    """Rows of the temperatures of all particles over the samples: the largest, the smallest, and their largest difference at one time. known: an
-    extreme of the scene has the first two"""
+    """Rows of the temperatures of all particles: the largest, the smallest, and the largest difference at one time, in a body where the summary has it,
+    else of all. known: an extreme of the scene has the first two"""
     high, low = history.column.get("temperature_highest"), history.column.get("temperature_lowest")
     if high is None or low is None:
         return []
     rows = []
-    for which, samples, sign, pick in () if known else (("largest", high, 1.0, np.argmax), ("smallest", low, -1.0, np.argmin)):
-        k = peak(samples, sign)
-        if sign > 0.0 and peak_row(summary):
-            rows.append(peak_row(summary))
+    for which, key, samples, sign, pick in () if known else (("largest", "highest", high, 1.0, np.argmax), ("smallest", "coldest", low, -1.0, np.argmin)):
+        k, recorded = peak(samples, sign), recorded_row(summary, key, f"{which} temperature")
+        if recorded:
+            rows.append(recorded)
         elif k is not None:
             time = float(history.time[k])
             rows.append((f"{which} temperature", value_text(samples[k], "K"), time_text(time), position_text(place_in_frame(folder, time, pick))))
-    k = peak(high - low, 1.0)
-    if k is not None:
+    k, recorded = peak(high - low, 1.0), recorded_row(summary, "largest_difference", "largest difference of temperature in a body at one time")
+    if recorded:
+        rows.append(recorded)
+    elif k is not None:
         rows.append(("largest difference of temperature at one time", value_text(high[k] - low[k], "K"), time_text(history.time[k]), "-"))
     return rows
 
@@ -111,7 +115,7 @@ def extreme_rows(summary, history, folder):
 
 
 def answers_without_peak(summary, rows):
-    """The answers of the program, without its line of the peak temperature where the rows have it."""
+    """The answers of the program, without its lines of extreme temperatures where the rows have them."""
     lines = summary.get("answers") or []
     there = any("temperature" in row[0] for row in rows)
-    return [line for line in lines if not (there and str(line).startswith(PEAK))]
+    return [line for line in lines if not (there and str(line).startswith(SAID))]

@@ -5,6 +5,7 @@ import numpy as np
 from .answers import is_number
 from .report_facts import readable, short
 
+ONLY = " That is at t = {}, the only time that was computed."
 STILL = 1.02  # G at the end over the toughness: what is less is the accuracy of G
 
 
@@ -15,9 +16,23 @@ def largest_along(history, entry):
     return (mean, "G") if most is None else (most, "the largest G of all its nodes")
 
 
+def as_recorded(history, time):
+    """When G reached the toughness [s] by the summary, which leaves nodes at the surface out, as a sentence. history: None where there is none"""
+    times = np.zeros(0) if history is None else np.asarray(history.time, dtype=float)
+    if len(times) == 1 and time == times[0]:
+        return ONLY.format(readable(time, "s"))
+    if len(times) and time <= times[0]:
+        return f" It exceeded it at the first sample, at t = {readable(time, 's')}, already."
+    k = int(np.searchsorted(times, time))
+    around = f" (between the samples at {readable(float(times[k - 1]), 's')} and {readable(float(times[k]), 's')})" if 0 < k < len(times) else ""
+    return f" It reached it at about t = {readable(time, 's')}{around}."
+
+
 def when_reached(history, entry, toughness):
-    """When G of a front first reached the toughness, as a sentence; empty where the history can't say it. G is in proportion to the square of loads,
-    so its root is interpolated between samples."""
+    """When G of a front first reached the toughness, as a sentence; empty where neither the summary nor the history can say it. G is in proportion to the
+    square of loads, so its root is interpolated between samples."""
+    if is_number(entry[2].get("time_of_toughness")):
+        return as_recorded(history, entry[2]["time_of_toughness"])
     samples, what = (None, "") if history is None else largest_along(history, entry)
     if samples is None or not is_number(toughness) or toughness <= 0.0:
         return ""
@@ -27,7 +42,7 @@ def when_reached(history, entry, toughness):
     k = int(above[0])
     time = float(history.time[k])
     if len(history.time) == 1:
-        return f" That is at t = {readable(time, 's')}, the only time that was computed."
+        return ONLY.format(readable(time, "s"))
     whose = f"{what[0].upper()}{what[1:]}"
     if k == 0 or not np.isfinite(samples[k - 1]):
         return f" {whose} exceeded it at the first sample, at t = {readable(time, 's')}, already."

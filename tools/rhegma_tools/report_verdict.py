@@ -185,14 +185,14 @@ def at_surface(start, fronts, denies):
     return text + ("; by them the crack would grow, so use smaller cells to decide." if denies and surface >= 1.0 else ".")
 
 
-def what_reached(entry, summary, toughness):
+def what_reached(entry, toughness):
     """(what is compared with the toughness, its mean over the same nodes as text) of a front: its largest node in 3D, of the inner ones where those
     near the surface are left out."""
     front = entry[2]
     if not (has_larger_node(front) and is_number(toughness) and toughness > 0.0):
         return f"G of {name_of(entry)}", ""
     if leaves_out(front):
-        mean = inner_mean(front, (summary.get("cells") or {}).get("smallest"), toughness)
+        mean = inner_mean(front, toughness)
         return f"the largest G of the inner nodes of {name_of(entry)}", "" if mean is None else f", and their mean {short(mean / toughness)}"
     at_end = abs(front["G_J_max"] / toughness - front["closest_to_initiation"]) <= 1e-3 * front["closest_to_initiation"]  # the mean is only known there
     return f"the largest G along {name_of(entry)}", f", and the mean along it {short(front['G_J'] / toughness)}" if at_end else ""
@@ -214,7 +214,7 @@ def of_comparison(summary, fronts, history=None):
     decided = "Not certain" if near else "Yes" if reached > 1.0 else "No"
     how = f", and K of the largest hoop stress {short(hoop)} of that of the toughness" if hoop * HOOP > release ** 0.5 else ""
     toughness = start["toughness"]
-    what, mean = what_reached(first, summary, toughness)
+    what, mean = what_reached(first, toughness)
     early = not went_to_its_end(summary)
     decided += EARLY if early else ""
     text = f"{decided}: {what} reached {short(release)} of the toughness of {readable(toughness, 'J/m²')}{mean}{how}."

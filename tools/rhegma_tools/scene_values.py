@@ -1,6 +1,5 @@
-"""The values of a scene file, and a copy of the scene from which the program writes its state before any motion."""
+"""The values of a scene file."""
 
-import copy
 import os
 import xml.etree.ElementTree as ElementTree
 
@@ -49,27 +48,15 @@ def find_or_add(element, name):
     return ElementTree.SubElement(element, "ParameterList", name=name) if found is None else found
 
 
-def write_value(root, path, value, kind="string"):
-    """Sets a parameter. path: names from the outermost list inwards; kind: its type where the scene lacks it. \\return whether it does"""
+def write_value(root, path, value):
+    """Sets a parameter. path: names from the outermost list inwards"""
     for name in path[:-1]:
         root = find_or_add(root, name)
     found = next((entry for entry in root if entry.tag == "Parameter" and entry.get("name") == path[-1]), None)
-    lacks = found is None
-    if lacks:
-        found = ElementTree.SubElement(root, "Parameter", name=path[-1], type=kind)
+    if found is None:
+        found = ElementTree.SubElement(root, "Parameter", name=path[-1], type="string")  # the program knows which
     found.set("value", value)
     found.attrib.pop("unit", None)  # that of the value before
-    return lacks
-
-
-def remove(root, *path):
-    """Removes a parameter or a list, where it is there."""
-    for name in path[:-1]:
-        root = next((entry for entry in root if entry.get("name") == name), None)
-        if root is None:
-            return
-    for entry in [entry for entry in root if entry.get("name") == path[-1]]:
-        root.remove(entry)
 
 
 class Scene:
@@ -78,46 +65,16 @@ class Scene:
     def __init__(self, path, settings=()):
         self.path, self.settings = path, list(settings)
         self.root = read_scene(path)
-        self.added = []  # parameters that the scene lacks, as lists of names: of what type they are the program knows
         for setting in settings:
             name, equals, value = setting.partition("=")
             names = [part.strip() for part in name.split(":")]
             if not equals or len(names) < 2:
                 raise Problem(f'--set is "{setting}"; write it as Section:Parameter=value.')
-            if write_value(self.root, names, value.strip()):
-                self.added.append(names)
+            write_value(self.root, names, value.strip())
         folder = os.path.dirname(os.path.abspath(path))
-        move_files(self.root, lambda file: os.path.join(folder, file))  # a copy of the scene is elsewhere
+        move_files(self.root, lambda file: os.path.join(folder, file))
         self.values = as_values(self.root)
-
-    def ask_types(self, type_of):
-        """Gives the parameters of --set that the scene lacks their types. type_of: (path such as "Time:Load Steps") -> such as "int", or None"""
-        for names in self.added:
-            kind = type_of(":".join(names))
-            entry = self.root
-            for name in names:
-                entry = next(child for child in entry if child.get("name") == name)
-            if kind:
-                entry.set("type", kind)
 
     @property
     def dimension(self):
         return 3 if self.values.get("Domain", {}).get("Dimension") == "3" else 2
-
-    def still(self, without=(), dynamic=True):
-        """The text of a copy that ends after one step and writes its fields. without: sections that are left out; dynamic: an analysis of
-        equilibrium becomes one of motion, whose step costs next to nothing."""
-        root = copy.deepcopy(self.root)
-        for section in ("Reference", *without):
-            remove(root, section)
-        write_value(root, ["Time", "Maximum Steps"], "1", "int")
-        write_value(root, ["Output", "Fields"], "true", "bool")
-        write_value(root, ["Output", "Checkpoints"], "false", "bool")
-        for name in ("Checkpoint Interval", "Checkpoint Minutes", "Field Interval"):
-            remove(root, "Output", name)
-        if dynamic:
-            for name in ("Analysis", "Initial State", "Load Steps", "Rigid Modes"):
-                remove(root, "Time", name)
-            if self.values.get("Thermal", {}).get("Conduction") == "Steady":
-                remove(root, "Thermal", "Conduction")
-        return ElementTree.tostring(root, encoding="unicode")

@@ -40,6 +40,8 @@ class WrongArguments(ProgramTest):
         self.refuse("scene.xml", "--check", "--picture", words=["--picture", "needs a value"])
         self.refuse("scene.xml", "--check", "--picture", "--quiet", words=["has no file", "scene.png"])
         self.refuse("scene.xml", "--picture", "scene.png", words=["write --check, too"])
+        self.refuse("scene.xml", "--state", "folder", words=["write --check, too"])
+        self.refuse("scene.xml", "--check", "--state", "--quiet", words=["has no folder"])
 
     def test_two_scenes(self):
         self.refuse("scene.xml", "other.xml", words=["one scene", "other.xml"])
@@ -152,6 +154,19 @@ class Picture(ProgramTest):
         self.assertEqual(answer.status, 0, answer)
         with open(picture, "rb") as file:
             self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        # It is drawn from what the check has found, in a folder that is then removed.
+        os.mkdir(self.path("tools"))
+        shown = self.write("tools/rhegma-plot", '#!/bin/sh\necho "$@"; ls "$8"\n')
+        os.chmod(shown, 0o755)
+        os.mkdir(self.path("temporary"))
+        answer = rhegma(path, "--check", "--quiet", "--picture", picture, RHEGMA_TOOLS=self.path("tools"), TMPDIR=self.path("temporary"))
+        self.assertEqual(answer.status, 0, answer)
+        self.assertRegex(answer.output, r"--scene \S+ --output \S+ --rhegma \S+ --state \S+/temporary/rhegma-check-")
+        self.assertIn("check.json\nfields.h5\n", answer.output)
+        self.assertEqual(os.listdir(self.path("temporary")), [])
+        answer = rhegma(path, "--check", "--picture", picture, RHEGMA_TOOLS=self.folder, TMPDIR=self.path("none"))
+        self.assertEqual(answer.status, 1, answer)
+        self.assertIn("set TMPDIR to a folder", answer.messages)
         answer = rhegma(path, "--check", "--picture", picture, RHEGMA_TOOLS=self.folder)
         self.assertEqual(answer.status, 1, answer)
         self.assertIn("write that folder into RHEGMA_TOOLS", answer.messages)

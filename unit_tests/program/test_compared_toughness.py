@@ -4,6 +4,7 @@
 RHEGMA_SEED in the environment draws other cracks.
 """
 
+import csv
 import json
 import math
 import os
@@ -95,6 +96,54 @@ class ComparedToughness(ProgramTest):
         for name in ("closest_to_initiation", "closest_by_hoop_stress"):
             self.assertAlmostEqual(rest[name] / front[name], 1.0, delta=1e-9)
 
+    def columns(self, folder, *names):
+        with open(self.path(folder, "history.csv"), encoding="utf-8") as file:
+            rows = [row for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+        return [[float(row[name]) for row in rows] for name in names]
+
+    def test_when_the_toughness_is_reached_at_rest(self):
+        """Loads in proportion to time: G is in proportion to its square, so that the root is exact between samples, but for strains."""
+        final, part = self.draw.uniform(1.0, 5.0), self.draw.uniform(0.3, 0.9)
+        scene = strip(self.crack, {"Toughness": 500.0}, Analysis="Quasi-Static", **{"Load Steps": 4, "Final Time": final})
+        for name in ("Top", "Bottom"):
+            scene.set(f"Boundaries > {name} > History", f"0:0, {final!r}:1")
+        _, whole = self.run_scene(scene)
+        largest = whole["cracks"][0]["fronts"][0]["closest_to_initiation"] * 500.0
+        _, summary = self.run_scene(scene.set("Energy Release > Toughness", largest * part**2))
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertAlmostEqual(front["time_of_toughness"], part * final, delta=10.0 * PULL / 3e9 * final)
+        said = re.search(r"G came to the toughness at about t = ([\d.]+) (m?)s", " ".join(summary["answers"]))
+        self.assertIsNotNone(said, summary["answers"])
+        self.assertAlmostEqual(float(said.group(1)) * (1e-3 if said.group(2) else 1.0), front["time_of_toughness"], delta=1e-3 * final)
+        _, summary = self.run_scene(scene.set("Energy Release > Toughness", 1.01 * largest))
+        self.assertIsNone(summary["cracks"][0]["fronts"][0]["time_of_toughness"])
+        self.assertNotIn("came to the toughness", " ".join(summary["answers"]))
+
+    def test_when_the_toughness_is_reached_in_motion(self):
+        """The first time, by the root of G between samples; a run that goes on from a checkpoint knows it."""
+        scene = strip(self.crack, {"Toughness": 500.0}, Analysis="Dynamic", **{"Final Time": 1.5e-4}).remove("Time > Rigid Modes")
+        for name in ("Top", "Bottom"):
+            scene.set(f"Boundaries > {name} > History", "0:0, 5e-5:1, 1e-4:0, 1:0")
+        scene.set("Output > History Interval", 5e-6)
+        _, whole = self.run_scene(scene)
+        part = self.draw.uniform(0.4, 0.9)
+        toughness = part * whole["cracks"][0]["fronts"][0]["closest_to_initiation"] * 500.0
+        scene.set("Energy Release > Toughness", toughness)
+        _, summary = self.run_scene(scene)
+        found = summary["cracks"][0]["fronts"][0]["time_of_toughness"]
+        time, release = self.columns("out", "time", "Notch.0.G_J")
+        k = next(k for k, value in enumerate(release) if value >= toughness)
+        roots = [math.sqrt(max(value, 0.0)) for value in release[k - 1:k + 1]]
+        # G that drives the crack is that of J while mode I opens it.
+        expected = time[k - 1] + (time[k] - time[k - 1]) * (math.sqrt(toughness) - roots[0]) / (roots[1] - roots[0])
+        self.assertAlmostEqual(found, expected, delta=1e-6 * found)
+        scene.set("Time > Final Time", 1.3e-4).set("Output > Checkpoint Interval", 1.2e-4)
+        self.run_scene(scene, out="part")
+        answer = rhegma(self.path("scene.xml"), "--restart", self.path("part", "checkpoint.h5"), "--quiet", "--output", self.path("rest"), "--set", "Time:Final Time=1.5e-4")
+        self.assertEqual(answer.status, 0, answer)
+        with open(self.path("rest", "summary.json"), encoding="utf-8") as file:
+            self.assertAlmostEqual(json.load(file)["cracks"][0]["fronts"][0]["time_of_toughness"], found, delta=1e-9 * found)
+
     def test_a_part_that_yields_first(self):
         """The yield stress of a linear material is compared with the stress at the load at which the crack starts."""
         _, summary = self.run_scene(strip(self.crack, {"Toughness": 500.0}))
@@ -158,6 +207,7 @@ class ComparedToughness(ProgramTest):
             near = [min(abs(arc - end) for end in surfaces) < 2.0 * cell for arc in nodes["arc_length"]]
             self.assertTrue(any(near) and not all(near))
             self.assertFalse(halved and near[depths.index(max(depths))], "the deepest node is at the plane of symmetry")
+            self.assertEqual(nodes["at_surface"], near)
             inside, at_surface = (max(J for J, is_near in zip(nodes["G_J"], near) if is_near == which and J is not None) for which in (False, True))
             print(f"halved {halved}: {len(near)} nodes on {1e3 * length:.2f} mm, G {inside:.3f} inside, {at_surface:.3f} at the surface")
             start = summary["start_of_growth"]

@@ -272,6 +272,34 @@ class FrontsThatStop(ProgramTest):
         self.assertIn(line, answer.output.splitlines())
         self.assertRegex(line, r"^peak temperature \S+ K \(rise \S+ K\) at 0\.\d+, 0\.\d+ m, t = .* s; \S+ K at the end$")
 
+    def test_a_quench_has_its_coldest_point_and_the_difference_within_a_body(self):
+        """A plate that is cooled at its right side, and a colder body that stands alone: no body gets warmer than it was."""
+        scene = plate().remove("Cracks").remove("Energy Release").remove("Boundaries")
+        for name, value in (("Conductivity", 1000.0), ("Specific Heat", 1000.0)):
+            scene.set("Materials > Polymer > " + name, value)
+        scene.set("Domain > Lower Corner", [-0.8, -0.2]).set("Bodies > Block", {
+            "Material": "Polymer", "Shape": "Box", "Lower Corner": [-0.6, 0.0], "Upper Corner": [-0.3, 1.0], "Temperature": 350.0})
+        scene.set("Thermal", {"Mechanics": False, "Initial Temperature": 400.0})
+        scene.set("Boundaries", {"Water": {"Type": "Convection", "Body": "Plate", "From": [1.0, 0.0], "To": [1.0, 1.0], "Coefficient": 2e4,
+                                           "Ambient Temperature": 300.0}})
+        scene.set("Time > Final Time", 20.0).set("Output", {"History Interval": 0.5})
+        answer, _, summary, rows = self.run_scene(scene)
+        self.assertEqual(answer.status, 0, answer)
+        found = summary["temperature"]
+        lowest = min(float(row["temperature_lowest"]) for row in rows)
+        self.assertAlmostEqual(found["coldest"]["value"], lowest, delta=1e-6 * lowest)
+        self.assertAlmostEqual(found["largest_fall"], 400.0 - float(rows[-1]["temperature_lowest"]), delta=1e-6 * lowest)
+        self.assertAlmostEqual(found["peak_rise"], 0.0, delta=1e-6 * lowest)
+        self.assertGreater(found["coldest"]["where"][0], 0.95)  # in the last row of cells
+        # The block differs by 50 K from the plate, and not at all in itself.
+        self.assertEqual(found["largest_difference"]["body"], "Plate")
+        plate_alone = max(float(row["temperature_highest"]) - float(row["temperature_lowest"]) for row in rows)
+        self.assertAlmostEqual(found["largest_difference"]["value"], plate_alone, delta=1e-6 * lowest)
+        said = "\n".join(summary["answers"])
+        self.assertNotIn("peak temperature", said)
+        self.assertRegex(said, r"lowest temperature \S+ K \(fall \S+ K\) at \S+, \S+ m, t = \S+ s")
+        self.assertRegex(said, r"largest difference of temperature within a body \S+ K \(Plate\) at t = \S+ s")
+
 
 class BodiesOutside(ProgramTest):
     def test_a_body_that_does_not_fit_is_told_where_and_what_helps(self):

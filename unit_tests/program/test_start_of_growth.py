@@ -103,6 +103,29 @@ class StartTime(GrowthTest):
         self.assertIn("Before Propagation > Start Time = 390 us G reached ", answer.messages)
 
 
+class GrowthUpToTheEnd(GrowthTest):
+    """A beam whose ends are moved apart: while they are, the crack grows; it stops where they stop."""
+
+    def said(self, history):
+        scene = FileScene(os.path.join(SOURCE, "xml_inputs", "verification", "dcb_grips_static.xml"))
+        for arm in ("Upper", "Lower"):
+            scene.set(f"Boundaries > {arm} Arm > History", history)
+        answer, summary = self.growth(scene.set("Time > Load Steps", 8))
+        self.assertGreater(summary["cracks"][0]["fronts"][0]["increments"], 0, answer)
+        return summary, [line for line in summary["answers"] if "has not stopped" in line]
+
+    def test_is_said(self):
+        summary, lines = self.said("1")
+        self.assertEqual(summary["cracks"][0]["fronts"][0]["status"], "growing")
+        self.assertEqual(lines, ["crack Notch, front 0: the crack has not stopped: its growth is that of the loads up to t = 1 s"])
+        self.assertEqual(summary["propagation"]["not_stopped"], ["crack Notch, front 0"])
+
+    def test_is_not_said_of_a_crack_that_stops(self):
+        summary, lines = self.said("0:1, 0.8:1, 0.801:0, 1:0")
+        self.assertEqual((lines, summary["propagation"]["not_stopped"]), ([], []))
+        self.assertIn(summary["cracks"][0]["fronts"][0]["status"], ("arrested", "at rest"))
+
+
 class FacesThatPress(GrowthTest):
     """The notch of a plate that is struck: the first wave presses its faces together while it shears them."""
 

@@ -265,7 +265,16 @@ class Pictures(VoxelTest):
         self.save(numpy.zeros((2, 3), dtype="uint8"), "mixed/a.png")
         self.save(numpy.zeros((3, 3), dtype="uint8"), "mixed/b.png")
         self.save(numpy.zeros((2, 3), dtype="uint8"), "grey.png")
-        for name, upper, words in (("colour.png", [3e-3, 2e-3], ["in colour"]), ("colour.tif", [3e-3, 2e-3], ["in colour"]),
+        os.mkdir(self.path("bits"))
+        self.save(numpy.zeros((2, 3), dtype="uint8"), "bits/a.png")
+        wide = self.Image.fromarray(numpy.zeros((2, 3), dtype="uint16"))
+        wide.save(self.path("bits", "b.png"))
+        pages[0].save(self.path("bits.tif"), save_all=True, append_images=[wide])
+        self.Image.fromarray(numpy.zeros((16, 16), dtype="uint8")).save(self.path("lossy.tif"), compression="jpeg")
+        for name, upper, words in (("bits", [3e-3, 2e-3, 2e-3], ["b.png: it has 16 bits per pixel and the first picture 8, so that", "with as many bits"]),
+                                   ("bits.tif", [3e-3, 2e-3, 2e-3], ["page 2 has 16 bits per pixel and the first picture 8, so that"]),
+                                   ("lossy.tif", [16e-3, 16e-3], ["compressed by JPEG", "without loss"]),
+                                   ("colour.png", [3e-3, 2e-3], ["in colour"]), ("colour.tif", [3e-3, 2e-3], ["in colour"]),
                                    ("float.tif", [3e-3, 2e-3], ["8 or 16 bits"]), ("short.png", [0.3, 0.2], ["can't be read as a PNG picture"]),
                                    ("stack.tif", [3e-3, 2e-3], ["2 pictures", "2D needs one"]), ("short.tif", [3e-3, 2e-3, 2e-3], ["cut off"]),
                                    ("huge.png", [3e-3, 2e-3], ["GB of memory"]), ("palette.png", [3e-3, 2e-3], ["palette"]), ("empty", [3e-3, 2e-3, 1e-3], ["no PNG or TIFF files"]),

@@ -45,6 +45,13 @@ class Extremes(ToolTest):
                                 ("largest difference of temperature at one time", "190 K", "2 s", "-")])
         self.assertEqual(answers_without_peak(summary, rows), ["the run finished"])  # the rows have it
         self.assertEqual(answers_without_peak(summary, []), summary["answers"])
+        # The program has the coldest particle and the difference within a body, with places, for any time.
+        summary["temperature"].update(coldest={"time": 2.5, "value": 299.5, "where": [0.0, 3e-3]}, largest_difference={"time": 1.5, "value": 120.0, "body": "Plate"})
+        summary["answers"] += ["lowest temperature 299.5 K (fall 200.5 K)", "largest difference of temperature within a body 120 K (Plate)"]
+        rows = extreme_rows(summary, history, self.folder)
+        self.assertEqual(rows[1:], [("smallest temperature", "299.5 K", "2.5 s", "(0, 3) mm"),
+                                    ("largest difference of temperature in a body at one time", "120 K", "1.5 s", "Plate")])
+        self.assertEqual(answers_without_peak(summary, rows), ["the run finished"])
         # Without a frame of that time the position is not known.
         self.assertEqual(extreme_rows({}, history, self.path("no"))[1], ("smallest temperature", "300 K", "2 s", "-"))
 
@@ -122,24 +129,27 @@ class Verdict(ToolTest):
     def test_largest_and_mean_are_of_the_same_nodes(self):
         """The largest G of the inner nodes stands next to their own mean, by the trapezoidal rule, not next to that of all nodes."""
         release = [90.0, 40.0, 20.0, 30.0, 80.0]
-        front = {"G_J": 42.5, "G_J_max": 90.0, "closest_to_initiation": 0.4, "closest_at_surface": 0.9,
-                 "front_nodes": {"G_J": release, "arc_length": [0.0, 2e-3, 4e-3, 6e-3, 8e-3], "line": [0] * 5}}
-        more = {"start_of_growth": {"toughness": 100.0, "load_factor": None}, "cells": {"smallest": 1e-3}}
-        # Two cells are 2 mm: the inner nodes are the second to the fourth, with the mean (30 + 25) / 2 = 27.5.
+        nodes = {"G_J": release, "arc_length": [0.0, 2e-3, 4e-3, 6e-3, 8e-3], "line": [0] * 5, "at_surface": [True, False, False, False, True]}
+        front = {"G_J": 42.5, "G_J_max": 90.0, "closest_to_initiation": 0.4, "closest_at_surface": 0.9, "front_nodes": nodes}
+        more = {"start_of_growth": {"toughness": 100.0, "load_factor": None}}
+        # The inner nodes are the second to the fourth, with the mean (30 + 25) / 2 = 27.5.
         self.assertIn("reached 0.4 of the toughness of 100 J/m², and their mean 0.275.", verdict(summary_of(front, **more)))
         # The largest values are not those of the end, or of other nodes: there is no such mean.
         for changed in ({"closest_to_initiation": 0.5}, {"closest_at_surface": 0.95}):
             self.assertNotIn("mean", verdict(summary_of(dict(front, **changed), **more)))
-        self.assertNotIn("mean", verdict(summary_of(front, **dict(more, cells={}))))
+        self.assertNotIn("mean", verdict(summary_of(dict(front, front_nodes={k: v for k, v in nodes.items() if k != "at_surface"}), **more)))
+        # At a plane of symmetry the last node is an inner one: the mean of the second to the last is (30 + 25 + 55) / 3.
+        mirrored = dict(nodes, at_surface=[True, False, False, False, False])
+        self.assertIn("and their mean 0.3667.", verdict(summary_of(dict(front, front_nodes=mirrored, closest_to_initiation=0.8), **more)))
         head, rows, _ = front_table(summary_of(front, **more))
         self.assertEqual([rows[0][head.index(f"largest G of {which} / toughness")] for which in ("an inner node", "a node at the surface")], ["0.4", "0.9"])
 
     def test_when_the_toughness_was_reached(self):
         """Between samples, by the root of G, which is in proportion to loads."""
-        def of(release, most=None, closest=4.0):
+        def of(release, most=None, closest=4.0, time=None):
             columns = {"time": np.arange(1.0, 1.0 + len(release)), "A.0.G_J": np.array(release)}
             columns.update({} if most is None else {"A.0.G_J_max": np.array(most)})
-            front = {"closest_to_initiation": closest, "G_J": release[-1]}
+            front = {"closest_to_initiation": closest, "G_J": release[-1], "time_of_toughness": time}
             return verdict(summary_of(front, start_of_growth={"toughness": 100.0, "load_factor": None}), History(columns))
 
         self.assertTrue(of([25.0, 400.0]).endswith(" G reached it at about t = 1.333 s (between the samples at 1 s and 2 s)."), of([25.0, 400.0]))
@@ -147,6 +157,9 @@ class Verdict(ToolTest):
         self.assertTrue(of([101.0, 400.0]).endswith("G exceeded it at the first sample, at t = 1 s, already."))
         self.assertTrue(of([400.0]).endswith("That is at t = 1 s, the only time that was computed."))
         self.assertNotIn("t =", of([25.0, 64.0], closest=0.64))  # a no has no time
+        # The program has it, without the nodes at the surface.
+        self.assertTrue(of([25.0, 400.0], time=1.25).endswith(" It reached it at about t = 1.25 s (between the samples at 1 s and 2 s)."))
+        self.assertTrue(of([101.0, 400.0], time=1.0).endswith(" It exceeded it at the first sample, at t = 1 s, already."))
 
     def test_a_crack_that_has_not_stopped(self):
         """Growth under given loads in equilibrium that ends with G above the toughness."""

@@ -356,6 +356,20 @@ TEST(CompareRuns, ExtrapolatesAPeakOfTemperature)
   EXPECT_NEAR(answer(comparison, "peak rise of temperature")["extrapolated"].get<double>(), 100.0, 1e-12);
 }
 
+/// Bodies that are only cooled: their fall, with an error of the first order: 200 - 8, 200 - 4.
+TEST(CompareRuns, JudgesTheFallOfBodiesThatAreCooled)
+{
+  RunResults one = ended(), other = ended();
+  one.summary["temperature"] = {{"peak_rise", -3.0}, {"largest_fall", 192.0}};
+  other.summary["temperature"] = {{"peak_rise", 0.1}, {"largest_fall", 196.0}};
+  const json cooled = compareRuns(one, other);
+  EXPECT_NEAR(answer(cooled, "largest fall of temperature")["extrapolated"].get<double>(), 200.0, 1e-12);
+  for (const json& each : cooled["answers"])
+    EXPECT_NE(each["name"], "peak rise of temperature");
+  other.summary["temperature"]["peak_rise"] = 50.0;
+  EXPECT_EQ(answer(compareRuns(one, other), "peak rise of temperature")["half"], 50.0);
+}
+
 /// A front that only one of them has, and runs with nothing to compare.
 TEST(CompareRuns, MissesNothing)
 {
