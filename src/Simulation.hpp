@@ -167,9 +167,9 @@ public:
   /// \param mostBodies that are in it: the first ones
   nlohmann::json report(std::size_t mostBodies = std::numeric_limits<std::size_t>::max()) const;
   /// Writes the current fields; the first call makes the files fields.h5 and fields.xdmf in the folder, or
-  /// continues them after restore(). Throws OutputError when they can't be written; the first call after
-  /// restore() also where fields.h5 exists and is damaged or of another run: later calls, or continueFields()
-  /// before it, replace it.
+  /// continues them after restore(); a call with another folder makes files there. Throws OutputError when
+  /// they can't be written; the first call after restore() also where fields.h5 exists and is damaged or of
+  /// another run: later calls, or continueFields() before it, replace it.
   void writeFields(const std::string& folder);
   /// After restore(): continues fields.h5 and fields.xdmf in the folder, and removes times later than the
   /// checkpoint; if the checkpoint had no fields, the files will be made anew. \return false where the files

@@ -141,6 +141,10 @@ public:
 
   void writeFields(const std::string& folder) override
   {
+    std::error_code none;
+    if (!fieldsIn_.empty() && asFirstRank(ranks(), !std::filesystem::equivalent(folder, fieldsIn_, none)))
+      writer_.reset();
+    fieldsIn_ = folder;
     if (!writer_ && !fieldsBefore_.empty())
       if (const std::string why = continueFields(folder);
           !why.empty() && asFirstRank(ranks(), std::filesystem::exists(folder + "/fields.h5")))
@@ -153,6 +157,7 @@ public:
 
   std::string continueFields(const std::string& folder) override
   {
+    fieldsIn_ = folder;
     return continueFiles(folder, ranks(), "fields", fieldsBefore_, writer_);
   }
 
@@ -381,6 +386,7 @@ private:
   std::unique_ptr<Run<D>> run_;
   std::set<std::string> balance_; ///< columns of the energy balance from effects
   std::unique_ptr<FieldWriter<D>> writer_;
+  std::string fieldsIn_; ///< folder of its files
   std::unique_ptr<FrontFiles> fronts_;
   Record fieldsBefore_; ///< state of the fields in a checkpoint, until they are continued
   Record frontsBefore_; ///< the same of the values along fronts

@@ -5,12 +5,10 @@
 #include "output/Summary.hpp"
 #include "parallel/FirstRank.hpp"
 
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace Rhegma::program
@@ -46,22 +44,6 @@ void writeCheckedState(const std::string& folder, Simulation& simulation, nlohma
   simulation.writeFields(folder);
   summary["loads"] = linesOf(loads);
   onFirstRank<OutputError>(ranks, [&] { writeSummary(summary, folder + "/check.json"); });
-}
-
-TemporaryFolder::TemporaryFolder()
-{
-  std::error_code error;
-  const std::filesystem::path around = std::filesystem::temp_directory_path(error);
-  path_ = (around / "rhegma-check-XXXXXX").string();
-  if (error || mkdtemp(path_.data()) == nullptr)
-    throw OutputError("no folder for temporary files can be made in " +
-                      (error ? std::string("the folder of TMPDIR") : around.string()));
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-  std::error_code error; // what can't be removed is left
-  std::filesystem::remove_all(path_, error);
 }
 
 } // namespace Rhegma::program

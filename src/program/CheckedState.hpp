@@ -18,20 +18,4 @@ namespace Rhegma::program
 void writeCheckedState(const std::string& folder, Simulation& simulation, nlohmann::json summary,
                        const std::string& loads, const Ranks& ranks);
 
-/// A folder for the files of this process, which is removed with all that is in it.
-class TemporaryFolder
-{
-public:
-  /// Throws OutputError where none can be made.
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::string& path() const { return path_; }
-
-private:
-  std::string path_;
-};
-
 } // namespace Rhegma::program

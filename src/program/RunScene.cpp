@@ -23,6 +23,7 @@
 #include "program/Production.hpp"
 #include "program/RunEnd.hpp"
 #include "program/ScenePicture.hpp"
+#include "program/ScratchFolder.hpp"
 #include "program/Templates.hpp"
 #include "program/Twice.hpp"
 #include "scene/FillFromLibrary.hpp"
@@ -308,11 +309,11 @@ int checkAndDraw(Options options, const Teuchos::RCP<Teuchos::ParameterList>& sc
                  std::ostream& out, std::ostream& err)
 {
   const Ranks ranks(world());
-  std::optional<TemporaryFolder> folder;
+  std::optional<ScratchFolder> folder;
   try
   {
     if (!options.picture.empty() && options.state.empty() && !ranks.many())
-      options.state = folder.emplace().path();
+      options.state = folder.emplace(ranks).path(); // empty: rhegma-plot asks the program for it
     const int code = checkScene(options, scene, start, out, err);
     out << std::flush; // before the output of the tool that draws
     return code == exitFinished && !options.picture.empty() ? drawScene(options, ranks, err) : code;

@@ -6,6 +6,7 @@
 #include "plan/KnownEffects.hpp"
 #include "program/Budget.hpp"
 #include "program/Intervals.hpp"
+#include "program/ScratchFolder.hpp"
 
 #include <Kokkos_Core.hpp>
 
@@ -13,9 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <filesystem>
 #include <numeric>
-#include <stdlib.h>
 #include <type_traits>
 #include <vector>
 
@@ -24,43 +23,6 @@ namespace Rhegma::program
 
 namespace
 {
-
-/// A folder of its own for files that are measured, removed with all that is in it.
-class ScratchFolder
-{
-public:
-  explicit ScratchFolder(const Ranks& ranks)
-  {
-    std::error_code none;
-    std::string pattern = (std::filesystem::temp_directory_path(none) / "rhegma-XXXXXX").string();
-    if (ranks.rank() == 0 && mkdtemp(pattern.data()) != nullptr)
-      path_ = pattern;
-    path_ = ranks.firstText(path_);
-  }
-  ~ScratchFolder()
-  {
-    std::error_code none;
-    if (!path_.empty())
-      std::filesystem::remove_all(path_, none);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  /// Empty where none can be made.
-  const std::string& path() const { return path_; }
-
-  double bytes() const
-  {
-    double sum = 0.0;
-    std::error_code none;
-    for (const auto& file : std::filesystem::directory_iterator(path_, none))
-      sum += static_cast<double>(file.file_size(none));
-    return sum;
-  }
-
-private:
-  std::string path_;
-};
 
 /// Linear systems of a load step and of the end of a run, where none was solved: those of most scenes.
 constexpr double usualSolves = 4.0, usualSolvesOfSearch = 10.0; // of one for a load factor
