@@ -155,7 +155,7 @@ const typename DrivingForces<D>::Fitted& DrivingForces<D>::tubesOf(const State<D
   const double cell = spacingAt(state, front.position);
   const auto around = [&]
   { return positionsAround(state, f, reachAround(own.release, own.intensity, own.cell)); };
-  // In equilibrium that costs little beside a solution.
+  // In equilibrium that costs little compared with a solution.
   const double keep = state.method.equilibrium() ? 0.0 : own.shrinks ? fitAgainNearSurface : fitAgainAfter<D>;
   if (largestMove<D>(own.at, around()) < keep * cell && (D == 3 || own.cell == cell))
     return own;

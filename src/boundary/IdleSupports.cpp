@@ -68,7 +68,7 @@ double farthest(const TimedConstraint<D>& timed, double end)
   return most * std::sqrt(square) * end / intervals;
 }
 
-/// Warns of a support that moves the surface of a body from a box that stays in place.
+/// Warns of a support that moves the surface of a body from a box that stays where it is.
 template <int D>
 void warnOfBoxLeftBehind(const TimedConstraint<D>& timed, double end, State<D>& state)
 {
@@ -80,8 +80,8 @@ void warnOfBoxLeftBehind(const TimedConstraint<D>& timed, double end, State<D>& 
     return;
   state.warnings.push_back(
       "Boundaries > " + timed.name +
-      ": its box contains nodes at the surface of a body, but no particle. So it stays in "
-      "place, while the body is to move by up to " +
+      ": its box contains nodes at the surface of a body, but no particle. So it stays "
+      "where it is, while the body is to move by up to " +
       readableLength(by) + " (" + formatShort(by / state.mesh.grid.spacing) +
       " cells): forces and displacements may be wrong. Extend the box by a cell into the "
       "body, so that both move together, or write Box Motion = Fixed");
