@@ -27,8 +27,8 @@ namespace
 /// Linear systems of a load step and of the end of a run, where none was solved: those of most scenes.
 constexpr double usualSolves = 4.0, usualSolvesOfSearch = 10.0; // of one for a load factor
 
-/// Linear systems for an increment of a front under loads that follow time: three for the increment, and three
-/// for the load step that leads to the next one. dcb_grips_static takes 6.2.
+/// Linear systems for an increment of a front under loads that follow time: three for the increment, and
+/// three for the load step that leads to the next one. dcb_grips_static takes 6.2.
 constexpr double usualSolvesOfIncrement = 6.0;
 
 /// Load steps that take longer, as a multiple of the time to measure, are not taken.
