@@ -27,7 +27,7 @@ View<double* [D + 1]> contoursOf(const std::vector<FrontSample<D>>& samples)
   std::size_t count = 0;
   for (const FrontSample<D>& sample : samples)
     count += sample.front.nodes.size();
-  const View<double * [D + 1]> contours("rhegma::energy_release::contours", count);
+  View<double * [D + 1]> contours("rhegma::energy_release::contours", count);
   const auto host = Kokkos::create_mirror_view(contours);
   std::size_t k = 0;
   for (const FrontSample<D>& sample : samples)
