@@ -25,10 +25,6 @@ namespace
 template <int D>
 constexpr double fitAgainAfter = D == 2 ? 1.0 : 0.9;
 
-/// The same where the tube became smaller the last time: the front comes near a surface, and a tube that
-/// reaches over it misses a part of J (a third of G was seen in the last three cells).
-constexpr double fitAgainNearSurface = 0.2;
-
 /// Positions of the nodes of a front, and of those of other fronts within a distance of its middle, one after
 /// the other [m]: a crack that comes near leaves less room for the tube of a front that does not move.
 template <int D>
@@ -155,16 +151,14 @@ const typename DrivingForces<D>::Fitted& DrivingForces<D>::tubesOf(const State<D
   const double cell = spacingAt(state, front.position);
   const auto around = [&]
   { return positionsAround(state, f, reachAround(own.release, own.intensity, own.cell)); };
-  // In equilibrium that costs little compared with a solution.
-  const double keep = state.method.equilibrium() ? 0.0 : own.shrinks ? fitAgainNearSurface : fitAgainAfter<D>;
+  // In equilibrium that costs little compared with a solution. A tube of an earlier front may reach over a
+  // surface that the front comes near, and then G was up to 25 % too small.
+  const double keep = state.method.equilibrium() ? 0.0 : fitAgainAfter<D>;
   if (largestMove<D>(own.at, around()) < keep * cell && (D == 3 || own.cell == cell))
     return own;
-  const double before = own.release.radii.outer;
   own.cell = cell;
   fitTubes(state, front, cell, own.release, own.intensity);
   own.at = around();
-  // More than the changes of a front along a surface, which are those of its own shape.
-  own.shrinks = own.release.radii.outer < before - 0.5 * fitAgainNearSurface * cell;
   return own;
 }
 
@@ -239,7 +233,6 @@ void DrivingForces<D>::serialize(Archive& archive)
     const Archive::Group group(archive, "tube " + std::to_string(k));
     archive("at", fitted_[k].at);
     archive("cell", fitted_[k].cell);
-    archive("shrinks", fitted_[k].shrinks);
     fitted_[k].release.store("release", archive);
     fitted_[k].intensity.store("intensity", archive);
   }

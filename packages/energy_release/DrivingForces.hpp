@@ -34,7 +34,6 @@ private:
     std::vector<double> at; ///< positions then of the front's nodes and of those of fronts near it [m]
     double cell = 0.0;      ///< edge of the cells there [m]
     FrontTube release, intensity;
-    bool shrinks = false;      ///< the last fit left less room than the one before
     BlocksInReach<D> blocks{}; ///< around the front
   };
   const Fitted& tubesOf(const State<D>& state, std::size_t front);
