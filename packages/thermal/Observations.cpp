@@ -110,10 +110,11 @@ void findDifference(const State<D>& state, Extremes<D>& found)
     found.difference = found.highest - found.lowest;
     return;
   }
-  const std::vector<double> most = rangesOfBodies(state);
+  std::vector<double> most = rangesOfBodies(state);
+  state.ranks.max(most.data(), static_cast<int>(most.size()));
   for (std::size_t b = 0; b < count; ++b)
   {
-    const double difference = state.ranks.max(most[b]) + state.ranks.max(most[count + b]);
+    const double difference = most[b] + most[count + b];
     if (difference > found.difference)
     {
       found.difference = difference;

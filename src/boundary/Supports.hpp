@@ -35,8 +35,7 @@ struct TimedConstraint
   /// Length by which the trailing edges of such a box lag behind, so that nodes on them are not lost with the
   /// first motion [m]
   double lag = 0.0;
-  /// Whether it is in motion by default but contains no particle to move with, so that its box stays in
-  /// place.
+  /// Whether the body leaves its box, though the scene does not say that the box is to stay (leavesBox).
   bool leftBehind = false;
   bool gridMoves = false; ///< whether all cells move with it, so that it holds the same nodes throughout
 
