@@ -12,6 +12,9 @@ LENGTHS = {"Lower Corner", "Upper Corner", "Cell Size", "Points", "Centre", "Rad
            "Corner", "Edge 1", "Edge 2", "Rotation Centre", "Bottom", "Top", "Inner Radius", "Outer Radius", "Radii",
            "Front Radius", "Initial Gap", "Ignition Point", "Ignition Lower Corner", "Ignition Upper Corner", "Semi-Axes"}
 
+# Units of the scenes, in SI units.
+UNITS = {"mm": 1e-3, "us": 1e-6, "ms": 1e-3, "g": 1e-3, "g/cm3": 1e3, "MPa": 1e6, "GPa": 1e9}
+
 
 def value_of(element):
     kind, text = element.get("type"), element.get("value")
@@ -23,12 +26,17 @@ def value_of(element):
 
 
 class FileScene(Scene):
-    """A scene of a file."""
+    """A scene of a file, with its numbers in SI units, so that they can be compared with each other and replaced."""
 
     def __init__(self, path):
         super().__init__()
         self.path = path
         self.root = read_xml(path, "scene")
+        for element in self.root.iter("Parameter"):
+            unit = element.attrib.pop("unit", None)
+            if unit is not None:
+                value = value_of(element)
+                self.put(element, [x * UNITS[unit] for x in value] if isinstance(value, list) else value * UNITS[unit])
 
     def has(self, place):
         return place in self
