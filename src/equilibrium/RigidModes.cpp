@@ -94,7 +94,8 @@ UnknownAt<D> largestOfRanks(const Ranks& ranks, double value, const UnknownAt<D>
 {
   if (!ranks.many())
     return own;
-  const bool has = own.number >= 0 && value == ranks.max(value);
+  const double largest = ranks.max(value); // by all, also by a rank that has none
+  const bool has = own.number >= 0 && value == largest;
   const double first = -ranks.max(has ? -static_cast<double>(ranks.rank()) : -ranks.size());
   double sent[2 + D] = {};
   if (first == ranks.rank())

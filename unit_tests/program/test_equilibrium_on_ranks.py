@@ -90,6 +90,17 @@ def growing(draw):
     return scene.set("Propagation", {"Toughness": 100.0, "Direction": "Straight", "Increment": draw.uniform(0.5, 1.0)})
 
 
+def apart(draw):
+    """Two free bodies, of which a rank may have one alone: the cracked plate, and a bar under tension."""
+    scene = cracked(draw).set("Domain > Upper Corner", [2.4, 1.2])
+    low, high = [1.5, draw.uniform(0.0, 0.2)], [1.5 + draw.uniform(0.4, 0.6), 0.9]
+    scene.set("Bodies > Bar", {"Material": "Polymer", "Shape": "Box", "Lower Corner": low, "Upper Corner": high})
+    for name, y, sign in (("Down", low[1], -1.0), ("Up", high[1], 1.0)):
+        scene.set(f"Boundaries > {name}", {"Type": "Traction", "Body": "Bar", "From": [low[0], y], "To": [high[0], y],
+                                           "Stress": [0.0, sign * 1e6]})
+    return scene
+
+
 def broken(draw, formulation):
     """A free plate with an inclined crack of broken cells; refined at its fronts where that is allowed."""
     scene = cracked(draw).set("Cracks > Formulation", formulation).set("Domain > Cell Size", 0.04)
@@ -204,6 +215,9 @@ class EquilibriumOnRanks(OnRanks):
 
     def test_cracks_in_refined_cells(self):
         self.agree_for(cracked)
+
+    def test_bodies_apart(self):
+        self.agree_for(apart)
 
     def test_three_dimensions(self):
         self.agree_for(block)
