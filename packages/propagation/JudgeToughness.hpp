@@ -109,7 +109,7 @@ void judgeBonds(const JudgedToughness<D>& judged, std::vector<std::string>& mess
   // Van der Waals solids take 0.05 J/m2 for two new surfaces, the toughest steels some 5e5 J/m2; of stiff
   // solids polyethylene has the largest Gc / E, 2e-5 m.
   const Elasticity& soft = judged.soft->moduli;
-  const bool stiffSolid = (judged.soft->linear || judged.soft->yield > 0.0) && soft.young > 1e9;
+  const bool stiffSolid = soft.young > 1e9; // no rubber has that
   const auto isTough = [&](double Gc) { return Gc > 2e6 || (stiffSolid && Gc > 5e-5 * soft.young); };
   if (judged.most < 0.05 || isTough(judged.atRest))
     messages.push_back(judged.where +

@@ -223,7 +223,10 @@ private:
       insideDomain<D>(whole.bounds());
       if (!hasSurface(whole))
         checks_.report(where_,
-                       "is fully cut away by its Operations, so nothing is left that could press; cut less.");
+                       tool_.isSublist("Operations")
+                           ? "is fully cut away by its Operations, so nothing is left that could "
+                             "press; cut less."
+                           : "has no surface, as its size is less than rounding; write a larger one.");
     }
     catch (const std::invalid_argument& error)
     {

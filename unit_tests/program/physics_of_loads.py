@@ -22,10 +22,16 @@ def support_away(scene, rng):
     return where("Boundaries", name) + FREE
 
 
+def farthest(scene):
+    """How far supports move bodies at most: to where there may be another boundary [m]."""
+    values = [scene.get(f"Boundaries > {n} > Value", [0.0]) for n in scene.boundaries("Velocity")]
+    return scene.get("Time > Final Time", 0.0) * max((abs(x) for v in values for x in v), default=0.0)
+
+
 def mirror_away(scene, rng):
     """a plane of symmetry lies next to the body"""
     names = scene.boundaries("Symmetry")
-    if not names or not scene.cell:
+    if not names or not scene.cell or farthest(scene) > 5 * scene.cell:
         return None
     scene.enlarge(12)
     name = rng.choice(names)
