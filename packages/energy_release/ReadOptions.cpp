@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "energy_release/FrontTube.hpp"
+#include "scene/FillFromIntensity.hpp"
 
 #include <algorithm>
 
@@ -24,6 +25,11 @@ void describeToughness(Section& s)
       .optional("no comparison")
       .meaning("Energy release rate at which the cracks would start. The summary then says how close they "
                "come to it; they do not grow. For cracks that grow see Propagation.");
+  s.real(criticalIntensity)
+      .unit("Pa m^0.5")
+      .positive()
+      .optional("Toughness")
+      .meaning(meaningOfCriticalIntensity);
   s.fromLibrary("Toughness From Library")
       .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
                "absent (docs/reference/materials.md).");

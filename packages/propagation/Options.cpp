@@ -4,6 +4,7 @@
 #include "material/RayleighSpeed.hpp"
 #include "material/StartOfGrowth.hpp"
 #include "plan/LastStage.hpp"
+#include "scene/FillFromIntensity.hpp"
 #include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
@@ -149,6 +150,11 @@ Section propagationSection()
                "increment: a number, an "
                "expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
                "500:200\". With Thermal the expression may contain the temperature T [K].");
+  s.real(criticalIntensity)
+      .unit("Pa m^0.5")
+      .positive()
+      .optional("Toughness")
+      .meaning(meaningOfCriticalIntensity);
   s.fromLibrary("Toughness From Library")
       .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
                "absent (docs/reference/materials.md).");

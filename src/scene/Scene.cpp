@@ -4,6 +4,7 @@
 #include "scene/Accuracy.hpp"
 #include "scene/ConvertUnits.hpp"
 #include "scene/CrossChecks.hpp"
+#include "scene/FillFromIntensity.hpp"
 #include "scene/FillFromLibrary.hpp"
 #include "scene/Overrides.hpp"
 #include "scene/ReadFile.hpp"
@@ -27,6 +28,7 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
   list.setName(schema.root().name);
   fillFromLibrary(list, schema, errors);
   convertUnits(list, schema, errors);
+  fillFromIntensity(list, schema, errors);
   chooseCells(list, schema, errors);
   Validation(dimensionOf(list), errors).check(list, schema.root(), "");
   deriveDefaults(list);

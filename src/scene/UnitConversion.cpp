@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
+#include "scene/RootUnit.hpp"
 #include "scene/UnitText.hpp"
 
 #include <algorithm>
@@ -209,6 +210,20 @@ std::string adviceOnUnits(const std::string& expected, const Measure& measure, T
   return "; write a unit such as " + (units.empty() ? expected : asText(units)) + ".";
 }
 
+/// The conversion to a unit with a root: that of their squares.
+UnitConversion conversionOfRoots(const std::string& given, const std::string& expected)
+{
+  const auto square = squareOfRoot(given);
+  const auto from = square ? unitSystem().measure(*square) : std::nullopt;
+  const auto to = unitSystem().measure(*squareOfRoot(expected));
+  if (!from || from->powers != to->powers || from->offset != 0.0)
+    throw std::invalid_argument("is given in \"" + given +
+                                "\", but it is a stress intensity; write a unit such as " + expected + ", M" +
+                                expected + " or N/mm^1.5.");
+  const double factor = std::sqrt(from->factor / to->factor);
+  return {asDecimal(factor, factor), 0.0};
+}
+
 /// A division and a product after it without parentheses: "W/m K" is W K/m.
 bool dividesOnlyPart(const std::string& unit)
 {
@@ -232,6 +247,8 @@ UnitConversion conversionOf(const std::string& given, const std::string& expecte
   const auto to = unitSystem().measure(expected);
   if ((!to || hasRoot(expected)) && given == expected)
     return {1.0, 0.0};
+  if (hasRoot(expected) && squareOfRoot(expected))
+    return conversionOfRoots(given, expected);
   if (!to || hasRoot(expected))
     throw std::invalid_argument("is given in " + given + ", but its unit " + expected +
                                 " is not converted; write its numbers in that unit and leave the unit out.");
@@ -262,7 +279,8 @@ UnitConversion conversionOf(const std::string& given, const std::string& expecte
 bool isConvertible(const std::string& unit)
 {
   const std::lock_guard<std::mutex> lock(unitMutex());
-  return !hasRoot(unit) && unitSystem().measure(unit).has_value();
+  const auto square = squareOfRoot(unit);
+  return hasRoot(unit) ? square && unitSystem().measure(*square) : unitSystem().measure(unit).has_value();
 }
 
 } // namespace Rhegma

@@ -129,9 +129,10 @@ std::string mistakeInUnitText(const std::string& given, const std::string& expec
            expected + ".";
   if (hasRoot(given))
     return start + ", a unit with a root, which this parameter does not have; " +
-           (expected == "J/m2" ? "a toughness K is given as the energy Gc = K^2 / E in plane stress, "
-                                 "K^2 (1 - nu^2) / E in plane strain, in J/m2."
-                               : "write a unit such as " + expected + ".");
+           (expected == "J/m2"
+                ? "a critical stress intensity is the parameter K_Ic; as an energy in J/m2 it is "
+                  "K^2 / E in plane stress, K^2 (1 - nu^2) / E in plane strain."
+                : "write a unit such as " + expected + ".");
   for (const char c : given)
     if (!isLetter(c) && !isDigit(c) && std::string(" .*/^-()%").find(c) == std::string::npos)
       return start + ", which is no unit; write one such as " + expected + ".";

@@ -77,6 +77,17 @@ const std::vector<Known> table = {
     {"kN", "N", 1e3},
     {"mPa s", "Pa s", 1e-3},
     {"cm3/kg", "m3/kg", 1e-6},
+    // With a root: Pa m^0.5 = N m^-1.5, so that N mm^-1.5 is 1000^1.5 of it.
+    {"MPa m^0.5", "Pa m^0.5", 1e6},
+    {"MPa m^(1/2)", "Pa m^0.5", 1e6},
+    {"MPa*m**0.5", "Pa m^0.5", 1e6},
+    {"MPa sqrt(m)", "Pa m^0.5", 1e6},
+    {"MPa\xE2\x88\x9Am", "Pa m^0.5", 1e6},
+    {"m^0.5 kPa", "Pa m^0.5", 1e3},
+    {"MPa mm^0.5", "Pa m^0.5", 1e6 * std::sqrt(1e-3)},
+    {"N/mm^1.5", "Pa m^0.5", std::pow(1e3, 1.5)},
+    {"N/(mm^2) mm^0.5", "Pa m^0.5", std::pow(1e3, 1.5)},
+    {"psi inch^0.5", "Pa m^0.5", 0.45359237 * 9.80665 / (0.0254 * 0.0254) * std::sqrt(0.0254)},
 };
 
 /// The reason for which a unit is refused; empty if it is not.
@@ -134,6 +145,14 @@ TEST(Units, HaveTheFactorsOfTheirDefinitions)
     EXPECT_NEAR(conversion(x), x * known.factor, few * std::fabs(x * known.factor))
         << known.unit << " of " << x;
   }
+}
+
+TEST(Units, OfStressIntensityAreOfThatAlone)
+{
+  for (const char* unit : {"MPa", "MPa m", "J/m2", "MPa m^0.6", "MPa mm^1.5", "MPa s^0.5", "m^0.5",
+                           "MPa m^0.5 m^0.5", "m^0.5/MPa", "MPa/m^0.5", "Pa^0.5 m", "MPa sqrt m", "MPa^1.5"})
+    expectReason(unit, "Pa m^0.5", {"stress intensity", "MPa m^0.5"});
+  expectReason("MPa m^0.5", "J/m2", {"K_Ic", "K^2 (1 - nu^2) / E"});
 }
 
 TEST(Units, OfPowersOfTenGiveTheNumberThatIsWrittenInSi)

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""K_Ic instead of Toughness: the same as the toughness that follows from it by hand."""
+
+import json
+import os
+import random
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import ProgramTest, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
+
+SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
+YOUNG, POISSON = 3e9, 0.33  # of the plate
+
+
+def modulus(plane):
+    return YOUNG if plane == "Stress" else YOUNG / (1.0 - POISSON**2)
+
+
+class CriticalIntensity(ProgramTest):
+    def run_scene(self, scene, name):
+        answer = rhegma(self.write(name + ".xml", scene.text()), "--output", self.path(name))
+        self.assertEqual(answer.status, 0, answer)
+        with open(self.path(name, "summary.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    def held(self, plane, value):
+        """A crack that can't grow, with a toughness in the form of a parameter and its value."""
+        scene = plate().set("Domain > Plane", plane)
+        scene.set("Time", {"Analysis": "Static", "Final Time": 1.0, "Rigid Modes": "Remove"})
+        scene.set("Boundaries > Back", {"Type": "Traction", "Body": "Plate", "From": [0.0, 1.0], "To": [0.0, 0.0],
+                                        "Stress": [-1e5, 0.0]})
+        scene.set("Cracks > Notch > Points", [0.3, 0.3, 0.6, 0.7])
+        return scene.set(f"Energy Release > {value[0]}", value[1])
+
+    def test_held_cracks(self):
+        draw = random.Random(SEED)
+        for plane in ("Strain", "Stress"):
+            K = draw.uniform(1e4, 1e6)
+            with self.subTest(plane, K=K, seed=SEED):
+                toughness = K**2 / modulus(plane)
+                by_energy = self.run_scene(self.held(plane, ("Toughness", toughness)), plane + "_energy")
+                by_intensity = self.run_scene(self.held(plane, ("K_Ic", K)), plane + "_intensity")
+                fronts = [s["cracks"][0]["fronts"][0] for s in (by_energy, by_intensity)]
+                self.assertGreater(fronts[0]["G_J"], 0.0)
+                self.assertAlmostEqual(fronts[0]["G_J"], fronts[1]["G_J"], delta=1e-12 * fronts[0]["G_J"])
+                self.assertEqual(fronts[0].keys(), fronts[1].keys())
+                given = [s["start_of_growth"]["toughness"] for s in (by_energy, by_intensity)]
+                self.assertAlmostEqual(given[1] / toughness, 1.0, delta=1e-12)
+                self.assertEqual(given[0], toughness)
+
+    def test_growth(self):
+        """The crack of a strip that runs: the same length at the same times."""
+        K = random.Random(SEED).uniform(1e4, 2e4)
+        runs = []
+        for name, value in (("energy", ("Toughness", repr(K**2 / modulus("Strain")))), ("intensity", ("K_Ic", K))):
+            scene = plate().set("Time > Final Time", 1.5e-3).set("Propagation", {value[0]: value[1]}).set("Energy Release", {})
+            scene.set("Cracks > Notch > Points", [0.5, 0.0, 0.5, 0.4])
+            scene.set("Boundaries > Left", {"Type": "Traction", "Body": "Plate", "From": [0.0, 1.0], "To": [0.0, 0.0],
+                                            "Stress": [-1e5, 0.0]})
+            runs.append(self.run_scene(scene, name)["cracks"][0]["fronts"][0])
+        self.assertGreater(runs[0]["increments"], 3)
+        for quantity in ("length", "initiated", "last_advance"):
+            self.assertAlmostEqual(runs[0][quantity] / runs[1][quantity], 1.0, delta=1e-9)
+
+    def refused(self, changes, *pieces):
+        scene = plate()
+        for place, value in changes.items():
+            scene.set(place, value)
+        answer = rhegma(self.write("wrong.xml", scene.text()), "--check", "--quiet")
+        self.assertEqual(answer.status, 1, answer)
+        for piece in pieces:
+            self.assertIn(piece, answer.messages)
+
+    def test_mistakes(self):
+        K = {"Energy Release > K_Ic": 1e6}
+        self.refused({**K, "Energy Release > Toughness": 100.0}, "Energy Release > K_Ic", "keep one of the two")
+        self.refused({**K, "Energy Release > Toughness From Library": "PMMA"}, "Energy Release > K_Ic", "keep one of the two")
+        self.refused({"Energy Release > K_Ic": -1e6}, "Energy Release > K_Ic: is -1000000", "above 0")
+        steel = {"Model": "Linear Elastic", "Density": 7800.0, "Young Modulus": 2e11, "Poisson Ratio": 0.3}
+        self.refused({**K, "Materials > Steel": steel}, "Materials > Polymer (E' = ", "and Steel", "write Toughness")
+        warm = {"Thermal": {"Initial Temperature": 300.0}, "Materials > Polymer > Specific Heat": 1400.0,
+                "Materials > Polymer > Young Modulus": "300:3e9, 400:2e9"}
+        self.refused({**K, **warm}, "Materials > Polymer", "depend on temperature", "write Toughness")
+        # An error of a material is the only one that is reported.
+        self.refused({**K, "Materials > Polymer > Poisson Ratio": 0.7}, "Materials > Polymer > Poisson Ratio")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
