@@ -52,7 +52,8 @@ template <int D>
 KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, FrontLaw law)
 {
   if (!hasFrontCell<D>(steepest, law))
-    return steepest > springs::alongTheCells ? -springs::splitBehindAligned : springs::splitAheadInclined;
+    return steepest > springs::alongTheCells && !(D == 2 && law.ofCells) ? -springs::splitBehindAligned
+                                                                         : springs::splitAheadInclined;
   if (law.unlimited)
     return (frontCell::unlimited::lag + frontCell::unlimited::lagTurned * (1.0 - steepest)) / steepest;
   const double middle = std::fmax(0.0, 2.0 * std::fmin(away, 1.0 - away));

@@ -128,7 +128,7 @@ struct Parts
     // springs.
     const RunOptions& motion = options.ofMotion();
     surroundings.law.ofCells =
-        !(motion.growth && moves) && motion.fieldsConduct && (!motion.contact || !moves);
+        motion.fieldsConduct && (!motion.contact || !moves);
   }
 };
 

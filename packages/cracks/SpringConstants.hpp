@@ -15,9 +15,9 @@ constexpr double distanceOffset = 0.05;
 /// and the node is closed. Where no spring is limited, a node with one of this xi is as good as closed.
 constexpr double leastOfLimited = 0.05, leastOfUnlimited = 0.003;
 
-/// Where nodes open, except along the cells in 2D [cells]: crack closure wants a node at a front along the
-/// cells (within five degrees) closed; at an angle, nodes open a little before the front passes them, which
-/// measures better.
+/// Where nodes open, except along the cells in 2D [cells]. At an angle, nodes open a little before the front
+/// passes them, which measures better; within five degrees of the cells that is so in 2D alone. In 3D, and
+/// where faces touch in motion, a node at such a front is closed.
 constexpr double splitBehindAligned = 0.02, splitAheadInclined = 0.03;
 constexpr double alongTheCells = 0.99619; ///< cosine of five degrees
 constexpr double onTheCells = 0.9999985;  ///< cosine of a tenth of a degree

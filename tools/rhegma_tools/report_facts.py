@@ -127,8 +127,12 @@ def certainty(summary):
     errors = [front["G_J_error_estimate"] / abs(front["G_J"]) for _, _, front in all_fronts(summary)
               if is_number(front.get("G_J_error_estimate")) and is_number(front.get("G_J")) and front["G_J"]]
     reasons = {str(front["no_error_estimate"]) for _, _, front in all_fronts(summary) if front.get("no_error_estimate")}
+    largest = [front["G_J_extremes_error_estimate"] / front["G_J_max"] for _, _, front in all_fronts(summary)
+               if is_number(front.get("G_J_extremes_error_estimate")) and is_number(front.get("G_J_max")) and front["G_J_max"] > 0.0]
     if errors:
-        found.append(("Numerical error of G", f"estimated, at most {100 * max(errors):.2g} % ({len(errors)} front{'' if len(errors) == 1 else 's'})"))
+        nodes = f", of the largest G along a front at most {100 * max(largest):.2g} %" if largest else ""
+        found.append(("Numerical error of G", f"estimated, at most {100 * max(errors):.2g} %{nodes} ({len(errors)} front{'' if len(errors) == 1 else 's'}). "
+                                              "Nine of ten true errors should be less"))
     if reasons:
         found.append(("No estimate of errors", "; ".join(sorted(reasons)[:4]) + ". rhegma --twice shows how far results move with the cell size"))
     residual, supplied = (summary.get("energy") or {}).get("residual"), summary.get("largest_energy_supplied")

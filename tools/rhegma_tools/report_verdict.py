@@ -113,8 +113,15 @@ def growth_of(grown, count, summary=None):
     return "; ".join(texts) + more + (f" ({len(grown)} of {count} fronts grew)" if count > 1 else "")
 
 
+def has_larger_node(front):
+    """Whether a front is one in 3D, of which the node with the largest G is compared with the toughness, not the mean."""
+    return is_number(front.get("G_J")) and is_number(front.get("G_J_max")) and front["G_J_max"] > front["G_J"]
+
+
 def relative_error(front):
-    """Estimated relative error of G of a front; None where not known."""
+    """Estimated relative error of the G of a front that is compared with the toughness, in 3D of its largest node; None where not known."""
+    if has_larger_node(front) and is_number(front.get("G_J_extremes_error_estimate")) and front["G_J_max"] > 0.0:
+        return front["G_J_extremes_error_estimate"] / front["G_J_max"]
     if is_number(front.get("G_J_error_estimate")) and is_number(front.get("G_J")) and front["G_J"] > 0.0:
         return front["G_J_error_estimate"] / front["G_J"]
     return None
@@ -142,6 +149,12 @@ def of_load_factor(fronts, start, grown):
     return f"{decided}, at the given loads: cracks start at {short(factor)}{estimate} times these loads{how}.{followed}"
 
 
+def load_reached(front):
+    """The largest part of the load of growth that a front has had, by G or by the largest hoop stress."""
+    parts = front.get("closest_to_initiation"), front.get("closest_by_hoop_stress")
+    return max(max(parts[0], 0.0) ** 0.5 if is_number(parts[0]) else 0.0, parts[1] if is_number(parts[1]) else 0.0)
+
+
 def of_no_growth(summary, fronts):
     """Of a scene with a toughness in which no front grew."""
     until = "" if went_to_its_end(summary) else EARLY
@@ -151,10 +164,15 @@ def of_no_growth(summary, fronts):
         return (f"By the largest hoop stress yes, by G no: K of the largest hoop stress reached {short(max(hoop), 3)} times the toughness, G at most "
                 f"{short(max(release, default=0.0), 3)} of it. With shear the crack starts at the lower of both loads.")
     reached = f"; G reached at most {max(release):.3g} of the initiation toughness" if release else ""
+    if max(hoop, default=0.0) * HOOP > max([0.0, *release]) ** 0.5:
+        reached += f", and K of the largest hoop stress {max(hoop):.3g} of that of the toughness"
     for _, _, front in fronts:
-        error, part = relative_error(front), front.get("closest_to_initiation")
-        if error is not None and is_number(part) and part * (1.0 + error) >= 1.0:
+        error, loads = relative_error(front), load_reached(front)
+        if error is not None and loads * (1.0 + 0.5 * error) >= 1.0:
             return f"Not certain{until}: no front grew{reached}, and the estimated error of G is {100.0 * error:.2g} %."
+        if error is None and loads >= 1.0 - UNKNOWN:
+            return (f"Not certain{until}: no front grew{reached}, and the error of G is not known (less than {100.0 * UNKNOWN:g} % of the load counts "
+                    "as near).")
     return f"No{until}: no front grew{reached}."
 
 
@@ -164,14 +182,9 @@ def unusable(entry):
             "It can't be used; the warnings say what to change.")
 
 
-def has_larger_node(front):
-    """Whether a front is one in 3D, of which the node with the largest G is compared with the toughness, not the mean."""
-    return is_number(front.get("G_J")) and is_number(front.get("G_J_max")) and front["G_J_max"] > front["G_J"]
-
-
-def at_surface(start, fronts, denies):
+def at_surface(start, fronts, below):
     """Which nodes are compared with the toughness where those near the surface are left out, and what these say where they are closer to growth.
-    denies: the answer is no"""
+    below: the inner nodes are below the toughness"""
     if not any(leaves_out(front) for _, _, front in fronts):
         return ""
     inside = max((front["closest_to_initiation"] for _, _, front in fronts if is_number(front.get("closest_to_initiation"))), default=0.0)
@@ -182,7 +195,7 @@ def at_surface(start, fronts, denies):
     text += f": they reached {short(surface)}"
     if is_number(start.get("load_factor_at_surface")):
         text += f", which is {short(start['load_factor_at_surface'])} times the loads"
-    return text + ("; by them the crack would grow, so use smaller cells to decide." if denies and surface >= 1.0 else ".")
+    return text + ("; by them the crack grows: smaller cells decide." if below and surface >= 1.0 else ".")
 
 
 def what_reached(entry, toughness):
@@ -210,7 +223,8 @@ def of_comparison(summary, fronts, history=None):
     hoop = max((front["closest_by_hoop_stress"] for _, _, front in fronts if is_number(front.get("closest_by_hoop_stress"))), default=0.0)
     reached = max(release ** 0.5, hoop)  # of the load
     wide = UNKNOWN if error is None else 0.5 * error
-    near = abs(reached - 1.0) <= wide * max(reached, 1.0)
+    surface = max((front["closest_at_surface"] for _, _, front in fronts if leaves_out(front) and is_number(front.get("closest_at_surface"))), default=0.0)
+    near = abs(reached - 1.0) <= wide * max(reached, 1.0) or (reached < 1.0 <= surface)
     decided = "Not certain" if near else "Yes" if reached > 1.0 else "No"
     how = f", and K of the largest hoop stress {short(hoop)} of that of the toughness" if hoop * HOOP > release ** 0.5 else ""
     toughness = start["toughness"]
@@ -222,7 +236,7 @@ def of_comparison(summary, fronts, history=None):
     if is_number(start.get("load_factor")):
         estimate = "" if error is None else f" ± {50.0 * error:.2g} %"
         text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of the scene."
-    return text + at_surface(start, fronts, decided.startswith("No") and not decided.startswith("Not"))
+    return text + at_surface(start, fronts, reached < 1.0)
 
 
 def of_no_toughness(fronts):

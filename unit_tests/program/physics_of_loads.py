@@ -90,7 +90,7 @@ def heavy_loads(scene, rng):
 
 def nothing_acts(scene, rng):
     """nothing loads or moves the bodies"""
-    if not scene.moves() or any(scene.has(s) for s in ("Thermal", "Combustion", "Face Pressure")):
+    if not scene.moves() or any(scene.has(s) for s in ("Thermal", "Combustion", "Face Pressure", "Rigid Tools")):
         return None
     for name in scene.lists("Boundaries"):
         if scene.get(f"Boundaries > {name} > Type") != "Symmetry":

@@ -81,7 +81,7 @@ def senseless_number(scene, rng):
 
 def damping_by_pic(scene, rng):
     """PIC damps waves"""
-    if not scene.moves() or scene.has("Mass Matrix"):
+    if not scene.moves() or any(scene.has(s) for s in ("Mass Matrix", "Body Contact", "Rigid Tools")):
         return None
     scene.set("Time > PIC Fraction", rng.uniform(0.5, 1.0))
     return where("Time", "PIC Fraction")

@@ -7,7 +7,7 @@ from physics_of_bodies import cracked_box
 
 
 # Sections that move bodies, or hold pieces of them together.
-DRIVEN = ("Thermal", "Combustion", "Face Pressure", "Contact")
+DRIVEN = ("Thermal", "Combustion", "Face Pressure", "Contact", "Body Contact", "Rigid Tools")
 
 
 def alone(scene):

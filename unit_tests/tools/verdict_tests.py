@@ -123,7 +123,8 @@ class Verdict(ToolTest):
                          "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Cracks start at 1.25 times the "
                          "loads and prescribed displacements of the scene. Inner nodes are two cells or more from the surface; at the others G depends on the "
                          "cells: they reached 0.81, which is 1.111 times the loads.")
-        self.assertTrue(of(0.64, 1.2).endswith("they reached 1.2; by them the crack would grow, so use smaller cells to decide."))
+        self.assertTrue(of(0.64, 1.2).startswith("Not certain: "), of(0.64, 1.2))
+        self.assertTrue(of(0.64, 1.2).endswith("they reached 1.2; by them the crack grows: smaller cells decide."))
         self.assertTrue(of(4.0, 5.0).startswith("Yes") and of(4.0, 5.0).endswith("they reached 5."))
 
     def test_largest_and_mean_are_of_the_same_nodes(self):
@@ -214,7 +215,17 @@ class Verdict(ToolTest):
         self.assertEqual(verdict(summary_of({"initiated": None}, propagation={})), "No: no front grew.")
         # With shear the crack starts though G is below the toughness.
         self.assertTrue(verdict(summary_of(dict(front, closest_by_hoop_stress=1.2), propagation={})).startswith("By the largest hoop stress yes"))
-        self.assertTrue(verdict(summary_of(dict(front, closest_by_hoop_stress=0.99), propagation={})).startswith("No"))
+        self.assertTrue(verdict(summary_of(dict(front, closest_by_hoop_stress=0.94), propagation={})).startswith("No: "))
+        # Without an estimate five percent of the load count as near, which are ten of G.
+        for known, text in ((dict(front, closest_by_hoop_stress=0.96), "0.96 of that of the toughness, and the error of G is not known"),
+                            (dict(front, closest_to_initiation=0.91), "at most 0.91 of the initiation toughness, and the error of G is not known")):
+            self.assertTrue(verdict(summary_of(known, propagation={})).startswith("Not certain: "))
+            self.assertIn(text, verdict(summary_of(known, propagation={})))
+        self.assertTrue(verdict(summary_of(dict(front, closest_to_initiation=0.90), propagation={})).startswith("No: "))
+        # In 3D the error is that of the largest node, which is compared.
+        along = dict(front, closest_to_initiation=0.978, G_J=40.0, G_J_max=50.0, G_J_error_estimate=0.4, G_J_extremes_error_estimate=1.5)
+        self.assertTrue(verdict(summary_of(along, propagation={})).startswith("Not certain: "))
+        self.assertTrue(verdict(summary_of(dict(along, G_J_extremes_error_estimate=0.5), propagation={})).startswith("No: "))
 
     def test_load_factor(self):
         """The factor of the given loads decides, not that the run followed growth; the lower of both criteria; within its error it does not."""
