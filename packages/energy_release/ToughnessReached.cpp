@@ -25,6 +25,10 @@ double hoopIntensity(double release, double modeI, double modeII)
 
 constexpr double leastEffect = 1.005; ///< on a load that is worth a word
 
+/// Least root of G/Gc that says something of the loads at which a crack starts. That of a crack which is
+/// pressed shut is what is left of the forces by the solver, 1e-8 of them or less.
+constexpr double leastFraction = 1e-6;
+
 /// How close a front came to its start, as text.
 std::string reachedAsText(double release, double intensity, double toughness)
 {
@@ -155,7 +159,7 @@ ToughnessReached::Factors ToughnessReached::report(const State<D>& state, const 
         frontName(state.cracks, front) + ": " + reachedAsText(release, intensity, toughness_) +
         surfaceAsText(release, atSurface) + (timed ? start.asText() : std::string()));
   }
-  const bool scales = isProportional(state, run) && most > 0.0;
+  const bool scales = isProportional(state, run) && most > leastFraction;
   // Static loads rise in proportion to the time.
   const double part = state.clock.finalTime > 0.0 ? state.clock.time / state.clock.finalTime : 1.0;
   summary["start_of_growth"] = {{"toughness", toughness_},

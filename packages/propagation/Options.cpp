@@ -111,6 +111,36 @@ void addRules(Section& s)
            "the toughness without T");
 }
 
+void addToughness(Section& s)
+{
+  s.text("Toughness")
+      .unit("J/m2")
+      .notEmpty()
+      .meaning("Fracture energy per area Gc as a function of the front speed v [m/s], that of a single "
+               "increment: a number, an "
+               "expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
+               "500:200\". With Thermal the expression may contain the temperature T [K].");
+  s.real(criticalIntensity)
+      .unit("Pa m^0.5")
+      .positive()
+      .optional("Toughness")
+      .meaning(meaningOfCriticalIntensity);
+  s.fromLibrary("Toughness From Library")
+      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
+               "absent (docs/reference/materials.md).");
+  s.real("Initiation Toughness")
+      .unit("J/m2")
+      .positive()
+      .optional("Toughness at v = 0")
+      .meaning("Energy release rate at which a stationary front starts to advance.");
+  s.real("Arrest Toughness")
+      .unit("J/m2")
+      .positive()
+      .optional("Toughness at v = 0")
+      .meaning("Energy release rate below which a slow front is arrested. It starts again at Initiation "
+               "Toughness.");
+}
+
 void addLoadControlAndStart(Section& s)
 {
   s.choice("Load Control", {"Load Factor", "Functions of Time"})
@@ -143,32 +173,7 @@ Section propagationSection()
 {
   Section s("Propagation",
             "Crack propagation: fronts advance when the energy release rate reaches the toughness.");
-  s.text("Toughness")
-      .unit("J/m2")
-      .notEmpty()
-      .meaning("Fracture energy per area Gc as a function of the front speed v [m/s], that of a single "
-               "increment: a number, an "
-               "expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
-               "500:200\". With Thermal the expression may contain the temperature T [K].");
-  s.real(criticalIntensity)
-      .unit("Pa m^0.5")
-      .positive()
-      .optional("Toughness")
-      .meaning(meaningOfCriticalIntensity);
-  s.fromLibrary("Toughness From Library")
-      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
-               "absent (docs/reference/materials.md).");
-  s.real("Initiation Toughness")
-      .unit("J/m2")
-      .positive()
-      .optional("Toughness at v = 0")
-      .meaning("Energy release rate at which a stationary front starts to advance.");
-  s.real("Arrest Toughness")
-      .unit("J/m2")
-      .positive()
-      .optional("Toughness at v = 0")
-      .meaning("Energy release rate below which a slow front is arrested. It starts again at Initiation "
-               "Toughness.");
+  addToughness(s);
   s.choice("Direction", {"Maximum Hoop Stress", "Maximum Energy Release", "Straight"})
       .byDefault("Maximum Hoop Stress")
       .meaning("Direction of growth: of maximum hoop stress, of maximum energy release rate of a short kink, "

@@ -144,6 +144,25 @@ void warnOfStickSlip(const State<D>& state, const CrackFront<D>& front, const Fr
         "(--twice), or let it grow in equilibrium (Time > Analysis = Quasi-Static)");
 }
 
+/// Warns of a front that runs at its speed limit: the limit determines its speed, not the toughness.
+template <int D>
+void warnOfSpeedLimit(const State<D>& state, const CrackFront<D>& front, const FrontState<D>& own,
+                      const Options& options, nlohmann::json& summary)
+{
+  constexpr double asFast = 0.98; // of the limit; what runs more slowly is determined by the toughness
+  const double speed = own.settledSpeed();
+  if (options.equilibrium || !(own.speedLimit > 0.0) || !(speed >= asFast * own.speedLimit))
+    return;
+  summary["warnings"].push_back(
+      frontName(state.cracks, front) + ": it ran at " + formatShort(speed) + " m/s, its speed limit (" +
+      (options.speedLimit > 0.0 ? "Propagation > Speed Limit" : "the speed of Rayleigh waves") +
+      "), where G exceeds the toughness at any speed: the limit determines how fast and how far it runs. "
+      "Cracks in "
+      "brittle solids branch above about half the speed of Rayleigh waves; write a Toughness that rises with "
+      "the "
+      "speed v");
+}
+
 /// The path of a front with one node.
 void reportPath(const CrackFront<2>& front, const FrontState<2>& own, const Options& options,
                 nlohmann::json& entry)
@@ -276,6 +295,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     const std::vector<CrackRun> runs = reportFront(state, front, own, end, options, entry);
     compareContours(name, own.contours, summary);
     warnOfStickSlip(state, front, own, options, summary);
+    warnOfSpeedLimit(state, front, own, options, summary);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
     if (moved && options.equilibrium && !stopped)
       summary["answers"].push_back(name + ": " + growthAsText(front, holdAsText(options, entry)) +
