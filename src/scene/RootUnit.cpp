@@ -1,6 +1,7 @@
 #include "scene/RootUnit.hpp"
 
 #include "base/Numbers.hpp"
+#include "scene/UnitText.hpp"
 
 #include <regex>
 
@@ -34,7 +35,7 @@ std::optional<Divided> divide(const std::string& unit)
 std::optional<std::string> squareOfRoot(const std::string& unit)
 {
   const auto divided = divide(trimmed(unit));
-  if (!divided)
+  if (!divided || hasRoot(divided->before) || hasRoot(divided->after))
     return {};
   std::string before = trimmed(divided->before), after = trimmed(divided->after);
   const bool divisor = !before.empty() && before.back() == '/';

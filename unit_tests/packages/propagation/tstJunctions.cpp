@@ -68,12 +68,12 @@ double momentum(const State<2>& state, int axis, const Part& part)
   return sum;
 }
 
-/// Force on such a part over 20 us, from 15 us on when its faces are open [N].
+/// Force on such a part over 20 us, from when its faces are open [N]. \param open how long that takes [s]
 template <class Part>
-double forceOn(Rhegma::Run<2>& run, int axis, const Part& part)
+double forceOn(Rhegma::Run<2>& run, int axis, double open, const Part& part)
 {
   const State<2>& state = run.state();
-  for (const double joined = state.clock.time; state.clock.time < joined + 1.5e-5;)
+  for (const double joined = state.clock.time; state.clock.time < joined + open;)
     run.step(1.0, false);
   const double begin = state.clock.time, before = momentum(state, axis, part);
   while (state.clock.time < begin + 2e-5)
@@ -130,7 +130,7 @@ TEST(Junctions, PieceThatIsCutOutIsFree)
   Piece piece = runWall(cutACorner);
   ASSERT_GE(piece.joined, 0.0);
   const double load = -pull * 20.0 * cell,
-               force = forceOn(piece.run, 0, [](double x, double y) { return x < wall && y < roof; });
+               force = forceOn(piece.run, 0, 1.5e-5, [](double x, double y) { return x < wall && y < roof; });
   std::cout << "force on the piece " << force / load << " of the load on its edge\n";
   // A cell of material at the junction would transmit up to a twentieth.
   EXPECT_NEAR(force / load, 1.0, 0.02);
@@ -197,9 +197,12 @@ TEST(Junctions, FrontsThatMeetPartThePlate)
     EXPECT_TRUE(front.ended);
     EXPECT_NEAR(front.position[0], 15e-3, 0.1 * cell);
   }
-  const double load = pull * size, force = forceOn(piece.run, 1, [](double, double y) { return y > roof; });
+  // The halves part along the whole plate, and waves come and go: up to 100 us the force swings by up to a
+  // tenth. A cell of material would hold them for good.
+  const double load = pull * size,
+               force = forceOn(piece.run, 1, 1e-4, [](double, double y) { return y > roof; });
   std::cout << "force on the upper half " << force / load << " of the load on its edge\n";
-  EXPECT_NEAR(force / load, 1.0, 0.02);
+  EXPECT_NEAR(force / load, 1.0, 1e-3);
 }
 
 /// A crack ends on the first of two cracks in its path, though the second is nearer.
