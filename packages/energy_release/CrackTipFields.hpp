@@ -28,62 +28,88 @@ public:
   /// \param r distance from the tip [m], not zero \param theta angle from the direction, -pi and pi on the
   /// faces
   KOKKOS_INLINE_FUNCTION TipPosition(double r, double theta, const CrackCompliance& material)
-      : at_(material), r_(r), size_(1.0 / std::sqrt(8.0 * std::atan(1.0) * r)), s_(std::sin(theta))
+      : at_(material), r_(r), size_(1.0 / std::sqrt(8.0 * std::atan(1.0) * r))
   {
-    const double c = std::cos(theta);
-    // Around the tip the square root goes on where the angle passes pi.
-    const double sign = std::fabs(theta) > 4.0 * std::atan(1.0) ? -1.0 : 1.0;
-    for (int j = 0; j < 2; ++j)
-      root_[j] = sign * Kokkos::sqrt(onFace(c + s_ * at_.root[j], theta));
+    const double c = std::cos(theta), s = std::sin(theta);
+    const Complex m1 = at_.root[0], m2 = at_.root[1];
+    g1_ = rootOf(c + s * m1, theta);
+    const Complex g2 = rootOf(c + s * m2, theta), f2 = inverseOf(g2), Dg = s * inverseOf(g1_ + g2);
+    f1_ = inverseOf(g1_);
+    f2_ = f2;
+    Df_ = -1.0 * Dg * f1_ * f2;
+    Dmf_ = m1 * Df_ + f2;
+    for (int i = 0; i < 2; ++i)
+    {
+      u_[i] = at_.p[i] * Dg + at_.slope[i] * g2;
+      along_[i] = at_.p[i] * Df_ + at_.slope[i] * f2;
+      across_[i] = at_.p[i] * Dmf_ + at_.slope[i] * m2 * f2;
+    }
   }
 
   /// \param mode 0: opening (I), 1: sliding (II)
   KOKKOS_INLINE_FUNCTION TipField field(int mode) const
   {
-    const Complex m1 = at_.root[0], m2 = at_.root[1], sum = m1 + m2, product = m1 * m2;
-    const Complex g1 = root_[0], g2 = root_[1], f1 = 1.0 / g1, f2 = 1.0 / g2;
-    const Complex Dg = s_ / (g1 + g2), Df = -1.0 * Dg * f1 * f2; // divided differences
-    const Complex Dmf = m1 * Df + f2;                            // of mu f
+    const Complex m1 = at_.root[0];
     TipField field;
     if (mode == 0)
     {
-      field.stress[0][0] = -size_ * (product * Dmf).real();
-      field.stress[1][1] = size_ * (f1 - m1 * Df).real();
-      field.stress[0][1] = size_ * (product * Df).real();
+      field.stress[0][0] = -size_ * real(at_.product, Dmf_);
+      field.stress[1][1] = size_ * (f1_.real() - real(m1, Df_));
+      field.stress[0][1] = size_ * real(at_.product, Df_);
     }
     else
     {
-      field.stress[0][0] = -size_ * (m1 * m1 * Df + sum * f2).real();
-      field.stress[1][1] = -size_ * Df.real();
-      field.stress[0][1] = size_ * Dmf.real();
+      field.stress[0][0] = -size_ * (real(m1, Dmf_) + real(at_.root[1], f2_));
+      field.stress[1][1] = -size_ * Df_.real();
+      field.stress[0][1] = size_ * Dmf_.real();
     }
     field.stress[1][0] = field.stress[0][1];
-    // Displacement along both axes is of p g, with p a polynomial of mu and 1 / mu.
-    const Complex p1[2] = {at_.a11 * m1 * m1 + at_.a12 - at_.a16 * m1, at_.a12 * m1 + at_.a22 / m1 - at_.a26};
-    const Complex Dp[2] = {at_.a11 * sum - at_.a16, at_.a12 - at_.a22 / product};
     for (int i = 0; i < 2; ++i)
     {
-      const Complex u = p1[i] * Dg + Dp[i] * g2, along = p1[i] * Df + Dp[i] * f2,
-                    across = p1[i] * Dmf + Dp[i] * m2 * f2;
-      field.displacement[i] = 2.0 * r_ * size_ * (mode == 0 ? p1[i] * g1 - m1 * u : -1.0 * u).real();
-      field.gradient[i][0] = size_ * (mode == 0 ? p1[i] * f1 - m1 * along : -1.0 * along).real();
-      field.gradient[i][1] = size_ * (mode == 0 ? p1[i] * m1 * f1 - m1 * across : -1.0 * across).real();
+      double u = -u_[i].real(), along = -along_[i].real(), across = -across_[i].real();
+      if (mode == 0)
+      {
+        const Complex p = at_.p[i];
+        u = real(p, g1_) - real(m1, u_[i]);
+        along = real(p, f1_) - real(m1, along_[i]);
+        across = real(p * m1, f1_) - real(m1, across_[i]);
+      }
+      field.displacement[i] = 2.0 * r_ * size_ * u;
+      field.gradient[i][0] = size_ * along;
+      field.gradient[i][1] = size_ * across;
     }
     return field;
   }
 
 private:
   using Complex = Kokkos::complex<double>;
-  CrackCompliance at_;
-  double r_, size_, s_;
-  Complex root_[2]; ///< sqrt(z_j / r)
+  const CrackCompliance& at_;
+  double r_, size_;
+  Complex g1_, f1_, f2_;                ///< sqrt(z_j / r), and 1 over it
+  Complex Df_, Dmf_;                    ///< divided differences of f and of mu f
+  Complex u_[2], along_[2], across_[2]; ///< of p times g, f and mu f
 
-  /// Rounding must not put a position on a face across the cut of the square root.
-  KOKKOS_INLINE_FUNCTION static Complex onFace(const Complex& z, double theta)
+  /// Real part of a product.
+  KOKKOS_INLINE_FUNCTION static double real(const Complex& a, const Complex& b)
   {
-    const bool above = theta > 0.0 ? theta <= 4.0 * std::atan(1.0) : theta < -4.0 * std::atan(1.0);
-    const double imaginary = std::fabs(z.imag());
-    return {z.real(), above ? imaginary : -imaginary};
+    return a.real() * b.real() - a.imag() * b.imag();
+  }
+
+  KOKKOS_INLINE_FUNCTION static Complex inverseOf(const Complex& z)
+  {
+    const double scale = 1.0 / (z.real() * z.real() + z.imag() * z.imag());
+    return {scale * z.real(), -scale * z.imag()};
+  }
+
+  /// The square root that is continuous around the tip, also where the angle passes pi: z has the sign of the
+  /// angle, and rounding must not put a position on a face across the cut.
+  KOKKOS_INLINE_FUNCTION static Complex rootOf(const Complex& z, double theta)
+  {
+    const double x = z.real(), size = std::sqrt(x * x + z.imag() * z.imag());
+    const double large = std::sqrt(0.5 * (size + std::fabs(x))), small = 0.5 * std::fabs(z.imag()) / large;
+    const bool past = std::fabs(theta) > 4.0 * std::atan(1.0);
+    const double re = x < 0.0 ? small : large, im = x < 0.0 ? large : small;
+    return {past ? -re : re, theta > 0.0 ? im : -im};
   }
 };
 

@@ -62,6 +62,11 @@ CrackCompliance crackCompliance(const PlaneStiffness& stiffness, const Vector<2>
       root = Kokkos::conj(root);
   }
   const Complex sum = c.root[0] + c.root[1], product = c.root[0] * c.root[1];
+  c.product = product;
+  c.p[0] = c.a11 * c.root[0] * c.root[0] + c.a12 - c.a16 * c.root[0];
+  c.p[1] = c.a12 * c.root[0] + c.a22 / c.root[0] - c.a26;
+  c.slope[0] = c.a11 * sum - c.a16;
+  c.slope[1] = c.a12 - c.a22 / product;
   c.modeI = -0.5 * c.a22 * (sum / product).imag();
   c.modeII = 0.5 * c.a11 * sum.imag();
   c.coupled = 0.25 * (c.a11 * product.imag() - c.a22 * (Complex(1.0) / product).imag());

@@ -29,7 +29,11 @@ struct CrackCompliance
 {
   double a11, a12, a16, a22, a26;  ///< strain of stress; shear strain is 2 e_12 [1/Pa]
   Kokkos::complex<double> root[2]; ///< mu_1 and mu_2
-  double modeI, modeII, coupled;   ///< of J [1/Pa]
+  Kokkos::complex<double> product; ///< of both
+  /// Displacement along both axes is of p f: p of mu_1, a11 mu^2 + a12 - a16 mu and a12 mu + a22 / mu - a26,
+  /// and its divided difference over both roots.
+  Kokkos::complex<double> p[2], slope[2];
+  double modeI, modeII, coupled; ///< of J [1/Pa]
 
   /// J of stress intensities [J/m2].
   KOKKOS_INLINE_FUNCTION double release(double K1, double K2) const
