@@ -1,6 +1,7 @@
 #include "propagation/Options.hpp"
 
 #include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 #include "material/LawStiffness.hpp"
 #include "material/RayleighSpeed.hpp"
 #include "material/StartOfGrowth.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// Options of propagation.
 
-#include "material/MaterialTable.hpp"
+#include "material/StartOfGrowth.hpp"
 #include "plan/Effect.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"

@@ -45,7 +45,7 @@ struct Orthotropic : LawDefaults
 
   static const char* refusesHeat(const Properties&)
   {
-    return "the law Orthotropic has neither the expansion nor the conductivity of each axis; use Linear "
+    return "the law Orthotropic has no thermal expansion, which differs from axis to axis; use Linear "
            "Elastic, or remove the section Thermal";
   }
   /// Of LawStiffness.hpp.
