@@ -106,6 +106,7 @@ struct Orthotropic : LawDefaults
   {
     double e[symmetricSize<D>];
     doubledStrain<D>(F, e);
+    // Without a branch, for the same reason as below.
     bool good = (P == Plane::Stress ? planeDeterminant(F) : determinant<D>(F)) > 0.0;
     if constexpr (P == Plane::Stress)
     {
@@ -114,12 +115,12 @@ struct Orthotropic : LawDefaults
       good = good && square > 0.0;
       F[4] = good ? std::sqrt(square) : F[4];
     }
-    if (!good)
-      return noStress<D>(tau);
-    double S[symmetricSize<D>];
+    double S[symmetricSize<D>], pushed[symmetricSize<D>];
     secondStress<D, P>(m, e, S);
-    pushForward<D>(F, S, tau);
-    return true;
+    pushForward<D>(F, S, pushed);
+    for (int i = 0; i < symmetricSize<D>; ++i)
+      tau[i] = good ? pushed[i] : 0.0;
+    return good;
   }
 
   template <int D, Plane P>
@@ -172,23 +173,38 @@ private:
     }
   }
 
-  /// S from 2 E [Pa]; in plane stress without zz.
+  /// S from 2 E [Pa]; in plane stress without zz. Written out, so that the compiler can find the stress of
+  /// several particles at once.
   template <int D, Plane P>
   KOKKOS_FORCEINLINE_FUNCTION static void secondStress(const Properties& m, const double* e, double* S)
   {
-    constexpr int used = P == Plane::Stress ? 3 : symmetricSize<D>;
-    for (int i = 0; i < used; ++i)
+    const double* const C = m.own;
+    const double x = 0.5 * e[0], y = 0.5 * e[1];
+    if constexpr (D == 2)
     {
-      double sum = 0.0;
-      for (int j = 0; j < used; ++j)
-      {
-        const bool shear = j >= shearBegin<D> && j < shearEnd<D>;
-        sum += m.own[at<D>(i, j)] * (shear ? e[j] : 0.5 * e[j]);
-      }
-      S[i] = sum;
-    }
-    if constexpr (P == Plane::Stress)
+      const double z = P == Plane::Stress ? 0.0 : 0.5 * e[3], s = e[2];
+      S[0] = C[0] * x + C[1] * y + C[2] * s;
+      S[1] = C[1] * x + C[4] * y + C[5] * s;
+      S[2] = C[2] * x + C[5] * y + C[7] * s;
       S[3] = 0.0;
+      if constexpr (P != Plane::Stress)
+      {
+        S[3] = C[3] * x + C[6] * y + C[8] * s + C[9] * z;
+        S[0] += C[3] * z;
+        S[1] += C[6] * z;
+        S[2] += C[8] * z;
+      }
+    }
+    else
+    {
+      const double z = 0.5 * e[2], s = e[3], t = e[4], u = e[5];
+      S[0] = C[0] * x + C[1] * y + C[2] * z + C[3] * s + C[4] * t + C[5] * u;
+      S[1] = C[1] * x + C[6] * y + C[7] * z + C[8] * s + C[9] * t + C[10] * u;
+      S[2] = C[2] * x + C[7] * y + C[11] * z + C[12] * s + C[13] * t + C[14] * u;
+      S[3] = C[3] * x + C[8] * y + C[12] * z + C[15] * s + C[16] * t + C[17] * u;
+      S[4] = C[4] * x + C[9] * y + C[13] * z + C[16] * s + C[18] * t + C[19] * u;
+      S[5] = C[5] * x + C[10] * y + C[14] * z + C[17] * s + C[19] * t + C[20] * u;
+    }
   }
 };
 

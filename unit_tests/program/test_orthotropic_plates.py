@@ -132,7 +132,7 @@ class RefusedScenes(ProgramTest):
         self.assertEqual(answer.status, 0, answer)
 
     def test_heat(self):
-        scene = self.orthotropic(plate(), "Polymer").set("Thermal", {"Initial Temperature": 300.0})
+        scene = self.orthotropic(plate(), "Polymer").remove("Energy Release").set("Thermal", {"Initial Temperature": 300.0})
         for name, value in (("Specific Heat", 1000.0), ("Conductivity", 0.2), ("Thermal Expansion", 1e-5)):
             scene.set(f"Materials > Polymer > {name}", value)
         answer = rhegma(self.write("scene.xml", scene.text()), "--check", "--quiet")

@@ -11,9 +11,9 @@
 
 #include <random>
 
-using namespace Rhegma;
-using namespace Rhegma::energy_release;
-using namespace Rhegma::energy_release::test;
+namespace Rhegma::energy_release::test::anisotropic
+{
+
 using Rhegma::Test::pi;
 
 namespace
@@ -130,3 +130,5 @@ TEST(AnisotropicIntegral, ComparesGWithK)
     EXPECT_EQ(disagrees(state, sample), std::fabs(fraction - 1.0) > 0.1) << fraction;
   }
 }
+
+} // namespace Rhegma::energy_release::test::anisotropic
