@@ -4,8 +4,7 @@
 #include "base/ShortNumber.hpp"
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/NegativeRelease.hpp"
-#include "material/Laws.hpp"
-#include "material/MaterialTable.hpp"
+#include "material/LawStiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +24,13 @@ const CrackFront<2>& frontNow(const State<2>& state, const CrackFront<2>& front)
   return front;
 }
 
-/// K^2 / E' [J/m2]; not a number in a material without K.
+/// G of the intensities [J/m2]; not a number in a material without K.
 double releaseOfIntensities(const State<2>& state, const FrontSample<2>& sample)
 {
-  const Properties material = lawAtFront(state, frontNow(state, sample.front));
-  if (material.law != lawIndex<LinearElastic>)
+  const CrackFront<2>& front = frontNow(state, sample.front);
+  if (!isLinear(lawAtFront(state, front)))
     return FrontSample<2>::notYet;
-  return (sample.modeI[0] * sample.modeI[0] + sample.modeII[0] * sample.modeII[0]) /
-         elasticity(material).effectiveModulus;
+  return complianceAtFront(state, front).release(sample.modeI[0], sample.modeII[0]);
 }
 
 std::string reasonOf(const State<2>& state, const FrontSample<2>& sample)
@@ -90,7 +88,8 @@ std::vector<std::string> warningsOfDisagreement(const State<2>& state,
       continue;
     warnings.push_back(
         "Energy Release: K_I and K_II of " + frontName(state.cracks, sample.front) +
-        " at t = " + readableTime(time) + " give G = K^2 / E' = " + formatShort(release) + " J/m2, " +
+        " at t = " + readableTime(time) + (sample.isotropic ? " give G = K^2 / E' = " : " give G = ") +
+        formatShort(release) + " J/m2, " +
         formatShort(std::round(100.0 * std::fabs(release / std::max(std::fabs(J), 1e-9 * larger) - 1.0))) +
         " % " + (release > J ? "more" : "less") + " than the " + formatShort(J) +
         " J/m2 of G_J: " + reasonOf(state, sample));

@@ -79,8 +79,16 @@ double heatOfRelease(const Work& work, const double* sums, double modeI, double 
   return near + work.nearFront.nearOfRemainder(remainder, work.nearFront.moduliVary);
 }
 
-/// Intensities by Williams' field about the tip of the crack in the cells. Each iteration finds the remaining
-/// offset, which falls by a factor of 50 or so.
+/// Stress intensities from half of both interaction integrals, the derivatives of J by them.
+void setIntensities(const CrackCompliance& c, double modeI, double modeII, DomainIntegral& sum)
+{
+  const double determinant = c.modeI * c.modeII - c.coupled * c.coupled;
+  sum.modeI = (c.modeII * modeI - c.coupled * modeII) / determinant;
+  sum.modeII = (c.modeI * modeII - c.coupled * modeI) / determinant;
+}
+
+/// Intensities by the singular fields about the tip of the crack in the cells. Each iteration finds the
+/// remaining offset, which falls by a factor of 50 or so.
 template <class Work>
 DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front,
                                  const NodalWeight<D>& weight, const BlocksInReach<D>& blocks, Work& work)
@@ -92,7 +100,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     contact.takeMean();
   constexpr int turns = 4;
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
-  const double thickness = state.method.thickness, scale = 0.5 * work.disk.effectiveModulus / thickness;
+  const double thickness = state.method.thickness, scale = 0.5 / thickness;
   DomainIntegral sum;
   double releaseOfParticles = 0.0;
   Vector<D> middle = front.position;
@@ -110,14 +118,14 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     for (int mode = 0; mode < 2 && work.nearFront.corrects(); ++mode)
       sums[1 + mode] +=
           heatOfMode(work, sums, mode) - sums[Work::heatAt + HeatNearFront::numSums * (1 + mode)];
-    const FaceTractions::Interaction pressed = pressure.interaction(sum.tipOffset, work.disk.moduli),
-                                     touching = contact.interaction(sum.tipOffset, work.disk.moduli);
+    const FaceTractions::Interaction pressed = pressure.interaction(sum.tipOffset, work.disk.compliance),
+                                     touching = contact.interaction(sum.tipOffset, work.disk.compliance);
     // The tractions of closed faces are those with which K_I is that of their opening: the integral over the
     // particles scatters less than the tractions.
     double corrected = 1.0;
     if (closed && touching.M[0] > 0.0)
-      corrected = (contact.intensityOfOpening(sum.tipOffset, work.disk.effectiveModulus) / scale - sums[1]) /
-                  (thickness * touching.M[0]);
+      corrected =
+          (contact.halfInteractionOfOpening(sum.tipOffset) / scale - sums[1]) / (thickness * touching.M[0]);
     sum.J = releaseOfParticles / thickness + pressure.release() + corrected * contact.release();
     if (!work.intensities)
       return sum;
@@ -127,8 +135,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
                  modeII = all(sums[2], pressed.M[1], corrected * touching.M[1]),
                  reciprocalI = all(sums[3], pressed.R[0], touching.R[0]),
                  reciprocalII = all(sums[4], pressed.R[1], touching.R[1]);
-    sum.modeI = scale * modeI;
-    sum.modeII = scale * modeII;
+    setIntensities(work.disk.compliance, scale * modeI, scale * modeII, sum);
     if (work.nearFront.corrects())
       sum.J += heatOfRelease(work, sums, sum.modeI, sum.modeII) / thickness;
     const double square = modeI * modeI + modeII * modeII;

@@ -23,9 +23,11 @@ struct DomainIntegral
 ///
 ///     J   = int (P_iJ u_i,1 - (W + T) d_1J) q,J + rho0 (a_i u_i,1 - v_i v_i,1) q  dV0 / thickness
 ///     M   = int (s_ij w_i,1 + z_ij u_i,1 - s_ij e_ij d_1j) q,j + rho a_i w_i,1 q  dV / thickness
-///     K   = E' M / 2
+///     M   = 2 H K, such as M_I = 2 K_I / E' in an isotropic body
 ///
-/// with the kinetic energy density T and Williams' field of unit intensity w, z, e.
+/// with the kinetic energy density T and the singular field w, z, e of unit intensity of a mode, of a
+/// straight crack in the material at the front (CrackTipFields.hpp); H is the matrix of J = K^T H K
+/// (CrackCompliance).
 ///
 /// Where temperature (here t) strains the body or changes its moduli, W is the energy of the non-thermal part
 /// of the strain, and J and M have an additional term for the change of temperature with a shift of the disk
@@ -60,19 +62,20 @@ struct DomainIntegral
 /// is off by c over a quarter of the arm's height (4 % with 8 cells an arm), though J is not. The offset
 /// follows from reciprocity, and w is taken about front + c:
 ///
-///     R   = int (s_ij w_i - z_ij u_i) q,j + (rho a_i w_i - (theta - 1) tr z) q  dV / thickness = 2 K c / E'
-///     c   = E' (R_I K_I + R_II K_II) / (2 (K_I^2 + K_II^2))
+///     R   = int (s_ij w_i - z_ij u_i) q,j + (rho a_i w_i - (theta - 1) tr z) q  dV / thickness = c M
+///     c   = (R_I M_I + R_II M_II) / (M_I^2 + M_II^2)
 ///
 /// Across the crack, w is taken about the cut between the particles where q falls: a crack along the cells
 /// lies up to a quarter of a cell from the middle between its two rows of particles, which would show as a
 /// K_II of a fiftieth of K_I.
 ///
-/// K, like J, thus belongs to the crack in the cells, and K_I^2 + K_II^2 = E' J but for quadrature.
+/// K, like J, thus belongs to the crack in the cells, and K^T H K = J but for quadrature.
 ///
 /// \param acceleration of the nodes, a row a node [m/s2]
 /// Source: Nishioka and Atluri, Eng. Fract. Mech. 18 (1983) 1; for heat Wilson and Yu, Int. J. Fract. 15
 /// (1979) 377, and Shih, Moran and Nakamura, Int. J. Fract. 30 (1986) 79; Li, Shih and Needleman, Eng. Fract.
-/// Mech. 21 (1985) 405; Yau, Wang and Corten, J. Appl. Mech. 47 (1980) 335; for R Bueckner, ZAMM 50 (1970)
+/// Mech. 21 (1985) 405; Yau, Wang and Corten, J. Appl. Mech. 47 (1980) 335; for anisotropic bodies Wang, Yau
+/// and Corten, Int. J. Fract. 16 (1980) 247; for R Bueckner, ZAMM 50 (1970)
 /// 529, and Stern, Becker and Dunham, Int. J. Fract. 12 (1976) 359.
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
                                const NodalAcceleration<2>& acceleration);

@@ -31,7 +31,7 @@ KOKKOS_INLINE_FUNCTION double tipAngle(double along, double across, int side)
   return theta;
 }
 
-/// Williams' fields of the two modes at a particle.
+/// Of the fields of the two modes at a particle.
 struct Pair
 {
   double interaction[2] = {0.0, 0.0};
@@ -60,7 +60,7 @@ struct Integrand
   ParticleHeat<D> heat;
   HeatNearFront nearFront;
   FrontDisk disk;
-  Vector<D> tip; ///< of Williams' field
+  Vector<D> tip; ///< of the singular fields
   Vector<D> direction, normal;
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
@@ -280,10 +280,10 @@ struct Integrand
     const bool warm = heat.strains(material(p));
     const double expanded = warm ? heat.strain(p, material(p)) : 0.0;
     const double expansionAlong = warm ? heat.expansion(p, material(p)) * heat.alongImage(p, image) : 0.0;
-    const WilliamsPosition at(r, theta);
+    const TipPosition at(r, theta, disk.compliance);
     for (int mode = 0; mode < 2; ++mode)
     {
-      const TipField w = at.field(mode, disk.moduli);
+      const TipField w = at.field(mode);
       double m = -slopeIn[0] * (s11 * w.gradient[0][0] + s22 * w.gradient[1][1] +
                                 s12 * (w.gradient[0][1] + w.gradient[1][0]));
       double reciprocal = 0.0;

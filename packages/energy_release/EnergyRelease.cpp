@@ -23,6 +23,7 @@
 #include "energy_release/SurfaceNodes.hpp"
 #include "energy_release/ToughnessReached.hpp"
 #include "energy_release/YieldedPart.hpp"
+#include "transfer/FrontCompliance.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <cmath>
@@ -159,6 +160,7 @@ void compute(const State<2>& state, FrontSample<2>& s, InternalAcceleration<2>& 
   s.modeI = {integral.lost ? notYet : integral.modeI};
   s.modeII = {integral.lost ? notYet : integral.modeII};
   s.tipOffset = integral.tipOffset;
+  s.isotropic = isIsotropicAt(state, s.front);
 }
 
 void compute(const State<3>& state, FrontSample<3>& s, InternalAcceleration<3>& acceleration,

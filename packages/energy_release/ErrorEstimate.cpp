@@ -7,8 +7,7 @@
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontLengths.hpp"
 #include "energy_release/StressError.hpp"
-#include "material/Laws.hpp"
-#include "material/MaterialTable.hpp"
+#include "material/LawStiffness.hpp"
 #include "state/NodalValues.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -160,11 +159,14 @@ std::string reasonForNoEstimate(const State<D>& state, const FrontSample<D>& sam
   const double release = sample.J.empty() ? FrontSample<D>::notYet : meanAlong(sample.front, sample.J);
   bool same = true;
   std::string other; // a material with another law
+  std::string anisotropic;
   for (std::size_t m = 0; m < state.materials.properties.size(); ++m)
   {
     const Properties& one = state.materials.properties[m];
-    if (other.empty() && one.law != lawIndex<LinearElastic>)
+    if (other.empty() && !isLinear(one))
       other = state.materials.names[m];
+    if (anisotropic.empty() && isAnisotropic(one))
+      anisotropic = state.materials.names[m];
     same = same && one.mu == state.materials.properties[0].mu &&
            one.planeLambda == state.materials.properties[0].planeLambda;
   }
@@ -189,6 +191,9 @@ std::string reasonForNoEstimate(const State<D>& state, const FrontSample<D>& sam
     return "Materials > " + other +
            " > Model is not Linear Elastic; at small strains without yield that law gives the same G, and an "
            "estimate";
+  if (!anisotropic.empty())
+    return "Materials > " + anisotropic +
+           " is anisotropic, and the energy of errors of the stress is that of isotropic bodies";
   if (!same)
     return "the bodies have different stiffness";
   if (!(release > 0.0))

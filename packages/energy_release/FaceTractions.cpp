@@ -26,9 +26,9 @@ constexpr int piecesOfCell = 8;
 /// beyond the disk is zero.
 constexpr double reachOfFunctions = 2.5;
 
-/// Jump of Williams' field of unit intensity, from side -1 to side +1, at a place behind the tip in the frame
-/// of the front.
-TipField faceField(int mode, double along, double across, int side, const TipModuli& moduli)
+/// Jump of the singular field of unit intensity, from side -1 to side +1, at a place behind the tip in the
+/// frame of the front.
+TipField faceField(int mode, double along, double across, int side, const CrackCompliance& material)
 {
   const double r = std::hypot(along, across);
   double theta = std::atan2(across, along);
@@ -36,7 +36,7 @@ TipField faceField(int mode, double along, double across, int side, const TipMod
     theta += 2.0 * pi;
   if (side < 0 && theta > 0.5 * pi)
     theta -= 2.0 * pi;
-  return williamsField(mode, r, theta, moduli);
+  return TipPosition(r, theta, material).field(mode);
 }
 
 /// Jump of displacement along a front's crack, by distance behind the front.
@@ -227,7 +227,7 @@ double FaceTractions::release() const
   return sum;
 }
 
-FaceTractions::Interaction FaceTractions::interaction(double offset, const TipModuli& moduli) const
+FaceTractions::Interaction FaceTractions::interaction(double offset, const CrackCompliance& material) const
 {
   Interaction sum;
   const Vector<2> tip = front_.position + offset * front_.direction;
@@ -242,8 +242,8 @@ FaceTractions::Interaction FaceTractions::interaction(double offset, const TipMo
       Vector<2> jump{{0.0, 0.0}};
       if (along < 0.0)
       {
-        const TipField above = faceField(mode, along, across, 1, moduli),
-                       below = faceField(mode, along, across, -1, moduli);
+        const TipField above = faceField(mode, along, across, 1, material),
+                       below = faceField(mode, along, across, -1, material);
         for (int d = 0; d < 2; ++d)
           jump[d] = (above.displacement[0] - below.displacement[0]) * front_.direction[d] +
                     (above.displacement[1] - below.displacement[1]) * front_.normal[d];
@@ -259,7 +259,7 @@ FaceTractions::Interaction FaceTractions::interaction(double offset, const TipMo
   return sum;
 }
 
-double FaceTractions::intensityOfOpening(double offset, double effectiveModulus) const
+double FaceTractions::halfInteractionOfOpening(double offset) const
 {
   double product = 0.0, square = 0.0;
   for (std::size_t k = 0; k < traction_.size(); ++k)
@@ -270,7 +270,7 @@ double FaceTractions::intensityOfOpening(double offset, double effectiveModulus)
     product += weighedLength(k) * std::sqrt(behind) * opening;
     square += weighedLength(k) * behind;
   }
-  return square > 0.0 ? effectiveModulus * std::sqrt(2.0 * pi) / 8.0 * product / square : 0.0;
+  return square > 0.0 ? std::sqrt(2.0 * pi) / 8.0 * product / square : 0.0;
 }
 
 } // namespace Rhegma::energy_release

@@ -39,7 +39,7 @@ enum class OpeningBy
 ///
 ///     J += int t . [u],s q ds,     M += int t . [w],s q ds,     R -= int t . [w] q ds.
 ///
-/// The jump of Williams' field w is exact, so that the root singularity of [w],s is, too. In J the
+/// The jump of the singular field w is exact, so that the root singularity of [w],s is, too. In J the
 /// derivative goes to t q by integration by parts: only openings at positions where q varies count, which are
 /// accurate, where those in the cells of the front are not. The faces are loaded up to the tip of the crack
 /// in the cells, to which J and K belong. Sources as for the domain integrals: Li, Shih and Needleman, Eng.
@@ -67,10 +67,11 @@ public:
     double M[2] = {}, R[2] = {};
   };
   /// \param offset how far the tip of the crack in the cells lies ahead of the front [m]
-  Interaction interaction(double offset, const TipModuli& moduli) const;
+  Interaction interaction(double offset, const CrackCompliance& material) const;
 
-  /// K_I of the opening of the faces, [u] = 8 K_I / E' sqrt(r / 2 pi), by least squares [Pa m^0.5].
-  double intensityOfOpening(double offset, double effectiveModulus) const;
+  /// Half of M of mode I that belongs to the opening of the faces, [u_2] = 8 M / 2 sqrt(r / 2 pi)
+  /// (CrackCompliance), by least squares [m^0.5].
+  double halfInteractionOfOpening(double offset) const;
 
 private:
   std::vector<Vector<2>> points_;   ///< on the crack, from the front on

@@ -1,7 +1,8 @@
 #include "energy_release/FrontDisk.hpp"
 
-#include "material/MaterialTable.hpp"
+#include "material/LawStiffness.hpp"
 #include "material/ThermoLaw.hpp"
+#include "state/CellFrame.hpp"
 #include "state/ParticlePlace.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -97,6 +98,11 @@ Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
   return law;
 }
 
+CrackCompliance complianceAtFront(const State<D>& state, const CrackFront<D>& front)
+{
+  return crackCompliance(planeStiffness(lawAtFront(state, front)), front.direction, front.normal);
+}
+
 namespace
 {
 
@@ -130,11 +136,17 @@ FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const 
                       state.particles.real<gradientSize<D>>(fields::deformation)};
   FrontDisk means = positions ? meansOver<AddMotion::motions + AddMotion::positions>(state, add, blocks)
                               : meansOver<AddMotion::motions>(state, add, blocks);
-  const Elasticity e = elasticity(lawAtFront(state, front));
-  means.moduli.shear = e.shear;
-  means.moduli.kolosov =
-      state.method.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
-  means.effectiveModulus = e.effectiveModulus;
+  const Properties law = lawAtFront(state, front);
+  const Elasticity e = elasticity(law);
+  // The material's axes turn with the body, and the front with them unless the cells are undeformed.
+  const auto before = [&](const Vector<2>& v)
+  {
+    const bool still = means.empty || CellFrame<D>(state).undeformed;
+    return still ? v
+                 : Vector<2>{
+                       {means.cosine * v[0] + means.sine * v[1], means.cosine * v[1] - means.sine * v[0]}};
+  };
+  means.compliance = crackCompliance(planeStiffness(law), before(front.direction), before(front.normal));
   means.misfit = misfitEnergy(state, front, e);
   means.traceFactor = state.method.plane == Plane::Stress ? 1.0 : 1.0 + e.poisson;
   return means;

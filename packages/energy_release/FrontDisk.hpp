@@ -18,9 +18,8 @@ struct FrontDisk
   Vector<2> position{{0.0, 0.0}};  ///< mean [m]
   Vector<2> reference{{0.0, 0.0}}; ///< mean before deformation [m]
   bool empty = true;               ///< no particle lies in it
-  TipModuli moduli;
-  double effectiveModulus; ///< [Pa]
-  double traceFactor;      ///< trace of Williams' stress over that of its part in the plane
+  CrackCompliance compliance;
+  double traceFactor; ///< trace of the stress of the singular fields over that of its part in the plane
   /// W of a body at the front's temperature that is free in the plane, in plane strain [J/m3]: the energy of
   /// the stress across the plane. A constant adds nothing to the integral of W q,1 over a disk inside a body,
   /// and without this one a surface that cuts the edge of the disk hardly does.
@@ -34,5 +33,8 @@ FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const 
 
 /// The material at a front, with its moduli at the front's temperature.
 Properties lawAtFront(const State<2>& state, const CrackFront<2>& front);
+
+/// Its compliance along the front. Collective.
+CrackCompliance complianceAtFront(const State<2>& state, const CrackFront<2>& front);
 
 } // namespace Rhegma::energy_release

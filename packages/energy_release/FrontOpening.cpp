@@ -1,11 +1,13 @@
 #include "energy_release/FrontOpening.hpp"
 
 #include "geometry/Cross.hpp"
+#include "material/LawStiffness.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace Rhegma::energy_release
@@ -13,6 +15,8 @@ namespace Rhegma::energy_release
 
 namespace
 {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Range of distances behind the front at which openings are evaluated [cells].
 constexpr double nearest = 1.0, furthest = 3.0;
@@ -198,7 +202,10 @@ Intensities scaleTo(const Intensities& K, double J, const Elasticity& e)
 std::vector<Intensities> intensitiesAlong(const State<3>& state, const CrackFront<3>& front, double halfWidth,
                                           const std::vector<double>& J)
 {
-  const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
+  const Properties& material = state.materials.properties[materialAt(state, front.position)];
+  if (isAnisotropic(material)) // whose openings are not those of an isotropic body
+    return std::vector<Intensities>(J.size(), Intensities{unknown, unknown, unknown});
+  const Elasticity e = elasticity(material);
   std::vector<Intensities> K =
       openingsBehind(state.cracks, front, lineOf(front), e, spacingAt(state, front.position), halfWidth);
   for (std::size_t k = 0; k < K.size(); ++k)

@@ -54,9 +54,11 @@ void addIntensities(const FrontSample<D>& s, const Add& add)
     addQuantity("K_III", s.front, s.modeIII, add);
 }
 
-/// Angle [degrees], counter-clockwise, by which a front would turn.
+/// Angle [degrees], counter-clockwise, by which a front would turn; not known in anisotropic materials.
 double kinkAngle(const FrontSample<2>& s)
 {
+  if (!s.isotropic)
+    return FrontSample<2>::notYet;
   const double degrees = 45.0 / std::atan(1.0);
   const Vector<2>&along = s.front.direction, &normal = s.front.normal;
   const double turn = along[0] * normal[1] - along[1] * normal[0] > 0.0 ? degrees : -degrees;
@@ -212,6 +214,7 @@ void FrontSample<D>::serialize(Archive& archive)
   archive("K_II", modeII);
   archive("K_III", modeIII);
   archive("tip_offset", tipOffset);
+  archive("isotropic", isotropic);
   archive("closed", closed);
   archive("closure", closure.chosen);
   archive("closure_lumped", closure.lumped);

@@ -26,6 +26,7 @@ struct FrontSample
   FrontTube tube;                       ///< none of a front that has ended
   Along J, modeI, modeII, modeIII;      ///< [J/m2], [Pa m^0.5]; empty in 3D where no node is left
   double tipOffset = 0.0;               ///< DomainIntegral (2D)
+  bool isotropic = true;                ///< whether the material at it is
   bool closed = false;                  ///< whether crack closure is requested and can be computed (2D)
   CrackClosure closure{notYet, notYet}; ///< (2D)
 

@@ -77,13 +77,16 @@ std::string quantityAsText(const nlohmann::json& entry, const std::string& name,
 }
 
 /// What is said of a closed crack: the part of G that K_I has closes it further.
-std::string closedAsText(const nlohmann::json& entry, const std::string& release)
+/// \param isotropic whether the material is, so that both modes have the same part of G for their K
+std::string closedAsText(const nlohmann::json& entry, const std::string& release, bool isotropic)
 {
   if (!entry.value("closed", false))
     return "";
   const auto squareOf = [&](const char* name)
   { return isKnown(entry, name) ? std::pow(entry[name].get<double>(), 2) : 0.0; };
   const double closing = squareOf("K_I"), all = closing + squareOf("K_II") + squareOf("K_III");
+  if (!isotropic)
+    return "; the crack is closed (K_I < 0), so only the part of G that slides it would advance it";
   if (isKnown(entry, "K_I_min")) // modes that change their sign along a front vanish in its means
     return "; the crack is closed (K_I < 0 in the mean), so only the part of G that slides it would advance "
            "it";
@@ -150,7 +153,8 @@ void addAnswersOfHeldFronts(const CrackSet<D>& set, const std::vector<FrontSampl
       if (isKnown(entry, name))
         text += ", " + quantityAsText(entry, name, name, intensityAsText);
     lines.emplace_back(entry[release].get<double>(), text + " at t = " + readableTime(time) +
-                                                         largestAsText(entry) + closedAsText(entry, release));
+                                                         largestAsText(entry) +
+                                                         closedAsText(entry, release, samples[f].isotropic));
     if (entry.contains("no_error_estimate"))
       unknown.emplace_back(frontName(set, front), entry["no_error_estimate"].get<std::string>());
   }

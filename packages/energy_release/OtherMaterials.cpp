@@ -1,6 +1,7 @@
 #include "energy_release/OtherMaterials.hpp"
 
 #include "energy_release/PointBounds.hpp"
+#include "material/LawStiffness.hpp"
 #include "state/BodyGroup.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -14,11 +15,6 @@ namespace Rhegma::energy_release
 
 namespace
 {
-
-bool haveSameModuli(const Properties& a, const Properties& b)
-{
-  return a.law == b.law && a.mu == b.mu && a.bulk == b.bulk;
-}
 
 /// Distance of the nearest particle of a material from the nodes of a front [m].
 template <int D>
@@ -99,7 +95,7 @@ OtherMaterial OtherMaterials<D>::nearest(const CrackFront<D>& front, double radi
   const int own = materialAt(state_, front.position);
   for (int m = 0; m < static_cast<int>(all.size()); ++m)
   {
-    if (haveSameModuli(all[m], all[own]) || !areNear(boundsOf(front.points()), bounds_[m], radius))
+    if (haveSameStiffness(all[m], all[own]) || !areNear(boundsOf(front.points()), bounds_[m], radius))
       continue;
     const double distance = distanceTo(state_, front, m);
     if (distance < (found.material < 0 ? radius : found.distance))

@@ -3,9 +3,9 @@
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
-#include "material/Laws.hpp"
+#include "material/LawStiffness.hpp"
 #include "material/StartOfGrowth.hpp"
-#include "transfer/NearestMaterial.hpp"
+#include "transfer/FrontCompliance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +56,7 @@ bool isProportional(const State<D>& state, const RunOptions& run)
   const auto& bodies = state.bodies.info;
   return state.method.analysis == Analysis::Static && !run.contact && !run.heat() && !run.bodiesKeptApart &&
          std::all_of(bodies.begin(), bodies.end(),
-                     [&](const auto& body)
-                     { return state.materials.properties[body.material].law == lawIndex<LinearElastic>; });
+                     [&](const auto& body) { return isLinear(state.materials.properties[body.material]); });
 }
 
 /// Whether times of samples are those of loads: of a static state they only count parts of the loads.
@@ -107,21 +106,22 @@ void ToughnessReached::add(const State<D>& state, const std::vector<FrontSample<
     if (!(toughness_ > 0.0) || sample.front.ended)
       continue;
     const std::vector<char> atSurface = nodesAtSurface(state, sample.front, mirrors_);
-    const Elasticity e = elasticity(state.materials.properties[materialAt(state, sample.front.position)]);
+    const bool turns = D == 2 && isIsotropicAt(state, sample.front); // by the isotropic hoop stress
+    const ModeRelease modes = modeReleaseAt(state, sample.front);
     double now = FrontSample<D>::notYet; // largest of the nodes that are not at the surface
     for (std::size_t k = 0; k < sample.J.size(); ++k)
     {
       const double modeIII = D == 3 ? sample.modeIII[k] : 0.0;
-      if (!std::isfinite(sample.J[k] + sample.modeI[k] + sample.modeII[k] + modeIII))
+      if (!std::isfinite(sample.J[k]))
         continue;
       Reached& reached = reached_[{sample.front.crack, sample.front.number}];
       const double release =
-          openingRelease(sample.J[k], sample.modeI[k], sample.modeII[k], modeIII, e) / toughness_;
+          openingRelease(sample.J[k], sample.modeI[k], sample.modeII[k], modeIII, modes) / toughness_;
       double& largest = atSurface[k] != 0 ? reached.atSurface : reached.release;
       largest = std::max(largest, release);
       if (atSurface[k] == 0)
         now = std::isfinite(now) ? std::max(now, release) : release;
-      if (D == 2)
+      if (turns)
         reached.intensity =
             std::max(reached.intensity, hoopIntensity(release, sample.modeI[k], sample.modeII[k]));
     }
@@ -147,7 +147,8 @@ ToughnessReached::Factors ToughnessReached::report(const State<D>& state, const 
     const bool timed = known && hasTimes(state);
     entry["time_of_toughness"] = timed ? found->second.start.time() : FrontSample<D>::notYet;
     if (D == 2)
-      entry["closest_by_hoop_stress"] = known ? found->second.intensity : FrontSample<D>::notYet;
+      entry["closest_by_hoop_stress"] =
+          known && isIsotropicAt(state, front) ? found->second.intensity : FrontSample<D>::notYet;
     else
       entry["closest_at_surface"] = known ? found->second.atSurface : FrontSample<D>::notYet;
     if (!known)

@@ -7,6 +7,7 @@
 #include "propagation/SmoothedAlong.hpp"
 #include "state/DistancesFromEnds.hpp"
 #include "state/RecordStop.hpp"
+#include "transfer/FrontCompliance.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -127,12 +128,12 @@ double toughnessAtRest(const FrontNode<D>& node, const FrontNodeState& own, cons
 /// is that of each node.
 template <int D>
 std::vector<double> drivesAlong(const CrackFront<D>& front, const std::map<int, FrontNodeState>& states,
-                                const Elasticity& e, const Options& options)
+                                const ModeRelease& modes, const Options& options)
 {
   std::vector<double> release(front.nodes.size(), 0.0);
   for (std::size_t k = 0; k < release.size(); ++k)
     if (front.nodes[k].advances)
-      release[k] = openingRelease(front.nodes[k].driving, e);
+      release[k] = openingRelease(front.nodes[k].driving, modes);
   std::vector<double> drive = smoothedAlong(front, release);
   for (std::size_t k = 0; k < drive.size(); ++k)
     if (const FrontNode<D>& node = front.nodes[k]; node.advances)
@@ -177,16 +178,16 @@ double resistanceAtRest(double now, bool equilibrium, const AdvanceRule& rule, c
 }
 
 /// The advance of a selected node; zero where the opening part of the energy release rate does not reach the
-/// toughness. \param e of the material at the front \param angle by which it turns [rad] \param drive G/Gc in
-/// equilibrium \param starts no node of the front has advanced before this step
+/// toughness. \param modes of the material at the front \param angle by which it turns [rad] \param drive
+/// G/Gc in equilibrium \param starts no node of the front has advanced before this step
 template <int D>
-FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, const Elasticity& e,
+FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, const ModeRelease& modes,
                                 double angle, double drive, bool starts, FrontNode<D>& node,
                                 FrontState<D>& front)
 {
   FrontNodeState& own = front.nodes.at(node.name);
   const AdvanceRule rule = ruleAt(node.temperature, options);
-  const double release = openingRelease(node.driving, e);
+  const double release = openingRelease(node.driving, modes);
   const bool held = !options.equilibrium && own.history.wasHeld(rule, state.clock.time, release);
   Advance made;
   double fraction = 1.0;
@@ -327,8 +328,8 @@ void measureDrive(State<D>& state, const Options& options, const std::vector<Fro
     const CrackFront<D>& front = state.cracks.fronts[f];
     if (!front.advances())
       continue;
-    const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
-    const std::vector<double> drive = drivesAlong(front, fronts[f].nodes, e, options);
+    const ModeRelease modes = modeReleaseAt(state, front);
+    const std::vector<double> drive = drivesAlong(front, fronts[f].nodes, modes, options);
     for (std::size_t k = 0; k < drive.size(); ++k)
       if (const FrontNode<D>& node = front.nodes[k]; node.advances && drive[k] > largest)
       {
@@ -351,10 +352,10 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
     if (!front.advances())
       continue;
     const std::vector<double> angle = turningAngles(front, options, fronts[f].nodes);
-    // The moduli with which the intensities were computed.
-    const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
-    const std::vector<double> drive = options.equilibrium ? drivesAlong(front, fronts[f].nodes, e, options)
-                                                          : std::vector<double>(angle.size());
+    const ModeRelease modes = modeReleaseAt(state, front);
+    const std::vector<double> drive = options.equilibrium
+                                          ? drivesAlong(front, fronts[f].nodes, modes, options)
+                                          : std::vector<double>(angle.size());
     FrontAdvance<D> advance;
     advance.front = static_cast<int>(f);
     bool any = false;
@@ -365,7 +366,7 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
       if (node.advances)
       {
         const FrontNodeAdvance<D> by =
-            advanceNode(state, options, e, angle[k], drive[k], starts, node, fronts[f]);
+            advanceNode(state, options, modes, angle[k], drive[k], starts, node, fronts[f]);
         if (by.length > 0.0)
           warnOfOtherMaterial(options, front, node, by.length * by.direction, state);
         advance.nodes.push_back(by);

@@ -2,7 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
-#include "transfer/NearestMaterial.hpp"
+#include "transfer/FrontCompliance.hpp"
 
 namespace Rhegma::propagation
 {
@@ -14,12 +14,11 @@ FrontEnd<D>::FrontEnd(const State<D>& state, const Options& options, const Crack
   bool any = false;
   // Intensities are known where a node is about to advance.
   const bool opening = !front.ended && front.advances();
-  const Elasticity e =
-      elasticity(state.materials.properties[opening ? materialAt(state, front.position) : std::size_t(0)]);
+  const ModeRelease modes = opening ? modeReleaseAt(state, front) : ModeRelease{};
   for (const FrontNode<D>& node : front.nodes)
     if (!node.stopped && !front.ended)
     {
-      const double opens = opening ? openingRelease(node.driving, e) : node.driving.release;
+      const double opens = opening ? openingRelease(node.driving, modes) : node.driving.release;
       const AdvanceRule rule = ruleAt(node.temperature, options);
       // A node that runs goes on at the toughness of a front without speed, whatever it took to initiate.
       const auto past = own.nodes.find(node.name);

@@ -2,7 +2,7 @@
 
 #include "base/ShortNumber.hpp"
 #include "material/StartOfGrowth.hpp"
-#include "transfer/NearestMaterial.hpp"
+#include "transfer/FrontCompliance.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -113,8 +113,8 @@ void recordHoopStart(const State<2>& state, const Options& options, std::vector<
     if (!isAtRest(front, fronts[f]) || !(front.measured || front.advances()))
       continue;
     const FrontNode<2>& node = front.nodes[0];
-    const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
-    const double release = openingRelease(node.driving, e) / ruleAt(node.temperature, options).initiation;
+    const ModeRelease modes = modeReleaseAt(state, front);
+    const double release = openingRelease(node.driving, modes) / ruleAt(node.temperature, options).initiation;
     const double load = hoopStressLoad(node.driving.hoopAngle);
     const double intensity =
         std::sqrt(std::max(release, 0.0)) / load / (hasFactor ? state.clock.factor.end : 1.0);

@@ -5,6 +5,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "material/LawStiffness.hpp"
 #include "material/RayleighSpeed.hpp"
 #include "plausibility/CrackExtent.hpp"
 #include "plausibility/LoadEstimate.hpp"
@@ -33,14 +34,20 @@ void judgeSpeedLimit(const Teuchos::ParameterList& scene, const Options& options
         ", so beyond its first increment no crack grows: write a larger limit (m/s), or leave it "
         "out");
   double rayleigh = 0.0;
+  bool anisotropic = false; // of which rayleighSpeed is a bound
   for (const Properties& material : state.materials.properties)
+  {
     rayleigh = std::max(rayleigh, rayleighSpeed(material));
+    anisotropic = anisotropic || isAnisotropic(material);
+  }
   if (options.speedLimit > (1.0 + 1e-3) * rayleigh)
-    state.warnings.push_back(where + ", " + formatShort(options.speedLimit / rayleigh) +
-                             " times the speed of Rayleigh waves (" + formatShort(rayleigh) +
-                             " m/s), which no crack under tension passes: what fronts do faster than that "
-                             "has no meaning; leave it "
-                             "out, so that this is the limit, and check its unit (m/s)");
+    state.warnings.push_back(
+        where + ", " + formatShort(options.speedLimit / rayleigh) + " times the speed of " +
+        (anisotropic ? "the slowest waves (" : "Rayleigh waves (") + formatShort(rayleigh) +
+        " m/s), which no crack under tension passes: what fronts do faster than that has no meaning; " +
+        (anisotropic ? "write the speed of Rayleigh waves in the direction of the crack"
+                     : "leave it out, so that this is the limit") +
+        ", and check its unit (m/s)");
 }
 
 /// A toughness, and the bodies that it is compared with.
@@ -131,7 +138,8 @@ void judgeBonds(const JudgedToughness<D>& judged, std::vector<std::string>& mess
   const double zone =
       100.0 * soft.effectiveModulus * judged.most / (2.0 * judged.pi * soft.young * soft.young);
   const bool weak = K < smallestK;
-  if (judged.most < 0.05 || !stiffSolid || (!weak && zone >= atom))
+  // What K_Ic is of anisotropic bodies depends on direction.
+  if (judged.most < 0.05 || !stiffSolid || judged.soft->anisotropic || (!weak && zone >= atom))
     return;
   const double asK = 1e12 * judged.atRest * judged.atRest / soft.effectiveModulus;
   messages.push_back(judged.where + "with the E' of " + judged.soft->material + " that is a K_Ic of " +

@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/PointText.hpp"
 #include "base/ShortNumber.hpp"
+#include "material/LawStiffness.hpp"
 #include "material/RayleighSpeed.hpp"
 #include "plan/LoadOverStep.hpp"
 #include "plausibility/Judges.hpp"
@@ -30,11 +31,13 @@ bool differ(double one, double other)
   return std::fabs(other / one - 1.0) > same;
 }
 
-/// Whether two materials are different ones: whether Young's modulus or the shear modulus differs.
+/// Whether two materials are different ones: whether Young's modulus or the shear modulus differs, or the
+/// stiffness of some direction.
 bool differ(const Properties& one, const Properties& other)
 {
   const Elasticity a = elasticity(one), b = elasticity(other);
-  return differ(a.young, b.young) || differ(a.shear, b.shear);
+  return differ(a.young, b.young) || differ(a.shear, b.shear) ||
+         ((isAnisotropic(one) || isAnisotropic(other)) && !haveSameStiffness(one, other));
 }
 
 template <int D>
@@ -51,6 +54,9 @@ std::string comparedText(const State<D>& state, int own, int other)
   const MaterialSet& materials = state.materials;
   const Elasticity a = elasticity(materials.properties[own]), b = elasticity(materials.properties[other]);
   const bool young = differ(a.young, b.young);
+  if (!young && !differ(a.shear, b.shear))
+    return "Materials > " + materials.names[other] + " (its stiffness has other directions than that of " +
+           "Materials > " + materials.names[own] + ")";
   return "Materials > " + materials.names[other] + " (its " + (young ? "Young's" : "shear") + " modulus is " +
          formatShort(young ? b.young / a.young : b.shear / a.shear) + " times that of Materials > " +
          materials.names[own] + ")";

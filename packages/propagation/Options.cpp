@@ -1,6 +1,8 @@
 #include "propagation/Options.hpp"
 
 #include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+#include "material/LawStiffness.hpp"
 #include "material/RayleighSpeed.hpp"
 #include "material/StartOfGrowth.hpp"
 #include "plan/LastStage.hpp"
@@ -369,9 +371,30 @@ void refuseWeak(const State<D>& state, const Options& options)
                                 "that");
 }
 
-double openingRelease(const DrivingForce& driving, const Elasticity& e)
+template <int D>
+void refuseAnisotropic(const State<D>& state, const Options& options)
 {
-  return Rhegma::openingRelease(driving.release, driving.modeI, driving.modeII, driving.modeIII, e);
+  for (std::size_t m = 0; m < state.materials.properties.size(); ++m)
+  {
+    if (!isAnisotropic(state.materials.properties[m]))
+      continue;
+    const std::string material = "Materials > " + state.materials.names[m] + " is anisotropic";
+    if (options.direction != DirectionRule::Straight)
+      throw std::invalid_argument("Propagation > Direction: " + material +
+                                  ", and the rules for turning cracks are those of isotropic bodies: write "
+                                  "Straight, for a crack that keeps its direction, such as along fibres");
+    if (!options.equilibrium && !(options.speedLimit > 0.0))
+      throw std::invalid_argument(
+          "Propagation > Speed Limit: is missing, and " + material +
+          ", so that the speed of Rayleigh waves depends on direction: write that in the direction of the "
+          "crack (m/s), below " +
+          formatShort(rayleighSpeed(state.materials.properties[m])));
+  }
+}
+
+double openingRelease(const DrivingForce& driving, const ModeRelease& modes)
+{
+  return Rhegma::openingRelease(driving.release, driving.modeI, driving.modeII, driving.modeIII, modes);
 }
 
 template double speedLimitAt(const State<2>&, const Vector<2>&, const Options&);
@@ -380,5 +403,7 @@ template double fastestRayleighWave(const State<2>&);
 template double fastestRayleighWave(const State<3>&);
 template void refuseWeak(const State<2>&, const Options&);
 template void refuseWeak(const State<3>&, const Options&);
+template void refuseAnisotropic(const State<2>&, const Options&);
+template void refuseAnisotropic(const State<3>&, const Options&);
 
 } // namespace Rhegma::propagation

@@ -1,7 +1,7 @@
 #pragma once
 /// Options of propagation.
 
-#include "material/MaterialTable.hpp"
+#include "material/StartOfGrowth.hpp"
 #include "plan/Effect.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
@@ -57,7 +57,13 @@ void refuseWeak(const State<D>& state, const Options& options);
 
 /// The energy release rate without closing mode I: under compression a crack does not open, though J is
 /// positive. The rate is J times the fraction of sliding, K_II^2/E' + K_III^2/(2 mu), in the sum of all modes
-/// (Irwin). \param e of the material at the front
-double openingRelease(const DrivingForce& driving, const Elasticity& e);
+/// (Irwin). \param modes of the material at the front
+double openingRelease(const DrivingForce& driving, const ModeRelease& modes);
+
+/// Refuses what the rule of growth can't do in bodies whose stiffness depends on direction: turns, which need
+/// the anisotropic hoop stress, and in time a front without Speed Limit, as the speed of Rayleigh waves
+/// depends on direction. \throws std::invalid_argument, with the parameter's path
+template <int D>
+void refuseAnisotropic(const State<D>& state, const Options& options);
 
 } // namespace Rhegma::propagation

@@ -34,6 +34,7 @@ void start(State<D>& state, Run<D>& run)
   state.cracks.driven = true;
   state.cracks.drivingContours = run.options.contours;
   state.cracks.growth.startTime = run.options.rule.startTime;
+  refuseAnisotropic(state, run.options);
   refuseWeak(state, run.options);
   run.options.waveSpeed = fastestRayleighWave(state);
   run.fronts.resize(state.cracks.fronts.size());

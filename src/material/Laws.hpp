@@ -7,6 +7,7 @@
 #include "material/LinearElastic.hpp"
 #include "material/MooneyRivlin.hpp"
 #include "material/NeoHookean.hpp"
+#include "material/Orthotropic.hpp"
 #include "material/SharedLibrary.hpp"
 #include "material/ViscoScram.hpp"
 #include "material/Viscoelastic.hpp"
@@ -25,7 +26,7 @@ struct LawList
 
 /// Properties::law is an index in it.
 using Laws = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid,
-                     ViscoScram, SharedLibrary>;
+                     ViscoScram, SharedLibrary, Orthotropic>;
 
 /// Index of a law in a list.
 template <class Law, class... Listed>

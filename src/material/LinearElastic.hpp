@@ -21,6 +21,7 @@ struct LinearElastic : LawDefaults
   static constexpr const char* meaning =
       "Isotropic linear elasticity for small strain; rotations may be large.";
 
+  static constexpr bool linear = true;
   static constexpr int yieldAt = 0; ///< in Properties::own [Pa]
   /// Known for warnings only; the law does not yield.
   static double firstYield(const Properties& m) { return m.own[yieldAt]; }

@@ -28,7 +28,11 @@ const std::vector<std::string>& lawsWithDamage();
 /// Stress in tension at which a material first flows; 0 where it does not [Pa].
 double firstYield(const Properties& properties);
 
-/// Moduli at small strain, the same for every law.
+/// Density times the square of the largest speed of waves at small strain [Pa] (LawStiffness.hpp).
+double stiffestModulus(const Properties& properties);
+
+/// Moduli at small strain, the same for every law; of an anisotropic one means over all directions, but for
+/// the last.
 struct Elasticity
 {
   double young;              ///< [Pa]
@@ -36,7 +40,7 @@ struct Elasticity
   double shear;              ///< [Pa]
   double lambda;             ///< Lame's first parameter of the solid [Pa]
   double effectiveModulus;   ///< E' of fracture mechanics: E in plane stress, else E / (1 - nu^2) [Pa]
-  double constrainedModulus; ///< of the dilatational wave: lambda + 2 mu, in plane stress E / (1 - nu^2) [Pa]
+  double constrainedModulus; ///< of the fastest wave: lambda + 2 mu, in plane stress E / (1 - nu^2) [Pa]
 };
 
 inline Elasticity elasticity(const Properties& properties)
@@ -49,7 +53,7 @@ inline Elasticity elasticity(const Properties& properties)
   e.shear = mu;
   e.lambda = properties.lambda;
   e.effectiveModulus = properties.plane == Plane::Stress ? e.young : e.young / (1.0 - e.poisson * e.poisson);
-  e.constrainedModulus = properties.planeLambda + 2.0 * mu;
+  e.constrainedModulus = stiffestModulus(properties);
   return e;
 }
 

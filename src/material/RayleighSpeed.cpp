@@ -1,6 +1,6 @@
 #include "material/RayleighSpeed.hpp"
 
-#include "material/MaterialTable.hpp"
+#include "material/LawStiffness.hpp"
 
 #include <cmath>
 
@@ -9,6 +9,8 @@ namespace Rhegma
 
 double rayleighSpeed(const Properties& material)
 {
+  if (isAnisotropic(material))
+    return std::sqrt(surfaceWaveModulus(material) / material.density);
   const Elasticity e = elasticity(material);
   const double shear = e.shear / material.density;     // c_s^2
   const double ratio = e.shear / e.constrainedModulus; // c_s^2 / c_d^2

@@ -31,15 +31,29 @@ inline double hoopStressLoad(double turn)
   return std::sqrt(1.0 + shear * shear) / (half * half * half + 1.5 * shear * half * std::sin(t));
 }
 
+/// Energy release rate of a unit of stress intensity of each mode [1/Pa]: G is the sum of K^2 times these,
+/// and of what couples modes in anisotropic materials.
+struct ModeRelease
+{
+  double opening = 0.0, sliding = 0.0, tearing = 0.0;
+};
+
+/// Of an isotropic material (Irwin).
+inline ModeRelease modeRelease(const Elasticity& e)
+{
+  return {1.0 / e.effectiveModulus, 1.0 / e.effectiveModulus, 1.0 / (2.0 * e.shear)};
+}
+
 /// The part of an energy release rate that drives a crack [J/m2]: all of it, or, where K_I closes the faces,
 /// the share of the sliding modes. \param release G [J/m2] \param modeI, modeII, modeIII K [Pa m^0.5]
-/// \param e of the material at the front
-inline double openingRelease(double release, double modeI, double modeII, double modeIII, const Elasticity& e)
+/// Where K is not known (not a number) it is all of it. \param modes of the material at the front
+inline double openingRelease(double release, double modeI, double modeII, double modeIII,
+                             const ModeRelease& modes)
 {
-  if (modeI >= 0.0)
+  if (!(modeI < 0.0))
     return release;
-  const double closing = modeI * modeI / e.effectiveModulus;
-  const double sliding = modeII * modeII / e.effectiveModulus + modeIII * modeIII / (2.0 * e.shear);
+  const double closing = modes.opening * modeI * modeI;
+  const double sliding = modes.sliding * modeII * modeII + modes.tearing * modeIII * modeIII;
   return release * sliding / (closing + sliding);
 }
 

@@ -1,7 +1,6 @@
 #include "plausibility/BodyMeasures.hpp"
 
-#include "material/Laws.hpp"
-#include "material/MaterialTable.hpp"
+#include "material/LawStiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +40,8 @@ void setMaterial(const State<D>& state, int material, BodyMeasure<D>& body)
   body.density = properties.density;
   body.moduli = elasticity(properties);
   body.speed = std::sqrt(body.moduli.constrainedModulus / body.density);
-  body.linear = properties.law == lawIndex<LinearElastic>;
+  body.linear = isLinear(properties);
+  body.anisotropic = isAnisotropic(properties);
   body.yield = firstYield(properties);
 }
 

@@ -57,7 +57,8 @@ def fronts_at_end(summary, time):
     if toughness and all("G_J" in nodes for nodes in fronts):
         quantity, factor, label = "G_J", 1.0 / toughness, "G / Gc"
     else:
-        quantity = next((name for name in ("K_I", "G_J") if fronts and all(name in nodes for nodes in fronts)), None)
+        quantity = next((name for name in ("K_I", "G_J") if fronts and all(name in nodes and np.isfinite(nodes[name]).any()
+                                                                                 for nodes in fronts)), None)
         if quantity is None:
             return None
         largest = max(float(np.nanmax(np.abs(nodes[quantity]), initial=0.0)) for nodes in fronts)

@@ -1,7 +1,16 @@
 #include "LatticeState.hpp"
 
+#include "WilliamsField.hpp"
+
 namespace Rhegma::energy_release::test
 {
+
+void setMaterial(State<2>& state, const Teuchos::ParameterList& material)
+{
+  state.materials.properties = {makeProperties(material, "Resin", state.method.plane)};
+  state.materials.device = View<Properties*>("rhegma::materials", 1);
+  Kokkos::deep_copy(state.materials.device, state.materials.properties[0]);
+}
 
 State<2> makeBody(double half, double cell, Plane plane, ShapeKind shape, const Vector<2>& shift)
 {
@@ -20,9 +29,7 @@ State<2> makeBody(double half, double cell, Plane plane, ShapeKind shape, const 
   material.set("Density", density);
   material.set("Young Modulus", young);
   material.set("Poisson Ratio", poisson);
-  state.materials.properties = {makeProperties(material, "Resin", plane)};
-  state.materials.device = View<Properties*>("rhegma::materials", 1);
-  Kokkos::deep_copy(state.materials.device, state.materials.properties[0]);
+  setMaterial(state, material);
 
   FieldTable& table = state.particles;
   table.add({fields::position, 2, "m", ""});
@@ -138,6 +145,30 @@ DisplacementField tipDisplacement(const State<2>& state, const CrackFront<2>& fr
           for (int j = 0; j < 2; ++j)
             d.gradient[2 * i + j] += value * axis[a][i] * axis[b][j];
       }
+    }
+    return d;
+  };
+}
+
+DisplacementField tipDisplacement(const CrackFront<2>& front, const CrackCompliance& material, double modeI,
+                                  double modeII)
+{
+  return [=](const Vector<2>& x)
+  {
+    const Vector<2> from = x - front.position;
+    const double along = dot(from, front.direction), across = dot(from, front.normal);
+    const TipPosition at(std::hypot(along, across), std::atan2(across, along), material);
+    const TipField one = at.field(0), two = at.field(1);
+    const Vector<2> axis[2] = {front.direction, front.normal};
+    Displacement d{{{0.0, 0.0}}, {0.0, 0.0, 0.0, 0.0}};
+    for (int a = 0; a < 2; ++a)
+    {
+      d.u = d.u + (modeI * one.displacement[a] + modeII * two.displacement[a]) * axis[a];
+      for (int b = 0; b < 2; ++b)
+        for (int i = 0; i < 2; ++i)
+          for (int j = 0; j < 2; ++j)
+            d.gradient[2 * i + j] +=
+                (modeI * one.gradient[a][b] + modeII * two.gradient[a][b]) * axis[a][i] * axis[b][j];
     }
     return d;
   };

@@ -34,6 +34,9 @@ struct Motion
 State<2> makeBody(double half, double cell, Plane plane, ShapeKind shape,
                   const Vector<2>& shift = {{0.0, 0.0}});
 
+/// Gives the body another material.
+void setMaterial(State<2>& state, const Teuchos::ParameterList& material);
+
 /// Puts the particles where the displacement says, with the stress of their law.
 void deform(State<2>& state, const DisplacementField& field);
 
@@ -45,6 +48,10 @@ NodalAcceleration<2> nodalAcceleration(const State<2>& state);
 
 /// Adds a crack with one front at `tip` in the direction of `angle`, side +1 on its left.
 CrackFront<2> addFront(State<2>& state, const Vector<2>& tip, double angle);
+
+/// Displacement of the singular fields of the program of modes I and II around a front.
+DisplacementField tipDisplacement(const CrackFront<2>& front, const CrackCompliance& material, double modeI,
+                                  double modeII);
 
 /// Displacement of Williams' field of modes I and II around a front.
 DisplacementField tipDisplacement(const State<2>& state, const CrackFront<2>& front, double modeI,

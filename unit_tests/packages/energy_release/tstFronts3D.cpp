@@ -1,5 +1,6 @@
 #include "../cracks/CubeScene.hpp"
 #include "Pi.hpp"
+#include "WilliamsField.hpp"
 
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DrivingForces.hpp"

@@ -337,7 +337,7 @@ TEST(OpeningRelease, IsWhatOpeningAndSlidingRelease)
     driving.modeI = KI;
     driving.modeII = KII;
     driving.modeIII = KIII;
-    return openingRelease(driving, e);
+    return openingRelease(driving, modeRelease(e));
   };
   EXPECT_DOUBLE_EQ(release(opens, slides, tears, I + II + III), I + II + III);
   EXPECT_NEAR(release(-opens, slides, tears, I + II + III), II + III, 1e-12 * (II + III));

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace Rhegma
 {
@@ -59,6 +60,26 @@ inline Properties plastic(Plane plane, double young, double poisson, double yiel
   return makeProperties(list, "Test", plane);
 }
 
+/// A value of a list.
+inline Teuchos::Array<double> arrayOf(const std::vector<double>& values)
+{
+  return Teuchos::Array<double>(values);
+}
+
+/// Of moduli E1, E2, E3 of 4, 2 and 1.5, with fibres 20 degrees from x.
+inline Teuchos::ParameterList orthotropicList(Plane plane)
+{
+  Teuchos::ParameterList list;
+  list.set("Model", "Orthotropic");
+  list.set("Density", 2.0);
+  list.set("Young Moduli", arrayOf({4.0, 2.0, 1.5}));
+  list.set("Poisson Ratios", arrayOf({0.25, 0.3, 0.2}));
+  list.set("Shear Moduli", arrayOf({0.9, 0.7, 0.8}));
+  const double c = std::cos(0.35), s = std::sin(0.35);
+  list.set("Fibre Direction", plane == Plane::Solid ? arrayOf({c, s, 0.0}) : arrayOf({c, s}));
+  return list;
+}
+
 /// A law, a dimension, a plane, and a material of moduli of order one. The J2 material does not yield.
 template <class L, int dimension, Plane plane>
 struct Case
@@ -74,17 +95,24 @@ struct Case
       return hookean("Neo-Hookean", P, 2.6, 0.3);
     else if constexpr (std::is_same_v<L, MooneyRivlin>)
       return mooneyRivlin(P, 0.4, 0.1, 20.0);
+    else if constexpr (std::is_same_v<L, Orthotropic>)
+      return makeProperties(orthotropicList(P), "Test", P);
     else
       return plastic(P, 2.6, 0.3, 1.0e6, 0.0);
   }
 };
+
+template <class Law>
+constexpr bool isAnisotropicLaw = std::is_same_v<Law, Orthotropic>;
 
 using EveryCase = testing::Types<Case<LinearElastic, 2, Plane::Strain>, Case<LinearElastic, 2, Plane::Stress>,
                                  Case<LinearElastic, 3, Plane::Solid>, Case<NeoHookean, 2, Plane::Strain>,
                                  Case<NeoHookean, 2, Plane::Stress>, Case<NeoHookean, 3, Plane::Solid>,
                                  Case<MooneyRivlin, 2, Plane::Strain>, Case<MooneyRivlin, 2, Plane::Stress>,
                                  Case<MooneyRivlin, 3, Plane::Solid>, Case<J2Plastic, 2, Plane::Strain>,
-                                 Case<J2Plastic, 2, Plane::Stress>, Case<J2Plastic, 3, Plane::Solid>>;
+                                 Case<J2Plastic, 2, Plane::Stress>, Case<J2Plastic, 3, Plane::Solid>,
+                                 Case<Orthotropic, 2, Plane::Strain>, Case<Orthotropic, 2, Plane::Stress>,
+                                 Case<Orthotropic, 3, Plane::Solid>>;
 
 template <int D>
 Gradient<D> identity()

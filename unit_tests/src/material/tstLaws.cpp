@@ -86,10 +86,13 @@ TYPED_TEST(Laws, StressTurnsWithTheMaterial)
   }
 }
 
-/// Hooke's law up to terms of second order: strain 1e-7, so 1e-14 times moduli of 20 and a count of products.
+/// Hooke's law of isotropic materials up to terms of second order: strain 1e-7, so 1e-14 times moduli of 20
+/// and a count of products.
 TYPED_TEST(Laws, SmallStrainIsHooke)
 {
   constexpr int D = TypeParam::D;
+  if (isAnisotropicLaw<typename TypeParam::Law>) // tstOrthotropic.cpp
+    return;
   const Properties m = TypeParam::material();
   const Elasticity e = elasticity(m);
   const double lambda = TypeParam::P == Plane::Stress
@@ -179,7 +182,8 @@ TYPED_TEST(Laws, EnergyOfSmallStrainKeepsItsDigits)
   const double strain = 1.0e-8;
   Gradient<D> F = identity<D>();
   F[0] += strain;
-  const double modulus = elasticity(m).constrainedModulus;
+  const double modulus =
+      isAnisotropicLaw<typename TypeParam::Law> ? m.own[0] : elasticity(m).constrainedModulus;
   // The rounding of 1 + strain is 1e-16 / 1e-8 of it, and enters W twice.
   EXPECT_NEAR(energyOf<TypeParam>(m, F, {}) / (0.5 * modulus * strain * strain), 1.0, 2.0e-7);
 }

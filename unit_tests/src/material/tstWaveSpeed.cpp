@@ -112,15 +112,25 @@ double largestExcess(double low, double high)
 }
 
 /// At stretches of 0.9 to 1.1 the bound costs at most an eighth of the time step (the worst is Linear Elastic
-/// in 3D, where the largest stress and the largest stretch lie along different directions).
-TYPED_TEST(WaveSpeed, BoundsSmallStrain) { EXPECT_LT(largestExcess<TypeParam>(0.9, 1.1), 1.125); }
+/// in 3D, where the largest stress and the largest stretch lie along different directions). Where stiffness
+/// depends on direction the largest stretch may lie across the stiffest one, 1.1 / 0.9, and the fastest of 40
+/// waves at random is slower than the fastest: it is 18 degrees from it if it has an equal part of the half
+/// sphere, and where the stiffness falls as the fibres' part, cos^4, the speed is lower by 10 %.
+TYPED_TEST(WaveSpeed, BoundsSmallStrain)
+{
+  constexpr double most = 1.125;
+  EXPECT_LT(largestExcess<TypeParam>(0.9, 1.1),
+            isAnisotropicLaw<typename TypeParam::Law> ? most * 1.1 / 0.9 * 1.1 : most);
+}
 
 /// Linear elasticity loses its waves in strong compression, so that there only the laws of rubber and metal
 /// go far.
 TYPED_TEST(WaveSpeed, BoundsLargeStrain)
 {
-  const bool linear = std::is_same_v<typename TypeParam::Law, LinearElastic>;
-  EXPECT_LT(largestExcess<TypeParam>(linear ? 0.75 : 0.4, linear ? 1.4 : 3.0), 1.75);
+  const bool linear =
+      isAnisotropicLaw<typename TypeParam::Law> || std::is_same_v<typename TypeParam::Law, LinearElastic>;
+  EXPECT_LT(largestExcess<TypeParam>(linear ? 0.75 : 0.4, linear ? 1.4 : 3.0),
+            isAnisotropicLaw<typename TypeParam::Law> ? 1.75 * 1.4 / 0.75 : 1.75);
 }
 
 /// At the yield surface the elastic bound is above the waves of the plastic tangent too.
