@@ -125,10 +125,11 @@ struct Parts
         growth(mirrors)
   {
     // Where faces touch in motion, the contact of nodes near a front would store energy next to their
-    // springs.
+    // springs. A front that is held until a time starts with any G, and what its springs store then is lost
+    // to its faces: by this law up to G times a cell, which may be a hundred times their toughness.
     const RunOptions& motion = options.ofMotion();
-    surroundings.law.ofCells =
-        motion.fieldsConduct && (!motion.contact || !moves);
+    const bool startsByTime = motion.growth && moves && motion.growthFrom > 0.0;
+    surroundings.law.ofCells = motion.fieldsConduct && !startsByTime && (!motion.contact || !moves);
   }
 };
 

@@ -280,6 +280,8 @@ std::optional<double> initiationToughness(const Teuchos::ParameterList& list)
 void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run)
 {
   run.growth = true;
+  if (list.isType<double>("Start Time"))
+    run.growthFrom = list.get<double>("Start Time");
   run.initiationToughness = initiationToughness(list);
   run.loadFactor =
       list.isType<std::string>("Load Control") && list.get<std::string>("Load Control") == "Load Factor";

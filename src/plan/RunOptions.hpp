@@ -62,6 +62,7 @@ struct RunOptions
   /// Energy release rate at which fronts that may grow initiate [J/m2]; none where there are none, or where
   /// it depends on temperature.
   std::optional<double> initiationToughness;
+  double growthFrom = 0.0;  ///< time before which no crack grows [s]
   bool loadFactor = false;  ///< in equilibrium, under loads whose factor is found from their growth
   DrivingContours contours; ///< contours for the driving forces of growing cracks, given in 2D
   NodalMass nodalMass;

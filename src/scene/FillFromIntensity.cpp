@@ -3,6 +3,7 @@
 #include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "material/LawStiffness.hpp"
 #include "material/MaterialTable.hpp"
 #include "scene/EntryNumbers.hpp"
 #include "scene/Validation.hpp"
@@ -94,6 +95,9 @@ public:
       throw std::invalid_argument(
           "the moduli of Materials > " + varying_ +
           " depend on temperature, so that it has no fixed toughness; write Toughness.");
+    if (!anisotropic_.empty())
+      throw std::invalid_argument("Materials > " + anisotropic_ +
+                                  " is anisotropic, and G is not K^2 / E' there; write Toughness.");
     const auto order = [](const auto& a, const auto& b) { return a.second < b.second; };
     const auto [least, most] = std::minmax_element(moduli_.begin(), moduli_.end(), order);
     if (least == moduli_.end())
@@ -115,6 +119,8 @@ private:
     try
     {
       const Properties properties = makeProperties(material, name, plane);
+      if (isAnisotropic(properties))
+        anisotropic_ = name;
       if (const double modulus = elasticity(properties).effectiveModulus;
           modulus > 0.0 && std::isfinite(modulus))
         moduli_.emplace_back(name, modulus);
@@ -126,6 +132,7 @@ private:
 
   std::vector<std::pair<std::string, double>> moduli_; ///< name of the material, E'
   std::string varying_;                                ///< a material with a table of temperature
+  std::string anisotropic_;                            ///< a material whose stiffness depends on direction
 };
 
 } // namespace

@@ -86,6 +86,9 @@ class CriticalIntensity(ProgramTest):
         warm = {"Thermal": {"Initial Temperature": 300.0}, "Materials > Polymer > Specific Heat": 1400.0,
                 "Materials > Polymer > Young Modulus": "300:3e9, 400:2e9"}
         self.refused({**K, **warm}, "Materials > Polymer", "depend on temperature", "write Toughness")
+        fibres = {"Model": "Orthotropic", "Density": 1600.0, "Young Moduli": [140e9, 10e9, 10e9], "Poisson Ratios": [0.3, 0.4, 0.3],
+                  "Shear Moduli": [5e9, 3.6e9, 5e9]}
+        self.refused({**K, "Materials > Polymer": fibres}, "Materials > Polymer is anisotropic", "write Toughness")
         # An error of a material is the only one that is reported.
         self.refused({**K, "Materials > Polymer > Poisson Ratio": 0.7}, "Materials > Polymer > Poisson Ratio")
 
