@@ -9,6 +9,8 @@ import tempfile
 
 from rhegma.problem import Problem
 
+from .output_file import replacing
+
 INCLUDES = os.path.join(os.path.dirname(os.path.realpath(__file__)), "includes")
 
 # By the end of the file's name: the variable that chooses the compiler, the compiler, and its options. Local arrays of Fortran must not
@@ -43,8 +45,7 @@ def build(source, library, flags=()):
     folder = os.path.dirname(os.path.abspath(library))
     if not os.path.isdir(folder):
         raise Problem(f"{library}: there is no folder {folder}.")
-    with tempfile.TemporaryDirectory(dir=folder) as own:
-        made = os.path.join(own, "law.so")
+    with replacing(library, [source]) as made, tempfile.TemporaryDirectory() as own:
         modules = ["-J", own] if (variable, compiler[0]) == ("FC", "gfortran") else []
         command = [*compiler, *COMMON, source, "-o", made, *options, *modules, *flags]
         answer = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
@@ -52,7 +53,8 @@ def build(source, library, flags=()):
             raise Problem(f"{source}: does not compile:\n{answer.stdout.strip()}")
         if answer.stdout.strip():
             print(answer.stdout.strip())
-        os.replace(made, library)
+        if not os.path.isfile(made):
+            raise Problem(f"{source}: {' '.join(compiler)} ends without an error and without a library; set {variable} to a compiler.")
 
 
 def symbols(library):

@@ -13,6 +13,7 @@ from . import report_facts as facts
 from .extreme_rows import HEAD, answers_without_peak, extreme_rows
 from .front_table import front_table
 from .html_text import Markup, data_block, element, folded, markup, picture, table
+from .output_file import replacing, target_of
 from .report_pictures import field_pictures, film, front_maps, front_pictures, history_pictures, seconds
 from .report_verdict import so_far, verdict
 from .style import COLOURS
@@ -283,12 +284,10 @@ def page_of(run):
 
 def write_page(folder, path):
     """Writes the page of a run. \\return (bytes, number of figures)"""
-    text = page_of(Run(folder)).encode("utf-8", errors="replace")
-    temporary = path + ".part"
-    try:
-        with open(temporary, "wb") as file:
-            file.write(text)
-        os.replace(temporary, path)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+    run = Run(folder)
+    read = [] if run.scene is None else [run.scene]
+    target_of(path, read)  # before the pictures are drawn
+    text = page_of(run).encode("utf-8", errors="replace")
+    with replacing(path, read) as temporary, open(temporary, "wb") as file:
+        file.write(text)
     return len(text), text.count(b"<figure")

@@ -13,6 +13,7 @@ from check_tests import *  # noqa: E402,F401,F403
 from extension_tests import *  # noqa: E402,F401,F403
 from history_tests import *  # noqa: E402,F401,F403
 from limits_tests import *  # noqa: E402,F401,F403
+from output_tests import *  # noqa: E402,F401,F403
 from parts_tests import *  # noqa: E402,F401,F403
 from plot_tests import *  # noqa: E402,F401,F403
 from same_tests import *  # noqa: E402,F401,F403
