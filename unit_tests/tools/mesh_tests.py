@@ -235,10 +235,12 @@ class Drawings(ToolTest):
         for content, words in (('<path d="M10 10 L50 50 L50 10 L10 50 Z"/>',
                                 ["cross or touch near x = 0.03 m, y = 0.02 m, or one crosses itself there"]),
                                ('<rect x="10" y="10" width="20" height="30" transform="scale(0)"/>', ["all of its shapes are in one point", "a scale"]),
-                               ('<svg x="10" y="10"><rect width="5" height="5"/></svg><text/>', ["no shapes that are read", "svg in another svg (1), text (1)"]),
+                               ('<svg x="10" y="10"><rect width="5" height="5"/></svg><text/>',
+                                ["no shapes that are read", "svg in another svg (1), text (1)"]),
                                ('<path d="M10 10 L50 50 L20 20 Z"/>', ["no closed outline, but 1 whose points are on one line"])):
             with self.subTest(content):
-                self.assert_fails(run("rhegma-mesh", self.write("part.svg", HEAD + content + "</svg>"), "-o", self.path("part.txt")), *words)
+                drawing = self.write("part.svg", HEAD + content + "</svg>")
+                self.assert_fails(run("rhegma-mesh", drawing, "-o", self.path("part.txt")), *words)
 
     def test_a_tolerance_that_needs_too_many_points(self):
         circle = '<circle cx="50" cy="20" r="10"/>'
