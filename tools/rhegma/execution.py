@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 import tempfile
 from typing import IO, Any, Callable, Mapping, Sequence, Union
@@ -14,12 +15,18 @@ from .scene import Scene
 Input = Union[Scene, Mapping[str, Any], str, "os.PathLike[str]"]
 REMEDY = "give its path as program, or in the environment variable RHEGMA_PROGRAM"
 SCENE_FILE = "scene.xml"  # in the folder of a run
+# Options of the program with which it does not run the scene, or not into the folder of the run.
+OTHER_THINGS = {"--output": "give the folder as output", "--check": "rhegma.check checks a scene", "--describe": "rhegma.describe does this",
+                **dict.fromkeys(("--twice", "--print-plan", "--describe-markdown", "--new", "--materials", "--materials-markdown", "--version", "--help",
+                                 "-h", "--picture", "--state"), "start the program itself for it")}
 
 
 def as_scene(scene: Input) -> Scene:
     """A scene from a Scene, nested dicts, or the path of an XML file. A Problem where the file can't be read."""
     if isinstance(scene, Scene):
         return scene
+    if not isinstance(scene, (Mapping, str, os.PathLike)):
+        raise Problem(f"{scene!r} is no scene; give the path of an XML file, a Scene or nested dicts.")
     return Scene(scene) if isinstance(scene, Mapping) else Scene.load(scene)
 
 
@@ -41,10 +48,41 @@ def file_for(scene: Scene, folder: str) -> str:
     return file
 
 
+def folder_of(output: str | os.PathLike[str]) -> str:
+    """The path of the folder of a run or of a sweep. A Problem where it is none."""
+    if not isinstance(output, (str, os.PathLike)) or not os.fspath(output):
+        raise Problem(f"output is {output!r}; give the path of a folder.")
+    return os.path.abspath(os.fspath(output))
+
+
+def check_count(name: str, count: Any) -> None:
+    """A Problem where a count is no whole number of 1 or more."""
+    try:
+        positive = operator.index(count) >= 1
+    except TypeError:
+        positive = False
+    if not positive:
+        raise Problem(f"{name} is {count!r}; it must be a whole number of 1 or more.")
+
+
+def check_how(ranks: int, threads: int | None, options: Sequence[str], launcher: Sequence[str] | None) -> None:
+    """A Problem where a run can't be started so, or would be none."""
+    check_count("ranks", ranks)
+    if threads is not None:
+        check_count("threads", threads)
+    for name, words, example in (("options", options, '["--strict"]'), ("launcher", launcher or (), '["srun", "-n", "4"]')):
+        if isinstance(words, str) or not isinstance(words, Sequence) or not all(isinstance(word, (str, os.PathLike)) for word in words):
+            raise Problem(f"{name} is {words!r}; it must be a list of words, such as {example}.")
+    for option in options:
+        remedy = OTHER_THINGS.get(str(option).partition("=")[0])
+        if remedy:
+            raise Problem(f"options has {option}, with which there is no run in the folder that output names; {remedy}.")
+
+
 def output_of(scene: Scene, output: str | os.PathLike[str] | None) -> str:
     """The folder of a run: as given, else the name of the scene's file with .out, next to it."""
     if output is not None:
-        return os.path.abspath(os.fspath(output))
+        return folder_of(output)
     if scene.path is None:
         raise Problem("give the folder of the run as output; a scene that is from no file has no default.")
     return os.path.abspath(os.path.splitext(scene.path)[0] + ".out")
@@ -101,7 +139,8 @@ def run(scene: Input, *, output: str | os.PathLike[str] | None = None, ranks: in
 
     Returns the run, also where a value of the section Reference was missed (`status` 4, `references_met`). Raises SceneError where the
     scene is wrong (exit status 1), RunStopped where the run could not continue (2), ProgramError for a defect of the program (3) or
-    a signal, and Problem where there is no program or the folder can't be written."""
+    a signal, and Problem where there is no program, the folder can't be written or an argument makes no sense, such as the option --check."""
+    check_how(ranks, threads, options, launcher)
     found = as_scene(scene).varied(settings or {})
     folder, path = output_of(found, output), find_program(program, REMEDY)
     make_folder(folder)

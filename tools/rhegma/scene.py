@@ -71,6 +71,8 @@ class Scene:
                 file.write(other.text() + "\n")
         except OSError as error:
             raise Problem(f"{path} can't be written ({error.strerror}).")
+        except UnicodeEncodeError as error:
+            raise Problem(f"{path} can't be written: the scene has the letter {error.object[error.start]!r}, which no text of a file has.")
 
     def text(self) -> str:
         """The scene as XML."""
@@ -113,7 +115,7 @@ class Scene:
     def find(self, path: str) -> ElementTree.Element:
         """The XML element of a parameter or section. A Problem names similar ones where there is none."""
         element, known = self.root, ""
-        for name in path.split(" > "):
+        for name in _names(path):
             child = _child(element, name)
             if child is None:
                 names = [str(one.get("name")) for one in element]
@@ -126,7 +128,7 @@ class Scene:
     def set(self, path: str, value: Any) -> Scene:
         """Changes a parameter, or adds a parameter or, from a dict, a section; sections around it are added where there are none.
         Returns this scene."""
-        names = path.split(" > ")
+        names = _names(path)
         parent = self.root
         for name in names[:-1]:
             child = _child(parent, name)
@@ -167,11 +169,13 @@ class Scene:
         return self
 
     def _parent(self, path: str) -> ElementTree.Element:
-        above = path.rpartition(" > ")[0]
-        return self.find(above) if above else self.root
+        above = _names(path)[:-1]
+        return self.find(" > ".join(above)) if above else self.root
 
     def _fill(self, element: ElementTree.Element, content: Mapping[str, Any]) -> None:
         for name, value in content.items():
+            if not isinstance(name, str):
+                raise Problem(f'{name!r} is no name of a parameter or a section; names are texts, such as "Domain".')
             if isinstance(value, Mapping):
                 self._fill(ElementTree.SubElement(element, "ParameterList", name=name), value)
                 continue
@@ -182,6 +186,13 @@ class Scene:
             parameter = ElementTree.SubElement(element, "Parameter", name=name, type=kind, value=text)
             if isinstance(value, Quantity):
                 parameter.set("unit", value.unit)
+
+
+def _names(path: str) -> list[str]:
+    """Names of the sections, and of the parameter, of a path. A Problem where it is no text."""
+    if not isinstance(path, str):
+        raise Problem(f'{path!r} is no path of a parameter; write one such as "Domain > Cell Size".')
+    return path.split(" > ")
 
 
 def _child(element: ElementTree.Element, name: str) -> ElementTree.Element | None:

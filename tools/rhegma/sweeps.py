@@ -8,7 +8,7 @@ import os
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Sequence
 
-from .execution import Input, as_scene, check, make_folder, run
+from .execution import Input, as_scene, check, check_count, check_how, folder_of, make_folder, run
 from .problem import Problem, ProgramError, SceneError
 from .program import FINISHED
 from .records import done_before, folder_name, forget, write_record
@@ -59,12 +59,26 @@ class Sweep(Sequence[Run]):
                 for i, one in enumerate(self.runs)]
 
 
-def combinations(parameters: Mapping[str, Sequence[Any]], combine: str) -> list[dict[str, Any]]:
+def values_of(path: str, values: Any) -> list[Any]:
+    """The values of a swept parameter; those of a Quantity have its unit. A Problem where there is only one, or the path is no text."""
+    if not isinstance(path, str):
+        raise Problem(f'{path!r} is no path of a parameter; write one such as "Domain > Cell Size".')
+    if isinstance(values, Quantity):
+        return [Quantity(value, values.unit) for value in values_of(path, values.value)]
+    try:
+        if not isinstance(values, (str, bytes, Mapping)):
+            return list(values)
+    except TypeError:
+        pass
+    raise Problem(f"{path}: {values!r} is one value; write a list of the values to run with, such as [{values!r}].")
+
+
+def combinations(parameters: Mapping[str, Sequence[Any] | Quantity], combine: str) -> list[dict[str, Any]]:
     """[{path: value}] of all runs. combine: "product" for each combination, the last parameter changes first; "zip" for the first values
     together, then the second ones. A Problem where numbers of values differ with "zip"."""
     if combine not in ("product", "zip"):
         raise Problem(f'combine is {combine!r}; write "product" or "zip".')
-    lists = {path: list(values) for path, values in parameters.items()}
+    lists = {path: values_of(path, values) for path, values in parameters.items()}
     if combine == "zip" and len({len(values) for values in lists.values()}) > 1:
         raise Problem("zip needs as many values of each parameter, but " + ", ".join(f"{path} has {len(v)}" for path, v in lists.items()) + ".")
     rows = itertools.product(*lists.values()) if combine == "product" else zip(*lists.values())
@@ -103,20 +117,21 @@ class _Planned:
         return done
 
 
-def sweep(scene: Input, parameters: Mapping[str, Sequence[Any]], *, output: str | os.PathLike[str], combine: str = "product", jobs: int = 1,
+def sweep(scene: Input, parameters: Mapping[str, Sequence[Any] | Quantity], *, output: str | os.PathLike[str], combine: str = "product", jobs: int = 1,
           again: bool = False, ranks: int = 1, threads: int | None = None, options: Sequence[str] = (),
           program: str | os.PathLike[str] | None = None, launcher: Sequence[str] | None = None) -> Sweep:
     """Runs a scene with each combination of values.
 
-    scene: as for run. parameters: {path: values}, such as {"Domain > Cell Size": [2e-3, 1e-3]}. combine: "product" or "zip". output: folder
+    scene: as for run. parameters: {path: values}, such as {"Domain > Cell Size": [2e-3, 1e-3]} or
+    {"Domain > Cell Size": Quantity([2, 1], "mm")}. combine: "product" or "zip". output: folder
     of all runs; each has a folder in it. jobs: number of runs at the same time; their wall times can't be compared if there is more than
     one. again: repeat runs that were done before; else a run whose scene and values are the same is only read. Others as for run.
 
     All scenes are checked before the first one is run: raises a SceneError where one is wrong. A run that stops or fails does not raise;
     its `status` is 2 or more, and `values` has NaN for it."""
-    if jobs < 1:
-        raise Problem("jobs must be 1 or more.")
-    base, folder = as_scene(scene), os.path.abspath(os.fspath(output))
+    check_count("jobs", jobs)
+    check_how(ranks, threads, options, launcher)
+    base, folder = as_scene(scene), folder_of(output)
     how = {"ranks": ranks, "threads": threads, "options": list(options), "program": program, "launcher": launcher}
     planned = [_Planned(base, one, folder, (ranks, threads, *options, *(launcher or ()))) for one in combinations(parameters, combine)]
     make_folder(folder)

@@ -16,6 +16,11 @@ class Quantity:
     value: Any
     unit: str
 
+    def __post_init__(self) -> None:
+        """A Problem where the unit is no text."""
+        if not isinstance(self.unit, str):
+            raise Problem(f'the unit {self.unit!r} of {self.value!r} is no text; write one such as "mm".')
+
 
 Value = Union[bool, int, float, str, Sequence[float], Sequence[str], Quantity]
 

@@ -1,8 +1,8 @@
 """Tables of error and cost, and their positions in a page of Markdown."""
 
-import os
-
 from rhegma.problem import Problem
+
+from .output_file import text_to
 
 LIMITS = (0.1, 0.03, 0.01, 0.003)
 
@@ -60,6 +60,5 @@ def renew(page, name, lines):
     if begin < 0 or stop < 0:
         raise Problem(f"{page} has no position for the table {name}; write {mark.strip()} and {end} there.")
     renewed = text[: begin + len(mark)] + "\n" + "\n".join(lines) + "\n\n" + text[stop:]
-    with open(page + ".part", "w", encoding="utf-8") as file:
+    with text_to(page) as file:
         file.write(renewed)
-    os.replace(page + ".part", page)

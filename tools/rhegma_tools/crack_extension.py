@@ -13,6 +13,7 @@ from rhegma.summary import read_summary
 from rhegma.values import split_array
 
 from .lengths import METRES, unit_of
+from .output_file import text_to
 from .scene_study import read_scene
 from .study_file import Run, Study
 
@@ -188,7 +189,7 @@ def rows_of(name, extension, summaries, potential):
 
 def write_release(name, rows, path):
     """Writes release.csv. Returns the lines to print."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
+    with text_to(path) as file:
         table = csv.writer(file)
         table.writerow(["front", "method", "G"])
         table.writerows([name, method.strip(), repr(value)] for method, value in rows)

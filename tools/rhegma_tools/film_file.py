@@ -1,5 +1,6 @@
 """Writes a film of a run: WebM or MP4 by ffmpeg, else an animated GIF. Colours, magnification and view are the same in all frames."""
 
+import errno
 import io
 import os
 import shutil
@@ -17,6 +18,7 @@ from . import style
 from .colour_scales import add_bar, scale_of
 from .field_picture import View, choose_view
 from .film_frames import Sample, Stage, as_png, common_magnification, spread
+from .output_file import replacing
 from .quantity import label_of, quantity_shown, unit_of
 from .spatial_picture import body_colours_at, camera_of, cut_text, scale_bar, triad
 from .spatial_pieces import body_piece, crack_pieces, cut_open
@@ -134,18 +136,21 @@ def draw_frames(folder, wanted, say=lambda text: None):
     return Film(frames, magnification, stage, solid)
 
 
-def encode(frames, path, per_second):
-    """Writes WebM or MP4 by ffmpeg."""
+def encode(frames, temporary, path, per_second):
+    """Writes WebM or MP4 by ffmpeg. path: of the film, for messages"""
     with tempfile.TemporaryDirectory(prefix="rhegma-film-") as folder:
         for i, (_, png) in enumerate(frames):
             with open(os.path.join(folder, f"{i:05d}.png"), "wb") as file:
                 file.write(png)
         even = "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white"
         command = ["ffmpeg", "-y", "-loglevel", "error", "-framerate", str(per_second), "-i", os.path.join(folder, "%05d.png"), "-vf", even,
-                   "-pix_fmt", "yuv420p", *ENCODERS[os.path.splitext(path)[1]], path]
+                   "-pix_fmt", "yuv420p", *ENCODERS[os.path.splitext(path)[1]], temporary]
         result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, errors="replace")
     if result.returncode != 0:
         reason = (result.stderr.strip().splitlines() or ["no reason given"])[-1]
+        space = os.strerror(errno.ENOSPC)  # which a GIF needs, too
+        if space in result.stderr:
+            raise Problem(f"{path} can't be written ({space}).")
         raise Problem(f"{path} can't be written by ffmpeg ({reason}); a name that ends with .gif needs no ffmpeg.")
 
 
@@ -154,10 +159,7 @@ def animate(frames, path, per_second):
     pictures = [Image.open(io.BytesIO(png)).convert("RGB") for _, png in frames]
     palette = pictures[-1].quantize(256, dither=Image.Dither.NONE)
     shown = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
-    try:
-        shown[0].save(path, save_all=True, append_images=shown[1:], duration=round(1000 / per_second), loop=0)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+    shown[0].save(path, save_all=True, append_images=shown[1:], duration=round(1000 / per_second), loop=0)
 
 
 def default_path(folder):
@@ -167,11 +169,12 @@ def default_path(folder):
 def write_film(frames, path, per_second):
     """Writes frames [(time, PNG)] in the format that the name of the file asks for."""
     ending = os.path.splitext(path)[1]
-    if ending == ".gif":
-        animate(frames, path, per_second)
-    elif ending not in ENCODERS:
+    if ending not in (".gif", *ENCODERS):
         raise Problem(f"{path}: the name of a film ends with .webm, .mp4 or .gif.")
-    elif shutil.which("ffmpeg") is None:
+    if ending != ".gif" and shutil.which("ffmpeg") is None:
         raise Problem(f"{path}: WebM and MP4 need ffmpeg (on Debian or Ubuntu: apt-get install ffmpeg); a name that ends with .gif needs none.")
-    else:
-        encode(frames, path, per_second)
+    with replacing(path) as temporary:
+        if ending == ".gif":
+            animate(frames, temporary, per_second)
+        else:
+            encode(frames, temporary, path, per_second)

@@ -1,13 +1,12 @@
 """Limits for vanishing cell size of what the families of a study answer."""
 
 import csv
-import os
 
-from rhegma.problem import Problem
 from rhegma.summary import read_summary
 
 from .answers import answers_of
 from .lengths import metres
+from .output_file import text_to
 from .richardson import find_limit
 from .study_file import CELL
 
@@ -109,19 +108,14 @@ def write_limits(outcomes, path):
     meshes = [measure_mesh(group) for group in meshes_in(outcomes)]
     if not meshes:
         return []
-    temporary = path + ".part"
-    try:
-        with open(temporary, "w", newline="", encoding="utf-8") as file:
-            table = csv.writer(file)
-            table.writerow(COLUMNS)
-            for mesh in meshes:
-                for row in mesh.rows:
-                    limit = row.limit
-                    numbers = [row.values[-1], limit.order, limit.value, limit.low, limit.high, row.reference]
-                    table.writerow([mesh.family, row.name, row.unit, *("" if n is None else repr(n) for n in numbers), limit.why or ""])
-                if mesh.why:
-                    table.writerow([mesh.family, *[""] * 8, mesh.why])
-        os.replace(temporary, path)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+    with text_to(path) as file:
+        table = csv.writer(file)
+        table.writerow(COLUMNS)
+        for mesh in meshes:
+            for row in mesh.rows:
+                limit = row.limit
+                numbers = [row.values[-1], limit.order, limit.value, limit.low, limit.high, row.reference]
+                table.writerow([mesh.family, row.name, row.unit, *("" if n is None else repr(n) for n in numbers), limit.why or ""])
+            if mesh.why:
+                table.writerow([mesh.family, *[""] * 8, mesh.why])
     return [line for mesh in meshes for line in mesh_as_text(mesh)]

@@ -8,25 +8,17 @@ import numpy as np
 from rhegma.problem import Problem
 from rhegma.program import capture
 
+from .output_file import replacing, text_to
+
 GMSH = "gmsh is not on the PATH; it makes the triangles of STEP files. Install it, on Debian or Ubuntu with apt-get install gmsh."
 CURVATURE = 40  # edges of triangles around a full circle
 
 
 def write_polygons(polygons, path, source):
-    """Writes polygons [m]: two numbers a line, an empty line between polygons. source: name of the drawing, for the comment"""
+    """Writes polygons [m]: two numbers a line, an empty line between polygons. source: path of the drawing, which is named in a comment"""
     blocks = ["\n".join(f"{x:.9g} {y:.9g}" for x, y in points) + "\n" for points in polygons]
-    write(path, lambda file: file.write(f"# polygons of {source}, in metres\n" + "\n".join(blocks)))
-
-
-def write(path, fill):
-    """Replaces a file by what fill(file) writes; an older one stays where that fails."""
-    temporary = path + ".part"
-    try:
-        with open(temporary, "w", encoding="utf-8") as file:
-            fill(file)
-        os.replace(temporary, path)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+    with text_to(path, [source]) as file:
+        file.write(f"# polygons of {os.path.basename(source)}, in metres\n" + "\n".join(blocks))
 
 
 def convert_step(path, output, size=None):
@@ -36,14 +28,13 @@ def convert_step(path, output, size=None):
     gmsh = shutil.which("gmsh")
     if gmsh is None:
         raise Problem(GMSH)
-    temporary = output + ".part.stl"
-    command = [gmsh, path, "-2", "-format", "stl", "-bin", "-o", temporary, "-setstring", "Geometry.OCCTargetUnit", "M",
-               "-clcurv", str(CURVATURE), *(["-clmax", repr(size)] if size else [])]
-    status, text, messages = capture(command)
-    if status != 0 or not os.path.exists(temporary):
-        errors = [line for line in (text + messages).splitlines() if "Error" in line]
-        raise Problem(f"gmsh can't convert {path}: " + (errors[0].partition(":")[2].strip() if errors else f"exit status {status}."))
-    os.replace(temporary, output)
+    with replacing(output, [path]) as temporary:
+        command = [gmsh, path, "-2", "-format", "stl", "-bin", "-o", temporary, "-setstring", "Geometry.OCCTargetUnit", "M",
+                   "-clcurv", str(CURVATURE), *(["-clmax", repr(size)] if size else [])]
+        status, text, messages = capture(command)
+        if status != 0 or not os.path.exists(temporary):
+            errors = [line for line in (text + messages).splitlines() if "Error" in line]
+            raise Problem(f"gmsh can't convert {path}: " + (errors[0].partition(":")[2].strip() if errors else f"exit status {status}."))
 
 
 def triangles_of(path):

@@ -11,6 +11,7 @@ from rhegma.history import read_history
 from rhegma.problem import Problem
 
 from .field_picture import choose_view
+from .output_file import text_to
 from .spatial_picture import camera_of
 
 CHILD = os.path.join(os.path.dirname(os.path.realpath(__file__)), "paraview_child.py")
@@ -92,13 +93,9 @@ def fronts_of(folder, fields):
 
 
 def replace(path, text):
-    temporary = path + ".part"
-    try:
-        with open(temporary, "w", encoding="utf-8") as file:
-            file.write(text)
-        os.replace(temporary, path)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+    """Replaces a file by a text."""
+    with text_to(path) as file:
+        file.write(text)
 
 
 def write_state(folder, fields, output, asked=None):

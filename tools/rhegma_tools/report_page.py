@@ -13,6 +13,8 @@ from . import report_facts as facts
 from .extreme_rows import HEAD, answers_without_peak, extreme_rows
 from .front_table import front_table
 from .html_text import Markup, data_block, element, folded, markup, picture, table
+from .output_file import replacing, target_of
+from .reading import attempt
 from .report_pictures import field_pictures, film, front_maps, front_pictures, history_pictures, seconds
 from .report_verdict import so_far, verdict
 from .style import COLOURS
@@ -40,10 +42,10 @@ class Run:
         self.history = self.read(read_history)
         self.fields = self.read(read_fields)
         found = Found()
-        manifest = read_manifest(run, found)
+        manifest = attempt(read_manifest, run, run, found=found, failed={})
         self.ended = bool(manifest.get("ended")) or (not manifest and bool(self.summary))
         self.state = None if self.ended else how_it_stands(run, [])
-        check_scene(run, manifest, found)
+        attempt(check_scene, run, run, manifest, found=found)
         self.problems += found.faults
         self.scene = next((path for path in ((manifest.get("scene") or {}).get("path"), self.summary.get("scene"))
                            if isinstance(path, str) and os.path.isfile(path)), None)
@@ -283,12 +285,10 @@ def page_of(run):
 
 def write_page(folder, path):
     """Writes the page of a run. \\return (bytes, number of figures)"""
-    text = page_of(Run(folder)).encode("utf-8", errors="replace")
-    temporary = path + ".part"
-    try:
-        with open(temporary, "wb") as file:
-            file.write(text)
-        os.replace(temporary, path)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+    run = Run(folder)
+    read = [] if run.scene is None else [run.scene]
+    target_of(path, read)  # before the pictures are drawn
+    text = page_of(run).encode("utf-8", errors="replace")
+    with replacing(path, read) as temporary, open(temporary, "wb") as file:
+        file.write(text)
     return len(text), text.count(b"<figure")

@@ -15,6 +15,8 @@ from rhegma.program import FINISHED, start
 from rhegma.records import RECORD, done_before, folder_name, forget, write_record
 from rhegma.summary import look_up, read_summary
 
+from .output_file import text_to
+
 
 class Outcome:
     """What a run gave. good: whether it finished with finite values. value and error, wall_seconds and particle_steps are None
@@ -172,16 +174,11 @@ def run_all(study, output, program, launcher, again, say, show=None, jobs=1):
 def write_table(study, outcomes, path):
     """study.csv: a row for every run; the fields of what a failed run did not give are empty."""
     paths = list(dict.fromkeys(p for run in study.runs for p in run.settings))
-    temporary = path + ".part"
-    try:
-        with open(temporary, "w", newline="", encoding="utf-8") as file:
-            rows = csv.writer(file)
-            rows.writerow(["family", *paths, "value", "error", "wall_seconds", "processor_seconds", "particle_steps",
-                           "exit", "path"])
-            for o in outcomes:
-                numbers = [o.value, o.error, o.wall_seconds, o.processor_seconds, o.particle_steps]
-                rows.writerow([o.run.family, *(o.run.settings.get(p, "") for p in paths),
-                               *("" if n is None else repr(n) for n in numbers), o.status, o.folder])
-        os.replace(temporary, path)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+    with text_to(path) as file:
+        rows = csv.writer(file)
+        rows.writerow(["family", *paths, "value", "error", "wall_seconds", "processor_seconds", "particle_steps",
+                       "exit", "path"])
+        for o in outcomes:
+            numbers = [o.value, o.error, o.wall_seconds, o.processor_seconds, o.particle_steps]
+            rows.writerow([o.run.family, *(o.run.settings.get(p, "") for p in paths),
+                           *("" if n is None else repr(n) for n in numbers), o.status, o.folder])

@@ -1,10 +1,14 @@
 """How all pictures look: colours that colour-blind readers can distinguish, SI units with prefixes, no clutter."""
 
+import contextlib
 import math
+import os
 
 import matplotlib
 
 from rhegma.problem import Problem
+
+from .output_file import replacing
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the back end is chosen first)
@@ -53,10 +57,13 @@ def scale(largest, unit):
 
 
 def save(figure, path):
-    """Writes a picture and closes it."""
+    """Writes a picture and closes it. path: of its file, or an open file, which gets a PNG"""
+    named = isinstance(path, (str, os.PathLike))
+    ending = named and os.path.splitext(path)[1][1:].lower() or "png"
     try:
-        figure.savefig(path, dpi=DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.15)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+        if ending not in figure.canvas.get_supported_filetypes():
+            raise Problem(f"{path}: the name of a picture ends with .png, .pdf or .svg.")
+        with replacing(path) if named else contextlib.nullcontext(path) as temporary:
+            figure.savefig(temporary, format=ending, dpi=DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.15)
     finally:
         plt.close(figure)

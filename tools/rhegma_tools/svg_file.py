@@ -1,6 +1,5 @@
 """Reads the shapes of an SVG drawing: curves, how they are filled, and where they are on the page."""
 
-import math
 import re
 
 import numpy as np
@@ -9,16 +8,17 @@ from rhegma.problem import Problem
 from rhegma.scene import read_xml
 
 from .svg_path import ellipse, polygon, read_path, rectangle
+from .svg_transform import METRES, PIXEL, product, shift, style_of, transform_of_element
 
-PIXEL = 0.0254 / 96.0  # [m], as CSS defines it
-METRES = {"": PIXEL, "px": PIXEL, "pt": 0.0254 / 72.0, "pc": 0.0254 / 6.0, "in": 0.0254, "mm": 1e-3, "cm": 1e-2, "Q": 0.25e-3, "m": 1.0}
 LENGTH = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z%]*)\s*")
-CALL = re.compile(r"(\w+)\s*\(([^)]*)\)")
+PATH_DATA = re.compile(r"path\(\s*(['\"])(.*)\1\s*\)", re.DOTALL)
+# Properties that change what is drawn.
+IN_A_SHEET = re.compile(r"(?<![\w-])(fill|fill-rule|display|visibility|transform|transform-origin|clip-path|mask|translate|rotate|scale|x|y|width|height|"
+                        r"cx|cy|r|rx|ry|d)\s*:")
 NOT_DRAWN = {"defs", "symbol", "clipPath", "mask", "pattern", "marker", "metadata", "title", "desc", "style", "script", "linearGradient",
              "radialGradient", "filter", "namedview", "view"}
 GROUPS = {"g", "a", "svg", "switch"}
 SHAPES = {"path", "rect", "circle", "ellipse", "polygon", "polyline", "line"}
-IDENTITY = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 
 
 class Shape:
@@ -50,8 +50,8 @@ def length(text, where):
 
 
 def in_units(element, name, default=0.0):
-    """A length of an element in units of its coordinates."""
-    text = element.get(name)
+    """A length of an element in units of its coordinates, from its style or, without one, its attribute."""
+    text = style_of(element).get(name, element.get(name))
     if text is None or text.strip() == "auto":
         return default
     number, unit = length(text, f"{name} of a {name_of(element)}")
@@ -60,50 +60,13 @@ def in_units(element, name, default=0.0):
     return number if unit == "" else number * METRES[unit] / PIXEL
 
 
-def product(outer, inner):
-    """The matrix (2, 3) of the inner transform followed by the outer one."""
-    return np.column_stack([outer[:, :2] @ inner[:, :2], outer[:, :2] @ inner[:, 2] + outer[:, 2]])
-
-
-def transform_of(text):
-    """The matrix (2, 3) of an attribute transform."""
-    matrix = IDENTITY
-    for name, arguments in CALL.findall(text or ""):
-        try:
-            matrix = product(matrix, one_transform(name, [float(one) for one in arguments.replace(",", " ").split()]))
-        except (ValueError, IndexError):
-            raise Problem(f'the transform "{text}" can\'t be read.')
-    return matrix
-
-
-def one_transform(name, v):
-    """The matrix of one function of a transform; a ValueError or IndexError where it is none."""
-    if name == "matrix" and len(v) == 6:
-        return np.array([[v[0], v[2], v[4]], [v[1], v[3], v[5]]])
-    if name == "translate":
-        return np.array([[1.0, 0.0, v[0]], [0.0, 1.0, v[1] if len(v) > 1 else 0.0]])
-    if name == "scale":
-        return np.array([[v[0], 0.0, 0.0], [0.0, v[1] if len(v) > 1 else v[0], 0.0]])
-    if name == "rotate":
-        cosine, sine = math.cos(math.radians(v[0])), math.sin(math.radians(v[0]))
-        x, y = v[1:3] if len(v) == 3 else (0.0, 0.0)
-        return np.array([[cosine, -sine, x - cosine * x + sine * y], [sine, cosine, y - sine * x - cosine * y]])
-    if name == "skewX":
-        return np.array([[1.0, math.tan(math.radians(v[0])), 0.0], [0.0, 1.0, 0.0]])
-    if name == "skewY":
-        return np.array([[1.0, 0.0, 0.0], [math.tan(math.radians(v[0])), 1.0, 0.0]])
-    raise ValueError(name)
-
-
 def page_matrix(root, unit=None):
     """(matrix (2, 3) from the coordinates of the drawing to metres with y upwards, whether the drawing has its size in a unit of length).
     unit: metres of one unit of the coordinates, instead of what the drawing says"""
     sizes = [length(root.get(name) or "100%", f"{name} of the drawing") for name in ("width", "height")]
     known = all(u != "%" for _, u in sizes)
     sized = all(u not in ("", "px", "%") for _, u in sizes)
-    box = [float(one) for one in (root.get("viewBox") or "").replace(",", " ").split()]
-    if box and (len(box) != 4 or min(box[2:]) <= 0.0):
-        raise Problem(f'the viewBox "{root.get("viewBox")}" of the drawing is not four numbers with a width and a height above zero.')
+    box = view_box(root, "the drawing")
     metres = [number * METRES.get(u, PIXEL) for number, u in sizes]
     if not box:  # coordinates are pixels
         x, y, factors = 0.0, metres[1] / PIXEL if known else 0.0, [PIXEL, PIXEL]
@@ -117,13 +80,40 @@ def page_matrix(root, unit=None):
     return np.array([[factors[0], 0.0, -factors[0] * x], [0.0, -factors[1], factors[1] * y]]), sized
 
 
+def symbol_matrix(symbol, use):
+    """The matrix (2, 3) from the coordinates of a symbol to those of the element that uses it: into the middle of its width and height, if the symbol has
+    a viewBox."""
+    if symbol.get("viewBox") is None:
+        return shift(0.0, 0.0)
+    x, y, *size = view_box(symbol, "a symbol")
+    sides = [in_units(use, name, in_units(symbol, name)) for name in ("width", "height")]
+    aspect = (symbol.get("preserveAspectRatio") or "xMidYMid meet").split()
+    if min(sides) <= 0.0 or aspect not in (["none"], ["xMidYMid"], ["xMidYMid", "meet"]):
+        raise Problem(f'the symbol "{symbol.get("id")}" has a viewBox; it is read if the element use has a width and a height above zero, and without '
+                      "preserveAspectRatio.")
+    factors = [side / own for side, own in zip(sides, size)]
+    if aspect != ["none"]:
+        factors = 2 * [min(factors)]
+    return np.array([[factors[0], 0.0, 0.5 * (sides[0] - factors[0] * size[0]) - factors[0] * x],
+                     [0.0, factors[1], 0.5 * (sides[1] - factors[1] * size[1]) - factors[1] * y]])
+
+
+def view_box(element, what):
+    """The four numbers of the viewBox of an element; none where it has none. what: its name in the message of the Problem"""
+    text = element.get("viewBox") or ""
+    try:
+        box = [float(one) for one in text.replace(",", " ").split()]
+    except ValueError:
+        box = [0.0]
+    if box and (len(box) != 4 or not min(box[2:]) > 0.0):
+        raise Problem(f'the viewBox "{text}" of {what} is not four numbers with a width and a height above zero.')
+    return box
+
+
 def properties_of(element, inherited):
     """{property: value} of an element: attributes, the attribute style, and what it inherits."""
     own = {name: element.get(name).strip() for name in ("fill", "fill-rule", "display", "visibility") if element.get(name)}
-    for part in (element.get("style") or "").split(";"):
-        name, colon, value = part.partition(":")
-        if colon:
-            own[name.strip()] = value.strip()
+    own.update(style_of(element))
     passed_on = {name: value for name, value in inherited.items() if name != "display"}
     return {**passed_on, **{name: value for name, value in own.items() if value != "inherit"}}
 
@@ -132,7 +122,11 @@ def curves_of(element):
     """The curves of an element that is a shape."""
     name = name_of(element)
     if name == "path":
-        return read_path(element.get("d") or "")
+        own = style_of(element).get("d")
+        data = None if own is None else PATH_DATA.fullmatch(own)
+        if own is not None and data is None:
+            raise Problem(f'the style "d: {own}" of a path can\'t be read.')
+        return read_path(data.group(2) if data else element.get("d") or "")
     if name in ("polygon", "polyline"):
         try:
             numbers = [float(one) for one in (element.get("points") or "").replace(",", " ").split()]
@@ -170,7 +164,8 @@ class Reader:
         if depth > 100:
             raise Problem("elements of the drawing are nested more than 100 times.")
         if element is not self.root:
-            matrix = product(matrix, transform_of(element.get("transform")))
+            matrix = product(matrix, transform_of_element(element))
+        self.name_what_cuts(element)
         if name in SHAPES:
             if properties.get("visibility") not in ("hidden", "collapse"):
                 filled = properties.get("fill") not in ("none", "transparent") and name != "line"
@@ -191,8 +186,24 @@ class Reader:
         other = self.known.get(target.lstrip("#"))
         if other is None:
             raise Problem(f'the drawing uses "{target}", which is not in it.')
-        shift = np.array([[1.0, 0.0, in_units(element, "x")], [0.0, 1.0, in_units(element, "y")]])
-        self.read(other, product(matrix, shift), properties, depth + 1)
+        matrix = product(matrix, shift(in_units(element, "x"), in_units(element, "y")))
+        if name_of(other) != "symbol":
+            self.read(other, matrix, properties, depth + 1)
+            return
+        properties = properties_of(other, properties)
+        if properties.get("display") == "none":
+            return
+        self.name_what_cuts(other)
+        matrix = product(product(matrix, transform_of_element(other)), symbol_matrix(other, element))
+        for child in other:
+            self.read(child, matrix, properties, depth + 2)
+
+    def name_what_cuts(self, element):
+        """Counts what would draw an element only in part."""
+        style = style_of(element)
+        for name in ("clip-path", "mask"):
+            if style.get(name, element.get(name) or "none") != "none":
+                self.skip(name)
 
 
 def read_drawing(path, unit=None):
@@ -206,6 +217,9 @@ def read_drawing(path, unit=None):
         reader.read(root, matrix, {})
     except Problem as problem:
         raise Problem(f"{path}: {problem}")
-    if any(name_of(element) == "style" and "fill" in (element.text or "") for element in root.iter()):
+    if any(name_of(element) == "style" and IN_A_SHEET.search(element.text or "") for element in root.iter()):
         reader.skip("style sheet")
+    if not reader.shapes:
+        left_out = ", ".join(f"{name} ({count})" for name, count in sorted(reader.skipped.items()))
+        raise Problem(f"{path}: the drawing has no shapes" + (f" that are read; it has {left_out}." if left_out else "."))
     return Drawing(reader.shapes, reader.skipped, sized)

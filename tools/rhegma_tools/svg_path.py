@@ -186,20 +186,32 @@ def piece_points(piece, matrix, tolerance):
     control = piece @ linear.T + shift
     if len(control) == 2:
         return control[1:]
-    bend = np.max(np.linalg.norm(control[:-2] - 2.0 * control[1:-1] + control[2:], axis=1))
-    order = len(control) - 1
-    # The chord of a step dt is at most dt^2 / 8 times the second derivative away, which is at most order (order - 1) bend.
-    steps = max(1, math.ceil(math.sqrt(order * (order - 1) * bend / (8.0 * tolerance))))
+    order, steps = len(control) - 1, math.ceil(steps_of(piece, linear, tolerance))
     t = np.arange(1, steps + 1)[:, None] / steps
     weights = [math.comb(order, k) * t**k * (1.0 - t) ** (order - k) for k in range(order + 1)]
     return sum(weight * point for weight, point in zip(weights, control))
 
 
+def steps_of(piece, linear, tolerance):
+    """Into how many edges a piece of a transformed curve is divided, before it is rounded up; a number, as it can be too large for a count. linear (2, 2)"""
+    if isinstance(piece, Arc):
+        largest = np.linalg.norm(linear @ piece.axes, 2)
+        if largest == 0.0:
+            return max(1.0, abs(piece.last - piece.first) / math.pi)
+        # A chord over an angle a is r (1 - cos(a / 2)) = 2 r sin(a / 4)^2 away from the circle; for small angles the cosine would have no digits.
+        step = min(4.0 * math.asin(min(1.0, math.sqrt(0.5 * tolerance / largest))), math.radians(60.0))
+        return max(1.0, (1.0 - 1e-12) * abs(piece.last - piece.first) / step)  # rounding must not add an edge
+    order = len(piece) - 1
+    if order == 1:
+        return 1.0
+    bend = np.max(np.linalg.norm((piece[:-2] - 2.0 * piece[1:-1] + piece[2:]) @ linear.T, axis=1))
+    # The chord of a step dt is at most dt^2 / 8 times the second derivative away, which is at most order (order - 1) bend.
+    return max(1.0, math.sqrt(order * (order - 1) * bend / (8.0 * tolerance)))
+
+
 def arc_angles(piece, linear, tolerance):
     """Angles (n) of the points of an arc after its first one."""
-    largest = np.linalg.norm(linear @ piece.axes, 2)
-    step = 2.0 * math.acos(max(1.0 - tolerance / largest, math.cos(math.radians(30.0)))) if largest > 0.0 else math.pi
-    steps = max(1, math.ceil(abs(piece.last - piece.first) / step))
+    steps = math.ceil(steps_of(piece, linear, tolerance))
     return piece.first + (piece.last - piece.first) * np.arange(1, steps + 1) / steps
 
 

@@ -9,6 +9,7 @@ from rhegma.problem import Problem
 from rhegma.summary import look_up, read_summary
 
 from . import style
+from .output_file import text_to
 from .study_picture import group_style
 from .style import plt
 
@@ -106,7 +107,7 @@ def draw_values(study, outcomes, table, path):
     rows = collect(outcomes)
     if not rows:
         return []
-    with open(table, "w", newline="", encoding="utf-8") as file:
+    with text_to(table) as file:
         writer = csv.writer(file)
         writer.writerow(["family", "at", "drawn at", "value", "true"])
         for outcome, at, value, true in rows:

@@ -7,6 +7,8 @@ import numpy as np
 
 from rhegma.problem import Problem
 
+from .output_file import replacing
+
 PILLOW = "Pillow is not installed; it reads pictures. Install it, on Debian or Ubuntu with apt-get install python3-pil."
 MOST = 20000  # edges of an outline; of more only the bounds are drawn
 
@@ -83,15 +85,10 @@ def by_thresholds(image, thresholds):
     return np.searchsorted(np.sort(thresholds), image, side="right").astype(np.uint8)
 
 
-def write_voxels(image, path):
-    """Replaces a .npy file."""
-    temporary = path + ".part"
-    try:
-        with open(temporary, "wb") as file:
-            np.save(file, image)
-        os.replace(temporary, path)
-    except OSError as error:
-        raise Problem(f"{path} can't be written ({error.strerror}).")
+def write_voxels(image, path, pictures=()):
+    """Replaces a .npy file. pictures: paths of what the image was read from"""
+    with replacing(path, pictures) as temporary, open(temporary, "wb") as file:
+        np.save(file, image)
 
 
 def counts_text(image):

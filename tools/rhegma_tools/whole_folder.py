@@ -15,6 +15,8 @@ import zlib
 import h5py
 import numpy as np
 
+from .reading import attempt, read_bytes
+
 MAGIC = b"\x89RHEGMA chk\r\n\x1a\n\x00"
 BLOCK = 512
 WENT_TO_ITS_END = ("finished", "not at rest", "cut off")  # "end" in summary.json of runs that nothing stopped
@@ -30,11 +32,6 @@ class Found:
         self.faults = []
         self.notes = []
         self.ended = False
-
-
-def read_bytes(path):
-    with open(path, "rb") as file:
-        return file.read()
 
 
 def read_manifest(folder, found):
@@ -371,12 +368,7 @@ def check_folder(folder):
     found = Found()
 
     def read(check, *arguments, failed=None):
-        """A check; of a file that can't be read that is said."""
-        try:
-            return check(*arguments, found)
-        except OSError as error:
-            found.faults.append(f"{error.filename or folder} can't be read ({error.strerror}).")
-            return failed
+        return attempt(check, folder, *arguments, found=found, failed=failed)
 
     manifest = read(read_manifest, folder, failed={})
     found.ended = bool(manifest.get("ended"))

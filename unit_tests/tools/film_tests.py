@@ -160,6 +160,22 @@ class Files(ToolTest):
         self.assert_fails(run("rhegma-film", self.folder, "--magnify", "-1"), "--magnify")
         self.assert_fails(run("rhegma-film", self.folder, "--output", self.path("none", "film.gif")), "can't be written")
 
+    def test_a_full_disk_is_no_matter_of_the_format(self):
+        """A program in place of ffmpeg fails; the older film stays, and nothing is left."""
+        frames = [(0.0, b"a picture")]
+        for why, words, other in (("part.webm: No space left on device", "can't be written (No space left on device).", "gif"),
+                                  ("Unknown encoder", "(Unknown encoder); a name that ends with .gif needs no ffmpeg.", None)):
+            with self.subTest(why):
+                os.chmod(self.write("ffmpeg", f"#!/bin/sh\necho half > $(eval echo \\${{$#}})\necho '{why}' >&2\nexit 1\n"), 0o755)
+                film = self.write("film.webm", "older")
+                with mock.patch.dict(os.environ, PATH=f"{self.folder}:{os.environ['PATH']}"), self.assertRaises(Problem) as caught:
+                    write_film(frames, film, 10.0)
+                self.assertIn(words, str(caught.exception))
+                self.assertNotIn(other or "No space", str(caught.exception).replace(self.folder, ""))
+                with open(film, encoding="utf-8") as file:
+                    self.assertEqual(file.read(), "older")
+                self.assertEqual(sorted(os.listdir(self.folder)), ["ffmpeg", "film.webm"])
+
     def test_without_ffmpeg_it_is_a_gif(self):
         growing(self.folder, [1e6, 2e6])
         status, output, _ = run("rhegma-film", self.folder, PATH=self.folder)

@@ -2,22 +2,29 @@
 
 import math
 import os
+import random
+import re
 import shutil
 import stat
 import subprocess
+import sys
 import unittest
+from unittest import mock
 
 import numpy as np
 from tool import ToolTest, run
 
 from rhegma.problem import Problem
 from rhegma_tools.mesh_file import triangles_of, volume_of
+from rhegma_tools import svg_outlines
 from rhegma_tools.svg_file import read_drawing
 from rhegma_tools.svg_outlines import area, extent_of, net_area, outlines_of
 from rhegma_tools.svg_path import read_path
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="100mm" height="50mm" viewBox="0 0 100 50">'
 TOLERANCE = 1e-5  # [m]
+SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
+print(f"seed {SEED}", file=sys.stderr)
 STAR = "M 50 5 L 58 40 L 32 18 L 68 18 L 42 40 Z"
 
 
@@ -145,7 +152,7 @@ class Drawings(ToolTest):
     def test_the_default_tolerance_follows_the_part(self):
         drawing = read_drawing(self.write("part.svg", HEAD + '<circle cx="50" cy="20" r="10"/></svg>'))
         # From points that are at most 60 degrees apart on the circle.
-        self.assertTrue(0.02 * math.cos(math.pi / 6) <= extent_of(drawing.shapes) <= 0.02)
+        self.assertTrue(0.02 * math.cos(math.pi / 6) <= extent_of(drawing.shapes) <= 0.02 * (1.0 + 1e-12))  # but for rounding
 
     def test_mistakes(self):
         self.assert_fails(run("rhegma-mesh", self.path("absent.svg")), "there is no file")
@@ -158,6 +165,133 @@ class Drawings(ToolTest):
         self.assert_fails(run("rhegma-mesh", self.path("a.svg"), "--size", "1 mm"), "--size does not apply")
         with self.assertRaisesRegex(Problem, "where a command is expected"):
             read_path("0 0 L 1 1")
+
+
+    def test_positions_in_the_style(self):
+        """Properties of the attribute style are those of the element, and come before its attributes."""
+        for one, other in (('<rect style="x:10px;y:5;width:20px; height : 30px" x="1" width="2"/>', '<rect x="10" y="5" width="20" height="30"/>'),
+                           ('<rect style="x:10;y:5;width:20;height:30;rx:3"/>', '<rect x="10" y="5" width="20" height="30" rx="3"/>'),
+                           ('<circle style="cx:30;cy:20;r:7 !important" r="2"/>', '<circle cx="30" cy="20" r="7"/>'),
+                           ('<ellipse cx="30" style="cy:20;rx:7px;ry:4"/>', '<ellipse cx="30" cy="20" rx="7" ry="4"/>'),
+                           ("<path style=\"d:path('M 10 10 H 20 V 20 Z')\" d=\"\"/>", '<path d="M 10 10 H 20 V 20 Z"/>')):
+            with self.subTest(one):
+                np.testing.assert_array_equal(self.polygons(one), self.polygons(other))
+        with self.assertRaisesRegex(Problem, "d: none"):
+            self.polygons('<path style="d: none"/>')
+
+    def test_transforms_in_the_style(self):
+        square, chance = '<rect x="45" y="20" width="8" height="4" {}/>', np.random.default_rng(SEED)
+        angle, x, y = chance.uniform(-90, 90), *chance.uniform(-5, 5, 2)
+        for one, other in ((f'style="transform: rotate({angle}deg)"', f'transform="rotate({angle})"'),
+                           (f'style="transform:translate({x}px, {y}px) rotate({math.radians(angle)}rad) scale(0.5)" transform="scale(9)"',
+                            f'transform="translate({x} {y}) rotate({angle}) scale(0.5)"'),
+                           ('style="transform:translateX(3px) translateY(2px) scaleX(2) scaleY(0.5) rotate(0.1turn)"',
+                            'transform="translate(3 2) scale(2 0.5) rotate(36)"'),
+                           ('style="transform: none" transform="scale(9)"', ""), ('style="transform: skew(10deg, 20deg)"',
+                            f'transform="matrix(1 {math.tan(math.radians(20))} {math.tan(math.radians(10))} 1 0 0)"'),
+                           (f'transform="rotate({angle})" transform-origin="{40 + x} {20 + y}"', f'transform="rotate({angle} {40 + x} {20 + y})"'),
+                           (f'style="transform:rotate({angle}deg);transform-origin:{40 + x}px {20 + y}px"', f'transform="rotate({angle} {40 + x} {20 + y})"'),
+                           ('transform-origin="50% 50%"', "")):
+            with self.subTest(one):
+                # Both are the same product of matrices but for rounding of coordinates below 1 m.
+                np.testing.assert_allclose(self.polygons(square.format(one)), self.polygons(square.format(other)), atol=1e-14)
+        for wrong, words in (('transform="rotate(30)" transform-origin="50% 50%"', 'transform-origin "50% 50%" is not read'),
+                             ('transform="rotate(30)" transform-origin="center"', 'transform-origin "center" is not read'),
+                             ('style="transform:rotate(30deg);transform-box:fill-box"', "transform-box"),
+                             ('style="rotate: 30deg"', "style .rotate: 30deg. is not"), ('transform="rotate(30) 5"', "can't be read"),
+                             ('transform="rotate(30mm)"', "can't be read"), ('style="transform:rotateX(3deg)"', "can't be read")):
+            with self.subTest(wrong), self.assertRaisesRegex(Problem, words):
+                self.polygons(square.format(wrong))
+
+    def test_symbols(self):
+        rect = '<rect x="1" y="2" width="4" height="3"/>'
+        for symbol, use, same in (("", 'x="20" y="10"', '<rect x="21" y="12" width="4" height="3"/>'),
+                                  # 2 units of the page for one of the symbol, in the middle of 40 x 20: 10 to the right.
+                                  ('viewBox="0 0 10 10"', 'x="20" y="10" width="40" height="20"', '<rect x="32" y="14" width="8" height="6"/>'),
+                                  ('viewBox="1 2 10 10" preserveAspectRatio="none"', 'x="20" y="10" width="40" height="20"',
+                                   '<rect x="20" y="10" width="16" height="6"/>'),
+                                  ('viewBox="0 0 10 10" width="20" height="20"', 'x="20" y="10"', '<rect x="22" y="14" width="8" height="6"/>')):
+            with self.subTest(symbol):
+                polygons = self.polygons(f'<symbol id="a" {symbol}>{rect}</symbol><use href="#a" {use}/>')
+                np.testing.assert_allclose(polygons, self.polygons(same), atol=1e-14)
+        for wrong in ('<symbol id="a" viewBox="0 0 10 10">', '<symbol id="a" viewBox="0 0 1 1" preserveAspectRatio="xMinYMin" width="5" height="5">'):
+            with self.subTest(wrong), self.assertRaisesRegex(Problem, 'symbol "a" has a viewBox'):
+                self.polygons(f'{wrong}{rect}</symbol><use href="#a"/>')
+
+    def test_what_cuts_is_named(self):
+        cuts = '<defs><clipPath id="c"><rect width="20" height="50"/></clipPath><mask id="m"><rect width="9" height="9"/></mask></defs>'
+        drawing = self.write("part.svg", HEAD + cuts + '<g clip-path="url(#c)"><rect x="10" y="10" width="20" height="30"/></g>'
+                             '<rect x="40" y="10" width="5" height="5" style="mask:url(#m);clip-path:none"/></svg>')
+        status, output, messages = run("rhegma-mesh", drawing, "-o", self.path("part.txt"))
+        self.assertEqual((status, messages), (0, ""))
+        for name in ("clip-path", "mask"):
+            self.assertIn(f"{name} is not used (1); what it would cut away is part of the polygons.", output)
+        for sheet, count in (("rect { clip-path: url(#c) }", 1), ("rect { stroke-width: 2; marker-mid: none }", 0), (".a{x:3px}", 1)):
+            with self.subTest(sheet):
+                drawing = read_drawing(self.write("b.svg", HEAD + f"<style>{sheet}</style><rect width='5' height='5'/></svg>"))
+                self.assertEqual(drawing.skipped.get("style sheet", 0), count)
+
+    def test_drawings_without_an_outline(self):
+        for content, words in (('<path d="M10 10 L50 50 L50 10 L10 50 Z"/>',
+                                ["cross or touch near x = 0.03 m, y = 0.02 m, or one crosses itself there"]),
+                               ('<rect x="10" y="10" width="20" height="30" transform="scale(0)"/>', ["all of its shapes are in one point", "a scale"]),
+                               ('<svg x="10" y="10"><rect width="5" height="5"/></svg><text/>',
+                                ["no shapes that are read", "svg in another svg (1), text (1)"]),
+                               ('<path d="M10 10 L50 50 L20 20 Z"/>', ["no closed outline, but 1 whose points are on one line"])):
+            with self.subTest(content):
+                drawing = self.write("part.svg", HEAD + content + "</svg>")
+                self.assert_fails(run("rhegma-mesh", drawing, "-o", self.path("part.txt")), *words)
+
+    def test_a_tolerance_that_needs_too_many_points(self):
+        circle = '<circle cx="50" cy="20" r="10"/>'
+        with self.assertRaisesRegex(Problem, r"needs 7e\+06 points, which is too many; it can be \S+ m or larger") as caught:
+            self.polygons(circle, tolerance=1e-15)
+        least = float(re.search(r"it can be (\S+) m", str(caught.exception)).group(1))
+        polygon, = self.polygons(circle, tolerance=least)
+        # Edges over an angle a are r a^2 / 8 away: 2 pi sqrt(r / (8 tolerance)) of them. The tolerance is found in steps of 1.5, rounded up by 12 % at most.
+        self.assertTrue(1e5 / math.sqrt(1.7) <= len(polygon) <= 1e5 + 13, len(polygon))
+        self.assertAlmostEqual(len(polygon) / (2 * math.pi * math.sqrt(0.01 / (8 * least))), 1.0, places=3)
+        with self.assertRaisesRegex(Problem, "too many"):
+            self.polygons('<path d="M10 30 C10 10 40 10 40 30 Z"/>', tolerance=1e-15)
+        self.assertEqual(len(self.polygons('<rect width="5" height="5"/>', tolerance=1e-15)[0]), 4)
+
+
+class Neighbours(ToolTest):
+    """What finds edges and loops that are near each other, against a comparison of all with all."""
+
+    def test_edges_with_overlapping_boxes(self):
+        chance = np.random.default_rng(SEED)
+        begin = np.round(chance.uniform(0, 1, (300, 2)), 2)  # rounded, so that some boxes touch
+        end = begin + np.round(chance.normal(0, [0.02, 0.3], (300, 2)), 2)
+        low, high = np.minimum(begin, end), np.maximum(begin, end)
+        expected = {frozenset((i, j)) for i in range(300) for j in range(i) if np.all(low[i] <= high[j]) and np.all(low[j] <= high[i])}
+        self.assertGreater(len(expected), 300)
+        for at_once in (1, 1000, svg_outlines.AT_ONCE):
+            with self.subTest(at_once), mock.patch.object(svg_outlines, "AT_ONCE", at_once):
+                pairs = [pair for i, j in svg_outlines.near_pairs(low, high) for pair in zip(i, j)]
+                self.assertEqual(len(pairs), len(expected))
+                self.assertEqual({frozenset(map(int, pair)) for pair in pairs}, expected)
+
+    def test_a_grid_of_squares_needs_few_comparisons(self):
+        """Squares that are apart: no edge is compared, and no square is asked whether it is inside another."""
+        corners = np.array([[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]])
+        loops = [svg_outlines.Loop(corners + [x, y], 0) for x in range(30) for y in range(30)]
+        with mock.patch.object(svg_outlines, "crosses", wraps=svg_outlines.crosses) as compared:
+            self.assertIsNone(svg_outlines.first_crossing(loops))
+        # Boxes of edges of different squares are apart; within a square only neighbours touch.
+        self.assertEqual(sum(len(call.args[0]) for call in compared.call_args_list), 0)
+        with mock.patch.object(svg_outlines, "is_inside", wraps=svg_outlines.is_inside) as asked:
+            self.assertEqual(len(svg_outlines.boundaries(loops, {0: False})), 900)
+        self.assertEqual(asked.call_count, 0)
+
+    def test_loops_around_others(self):
+        chance = np.random.default_rng(SEED)
+        circle = np.exp(2j * np.pi * np.arange(12) / 12)
+        polygons = [np.c_[c.real, c.imag] for c in (x + 1j * y + r * circle for x, y, r in chance.uniform(0, 1, (60, 3)))]
+        expected = [[j for j, other in enumerate(polygons) if j != i and svg_outlines.is_inside(0.5 * (one[0] + one[1]), other)]
+                    for i, one in enumerate(polygons)]
+        self.assertGreater(sum(map(len, expected)), 60)
+        self.assertEqual([list(around) for around in svg_outlines.loops_around(polygons)], expected)
 
 
 class StepFiles(ToolTest):

@@ -95,6 +95,19 @@ class Scenes(ToolTest):
         with self.assertRaisesRegex(rhegma.Problem, "is no XML"):
             rhegma.Scene.load(self.write("cut.xml", "<ParameterList"))
 
+    def test_names_and_units_are_texts(self):
+        with self.assertRaisesRegex(rhegma.Problem, "the unit None of 100 is no text"):
+            rhegma.Quantity(100, None)
+        for content in ({1: {"Dimension": 2}}, {"Domain": {None: 2}}):
+            with self.subTest(content), self.assertRaisesRegex(rhegma.Problem, "is no name of a parameter or a section"):
+                rhegma.Scene(content)
+        scene = rhegma.Scene(CONTENT)
+        for use in (lambda: scene[3], lambda: scene.set(3, 1.0), lambda: scene.varied({None: 1.0}), lambda: scene.remove(3)):
+            with self.assertRaisesRegex(rhegma.Problem, "is no path of a parameter"):
+                use()
+        with self.assertRaisesRegex(rhegma.Problem, "has the letter"):
+            rhegma.Scene({"Test": {"Title": "a\ud800"}}).save(self.path("scene.xml"))
+
     def test_files_are_found_from_another_folder(self):
         os.makedirs(self.path("other"))
         scene = rhegma.Scene({"Bodies": {"Part": {"File": "part.stl"}, "Two": {"File": "/parts/two.stl"}},
@@ -197,6 +210,35 @@ class Runs(ToolTest):
         with self.assertRaisesRegex(rhegma.Problem, "nowhere can't be started"):
             self.run_it(launcher=["nowhere"])
 
+    def test_options_with_which_there_is_no_run_in_the_folder(self):
+        """A run of before is in the folder, and would be taken for this one."""
+        self.run_it({"Domain > Cell Size": 0.04})
+        for options in (["--check"], ["--twice"], ["--output", self.path("other")], ["--strict", "--help"], ("--state=x",)):
+            with self.subTest(options), self.assertRaisesRegex(rhegma.Problem, "^options has --.*with which there is no run in the folder"):
+                self.run_it(options=options)
+        with self.assertRaisesRegex(rhegma.Problem, "^options has --check"):
+            rhegma.sweep(self.scene, {"Domain > Cell Size": [0.05]}, output=self.path("all"), program=PROGRAM, options=["--check"])
+        with open(self.path("runs.txt")) as file:
+            self.assertEqual(len(file.readlines()), 1)
+        self.assertEqual(self.run_it(options=["--strict"]).value("cracks.Notch.fronts.0.G_J"), 0.55)
+
+    def test_arguments_that_make_no_sense(self):
+        for how, words in (({"ranks": 0}, "^ranks is 0; it must be a whole number of 1 or more"), ({"ranks": -1}, "ranks is -1"),
+                           ({"ranks": "two"}, "ranks is 'two'"), ({"ranks": 1.5}, "ranks is 1.5"), ({"threads": 0}, "threads is 0"),
+                           ({"options": "--strict"}, "options is '--strict'; it must be a list of words"), ({"options": [1]}, "must be a list of words"),
+                           ({"launcher": "mpirun -np 2"}, "launcher is .* must be a list of words")):
+            with self.subTest(how), self.assertRaisesRegex(rhegma.Problem, words):
+                self.run_it(**how)
+        for output in ("", 3):
+            with self.subTest(output), self.assertRaisesRegex(rhegma.Problem, "^output is .*; give the path of a folder"):
+                rhegma.run(CONTENT, output=output, program=PROGRAM)
+            with self.subTest(output), self.assertRaisesRegex(rhegma.Problem, "^output is .*; give the path of a folder"):
+                rhegma.sweep(CONTENT, {}, output=output, program=PROGRAM)
+        for scene in (None, 3, []):
+            with self.subTest(scene), self.assertRaisesRegex(rhegma.Problem, "is no scene; give the path"):
+                rhegma.run(scene, output=self.path("out"), program=PROGRAM)
+        self.assertEqual(os.listdir(self.folder), [])
+
     def test_the_folder_of_a_run(self):
         self.scene.save(self.path("beam.xml"))
         self.assertEqual(rhegma.run(self.path("beam.xml"), program=PROGRAM).folder, self.path("beam.out"))
@@ -250,6 +292,22 @@ class Sweeps(ToolTest):
             self.sweep({"Domain > Cell Size": [0.05], "Domain > Dimension": [2, 3]}, combine="zip")
         with self.assertRaisesRegex(rhegma.Problem, 'write "product" or "zip"'):
             self.sweep({}, combine="all")
+
+    def test_values_that_are_none(self):
+        for values in (0.05, "Stress", {"a": 1}, None, rhegma.Quantity(50, "mm")):
+            with self.subTest(values), self.assertRaisesRegex(rhegma.Problem, "^Domain > Cell Size: .* is one value; write a list"):
+                self.sweep({"Domain > Cell Size": values})
+        with self.assertRaisesRegex(rhegma.Problem, "^3 is no path of a parameter"):
+            self.sweep({3: [1]})
+        with self.assertRaisesRegex(rhegma.Problem, "jobs is 0"):
+            self.sweep({"Domain > Cell Size": [0.05]}, jobs=0)
+
+    def test_values_with_one_unit(self):
+        # The made-up program takes numbers without units.
+        parameters = {"Domain > Cell Size": [0.05], "Domain > Lower Corner": rhegma.Quantity([[0, -500], [0, -400]], "mm")}
+        sweep = self.sweep(parameters)
+        self.assertEqual(sweep.setting("Domain > Lower Corner"), [rhegma.Quantity([0, -500], "mm"), rhegma.Quantity([0, -400], "mm")])
+        self.assertEqual(rhegma.Scene.load(os.path.join(sweep[1].folder, "scene.xml"))["Domain > Lower Corner"], rhegma.Quantity([0, -400], "mm"))
 
     def test_runs_that_stop_have_no_values(self):
         sweep = self.sweep({"Domain > Cell Size": [0.05, 0.1]})

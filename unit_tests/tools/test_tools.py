@@ -12,10 +12,13 @@ from accuracy_tests import *  # noqa: E402,F401,F403
 from check_tests import *  # noqa: E402,F401,F403
 from extension_tests import *  # noqa: E402,F401,F403
 from history_tests import *  # noqa: E402,F401,F403
+from law_tests import *  # noqa: E402,F401,F403
 from limits_tests import *  # noqa: E402,F401,F403
+from output_tests import *  # noqa: E402,F401,F403
 from parts_tests import *  # noqa: E402,F401,F403
 from plot_tests import *  # noqa: E402,F401,F403
 from same_tests import *  # noqa: E402,F401,F403
+from stream_tests import *  # noqa: E402,F401,F403
 from study_tests import *  # noqa: E402,F401,F403
 
 if __name__ == "__main__":
