@@ -1,8 +1,8 @@
 #include "checkpoint/SceneText.hpp"
 
+#include "base/FileChecksum.hpp"
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
-#include "material/LibraryFile.hpp"
 #include "scene/Validation.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::string nameOfFile(const std::string& path) { return std::filesystem::path(p
 /// The name of a file; of a law its content, too.
 std::string textOfFile(const std::string& parameter, const std::string& path)
 {
-  return nameOfFile(path) + (parameter == "Library File" ? ", CRC-32 " + checksumOfLibrary(path) : "");
+  return nameOfFile(path) + (parameter == "Library File" ? ", CRC-32 " + fileChecksum(path) : "");
 }
 
 std::string valueOf(const Teuchos::ParameterList& list, const std::string& name)

@@ -7,7 +7,7 @@
 namespace Rhegma
 {
 
-/// How the other process tells this one how far it is.
+/// What the other process sends to this one.
 class ChildTalk
 {
 public:

@@ -1,14 +1,12 @@
 #include "material/LibraryFile.hpp"
 
+#include "base/FileChecksum.hpp"
 #include "material/LoadedLaw.hpp"
 
 #include <array>
-#include <cstdio>
 #include <dlfcn.h>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <zlib.h>
 #ifdef __GLIBC__
 #include <elf.h>
 #include <link.h>
@@ -39,27 +37,6 @@ struct ElfHead
   }
 };
 
-std::string checksumOfFile(const std::string& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    return {};
-  uLong sum = crc32(0, nullptr, 0);
-  std::array<char, 65536> bytes;
-  while (in.read(bytes.data(), bytes.size()) || in.gcount() > 0)
-    sum = crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(in.gcount()));
-  char text[16];
-  std::snprintf(text, sizeof text, "%08lx", static_cast<unsigned long>(sum));
-  return text;
-}
-
-/// Of the libraries that were loaded, by file.
-std::map<std::string, std::string>& checksums()
-{
-  static std::map<std::string, std::string> all;
-  return all;
-}
-
 } // namespace
 
 void checkLibraryFile(const std::string& file)
@@ -85,7 +62,7 @@ void checkLibraryFile(const std::string& file)
 void* openLibrary(const std::string& file)
 {
   checkLibraryFile(file);
-  checksums()[file] = checksumOfFile(file);
+  keepChecksum(file);
   if (void* library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL))
     return library;
   const char* why = dlerror();
@@ -107,12 +84,6 @@ bool isVariable([[maybe_unused]] void* symbol)
 #else
   return false;
 #endif
-}
-
-std::string checksumOfLibrary(const std::string& file)
-{
-  const auto found = checksums().find(file);
-  return found != checksums().end() ? found->second : checksumOfFile(file);
 }
 
 } // namespace Rhegma

@@ -12,11 +12,7 @@ void checkLibraryFile(const std::string& file);
 /// Loads a library, to the end of the program, after checkLibraryFile. \return its handle \throws LawRefused
 void* openLibrary(const std::string& file);
 
-/// Whether a symbol of a library is data, not a function; false where that can't be told.
+/// Whether a symbol of a library is data, not a function; false where that is not known.
 bool isVariable(void* symbol);
-
-/// CRC-32 of the content of a library, in hexadecimal digits: as openLibrary found it, if it did; empty if
-/// the file can't be read.
-std::string checksumOfLibrary(const std::string& file);
 
 } // namespace Rhegma

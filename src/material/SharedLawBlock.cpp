@@ -1,6 +1,6 @@
 #include "material/SharedLawBlock.hpp"
 
-#include "material/LawInCall.hpp"
+#include "base/LawInCall.hpp"
 #include "material/PolarDecomposition.hpp"
 #include "material/StepOfShape.hpp"
 
@@ -34,7 +34,7 @@ void call(const LoadedLaw& law, SharedLawBlock& b)
   if (law.corotational)
     decompose(b);
   {
-    const LawInCall in(law);
+    const LawInCall in(law.of.behaviour.c_str(), law.of.file.c_str());
     law.call(law, b);
   }
   kirchhoffStress(law, b);

@@ -1,11 +1,11 @@
 /// Laws are loaded and tried in a process of their own first.
 
+#include "base/SignalName.hpp"
 #include "material/LawTrial.hpp"
 #include "material/LibraryFile.hpp"
 #include "material/SharedLibrary.hpp"
 
 #include <array>
-#include <cstring>
 #include <exception>
 #include <set>
 
@@ -15,7 +15,7 @@ namespace Rhegma
 namespace
 {
 
-/// What the results of a trial depend on, beside the law.
+/// What the results of a trial depend on, in addition to the law.
 using TriedAs = std::pair<int, std::array<double, 6>>;
 
 std::set<TriedAs>& tried()
@@ -57,7 +57,7 @@ std::string howItEnded(const ChildEnd& end)
 {
   std::string how;
   if (end.how == ChildEnd::How::Killed)
-    how = "ends the program by signal " + std::to_string(end.signal) + " (" + strsignal(end.signal) + ")";
+    how = "ends the program by signal " + std::to_string(end.signal) + " (" + signalName(end.signal) + ")";
   else if (end.how == ChildEnd::How::Exited)
     how = "ends the program (by exit or STOP)";
   else

@@ -1,7 +1,7 @@
 #include "program/LawEnds.hpp"
 
-#include "material/LawInCall.hpp"
-#include "material/LoadedLaw.hpp"
+#include "base/LawInCall.hpp"
+#include "base/SignalName.hpp"
 #include "output/RunLock.hpp"
 
 #include <csignal>
@@ -30,18 +30,18 @@ void say(const char* text)
     return;
 }
 
-void sayWhich(const LoadedLaw& law)
+void sayWhich(const LawInCall& law)
 {
   say("rhegma: the law \"");
-  say(law.of.behaviour.c_str());
+  say(law.behaviour);
   say("\" of ");
-  say(law.of.file.c_str());
+  say(law.file);
 }
 
 /// At exit(): within a law it is the law that called it.
 void endInLaw()
 {
-  const LoadedLaw* const law = lawInCall();
+  const LawInCall* const law = lawInCall();
   if (law == nullptr)
     return;
   std::fflush(stdout);
@@ -58,18 +58,15 @@ void endInLaw()
 
 extern "C" void crash(int signal)
 {
-  if (const LoadedLaw* const law = lawInCall())
+  if (const LawInCall* const law = lawInCall())
   {
     sayWhich(*law);
     const char number[] = {static_cast<char>('0' + signal / 10), static_cast<char>('0' + signal % 10), '\0'};
     say(" crashed by signal ");
     say(signal < 10 ? number + 1 : number);
-    say(signal == SIGSEGV  ? " (segmentation fault)"
-        : signal == SIGBUS ? " (bus error)"
-        : signal == SIGFPE ? " (arithmetic)"
-        : signal == SIGILL ? " (illegal instruction)"
-                           : " (abort)");
-    say(", so that the run has no summary; look for indices beyond its arrays\n");
+    say(" (");
+    say(signalName(signal));
+    say("), so that the run has no summary; look for indices beyond its arrays\n");
     _exit(statusOfFailure);
   }
   for (int k = 0; k < numCrashes; ++k)
