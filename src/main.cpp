@@ -1,5 +1,6 @@
 /// The program: reads a scene and runs it.
 
+#include "program/LawEnds.hpp"
 #include "program/Options.hpp"
 #include "program/RunScene.hpp"
 #include "program/Runtime.hpp"
@@ -60,6 +61,7 @@ int start(int argc, char** argv, std::ostream& out, std::ostream& err)
     std::vector<std::string> forKokkos;
     const Options options = readOptions({argv + 1, argv + argc}, forKokkos);
     startKokkos(argv[0], forKokkos);
+    sayWhichLawEnds(options.action == Options::Action::Run ? exitStopped : exitWrongScene);
     code = run(options, out, err);
   }
   catch (const UsageError& error)

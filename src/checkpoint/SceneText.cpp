@@ -1,5 +1,6 @@
 #include "checkpoint/SceneText.hpp"
 
+#include "base/FileChecksum.hpp"
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "scene/Validation.hpp"
@@ -36,6 +37,12 @@ bool isFile(const std::string& name)
 /// Without its folder, which depends on where the program runs.
 std::string nameOfFile(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
+/// The name of a file; of a law its content, too.
+std::string textOfFile(const std::string& parameter, const std::string& path)
+{
+  return nameOfFile(path) + (parameter == "Library File" ? ", CRC-32 " + fileChecksum(path) : "");
+}
+
 std::string valueOf(const Teuchos::ParameterList& list, const std::string& name)
 {
   if (list.isType<double>(name))
@@ -45,7 +52,8 @@ std::string valueOf(const Teuchos::ParameterList& list, const std::string& name)
   if (list.isType<bool>(name))
     return list.get<bool>(name) ? "true" : "false";
   if (list.isType<std::string>(name))
-    return onOneLine(isFile(name) ? nameOfFile(list.get<std::string>(name)) : list.get<std::string>(name));
+    return onOneLine(isFile(name) ? textOfFile(name, list.get<std::string>(name))
+                                  : list.get<std::string>(name));
   std::vector<double> all;
   if (list.isType<Teuchos::Array<int>>(name))
     for (const int value : list.get<Teuchos::Array<int>>(name))

@@ -105,12 +105,15 @@ struct GenericCall
       start.forces[k] = end.forces[k] = (k < 3 ? 1.0 : shearFactor) * b.oldStress[mfrontOrder[k] * n + l];
     for (int k = 0; k < law.states; ++k)
       oldState[k] = state[k] = b.oldState[k * n + l];
+    if (b.guard != nullptr)
+      for (double* of : {oldState, state})
+        std::copy_n(b.guard->states.data(), lawSlack, of + law.states);
     start.stored = end.stored = b.oldStored[l];
     start.dissipated = end.dissipated = b.oldDissipated[l];
     // Integration without a tangent, and the speed of sound. Some laws write a tangent all the same.
     double K[54] = {100.0}, rdt = 1.0, speed = 0.0;
     char message[512] = "";
-    const double* const constants = law.of.constants.data();
+    const double* const constants = b.constants;
     MFrontData data{
         message,
         b.dt,
@@ -121,6 +124,8 @@ struct GenericCall
          external},
         {end.gradients, end.forces, &b.density, constants, state, &end.stored, &end.dissipated, external}};
     const int answer = reinterpret_cast<Generic>(law.function)(&data);
+    if (b.guard != nullptr)
+      b.guard->look(state + law.states);
     message[511] = '\0';
     b.failed[l] = answer < 0 || rdt < 1.0;
     if (b.failed[l])
@@ -150,12 +155,12 @@ private:
 
 void callGeneric(const LoadedLaw& law, SharedLawBlock& b)
 {
-  double* const scratch =
-      SharedLawMemory::own().scratch(2 * static_cast<std::size_t>(law.states) + 2 + mostExternal);
-  double* const external = scratch + 2 * law.states + 2;
+  const std::size_t states = static_cast<std::size_t>(law.states) + lawSlack;
+  double* const scratch = SharedLawMemory::own().scratch(2 * states + mostExternal);
+  double* const external = scratch + 2 * states;
   std::fill_n(external, mostExternal, 0.0);
   external[0] = b.temperature;
-  GenericCall call{law, b, scratch, scratch + law.states + 1, external};
+  GenericCall call{law, b, scratch, scratch + states, external};
   for (int l = 0; l < b.count; ++l)
     call.run(l);
 }

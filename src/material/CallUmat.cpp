@@ -95,10 +95,14 @@ struct UmatCall
     }
     for (int k = 0; k < law.states; ++k)
       state[k] = b.oldState[(6 + k) * n + l];
+    if (b.guard != nullptr)
+      std::copy_n(b.guard->states.data(), lawSlack, state + law.states);
     stored = b.oldStored[l] / J0;
     plastic = plasticBefore = b.oldDissipated[l] / J0;
     const double storedBefore = stored;
     call(step, F0, F1, state);
+    if (b.guard != nullptr)
+      b.guard->look(state + law.states);
     double work = 0.0;
     for (int k = 0; k < 6; ++k)
       work += 0.25 * (J0 + J1) * (old[umatOrder[k]] + stress[k]) * dstrain[k];
@@ -130,8 +134,8 @@ private:
     reinterpret_cast<Umat>(law.function)(stress, state, tangent, &stored, &plastic, &creep, &heat, thermal,
                                          coupling, &slope, strain, dstrain, time, &b.dt, &b.temperature,
                                          &none, zero, zero, name, &direct, &shear, &six, &law.states,
-                                         law.of.constants.data(), &constants, position, rotation, &newStep,
-                                         &b.length, before, after, &one, &one, &one, &one, steps, &one, 80);
+                                         b.constants, &constants, position, rotation, &newStep, &b.length,
+                                         before, after, &one, &one, &one, &one, steps, &one, 80);
     plastic += creep;
   }
 
@@ -160,7 +164,7 @@ private:
 
 void callUmat(const LoadedLaw& law, SharedLawBlock& b)
 {
-  double* const state = SharedLawMemory::own().scratch(static_cast<std::size_t>(law.states) + 1);
+  double* const state = SharedLawMemory::own().scratch(static_cast<std::size_t>(law.states) + lawSlack);
   for (int l = 0; l < b.count; ++l)
     UmatCall(law, b, l).run(state);
 }

@@ -2,7 +2,8 @@
 #include "material/StepOfShape.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cstdint>
+#include <cstring>
 
 namespace Rhegma
 {
@@ -22,6 +23,24 @@ using Vumat = void (*)(const int* nblock, const int* ndir, const int* nshr, cons
                        const double* enerInelasOld, const double* tempNew, const double* stretchNew,
                        const double* defgradNew, const double* fieldNew, double* stressNew, double* stateNew,
                        double* enerInternNew, double* enerInelasNew, std::size_t lengthOfName);
+
+/// The NaN that marks an energy which the law has not set. It has other digits than those that come of
+/// computing.
+constexpr std::uint64_t unsetBits = 0x7ff80000deadbeefULL;
+
+double unset()
+{
+  double value;
+  std::memcpy(&value, &unsetBits, sizeof value);
+  return value;
+}
+
+bool isUnset(double value)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits == unsetBits;
+}
 
 /// 11 22 33 12 23 31 21 32 13 of a gradient in rows.
 constexpr int vumatGradient[9] = {0, 4, 8, 1, 5, 6, 3, 7, 2};
@@ -77,6 +96,7 @@ void strainAndSpin(const SharedLawBlock& b, const VumatArrays& a)
 void fill(const SharedLawBlock& b, const VumatArrays& a)
 {
   const int n = b.count;
+  const double none = unset();
   for (int k = 0; k < 9; ++k)
   {
     std::copy_n(b.before + vumatGradient[k] * n, n, a.gradientOld + k * n);
@@ -93,7 +113,7 @@ void fill(const SharedLawBlock& b, const VumatArrays& a)
     a.inelasOld[l] = b.oldDissipated[l] / b.density;
     a.internOld[l] = (b.oldStored[l] + b.oldDissipated[l]) / b.density;
     a.inelasNew[l] = a.inelasOld[l];
-    a.internNew[l] = std::numeric_limits<double>::quiet_NaN(); // where the law does not compute it
+    a.internNew[l] = none;
   }
 }
 
@@ -105,7 +125,7 @@ void energies(const SharedLawBlock& b, const VumatArrays& a)
   for (int l = 0; l < n; ++l)
   {
     double intern = b.density * a.internNew[l];
-    if (std::isnan(intern))
+    if (isUnset(a.internNew[l]))
     {
       intern = b.oldStored[l] + b.oldDissipated[l];
       for (int k = 0; k < 6; ++k)
@@ -117,6 +137,25 @@ void energies(const SharedLawBlock& b, const VumatArrays& a)
   }
 }
 
+/// What is behind the state variables in a trial.
+void guardStates(const LoadedLaw& law, const SharedLawBlock& b)
+{
+  const int n = b.count;
+  for (int k = 0; k < lawSlack; ++k)
+  {
+    std::fill_n(b.oldState + (law.numbers + k) * n, n, b.guard->states[k]);
+    std::fill_n(b.state + (law.numbers + k) * n, n, LawGuard::canary);
+  }
+}
+
+void lookAtGuard(const LoadedLaw& law, const SharedLawBlock& b)
+{
+  const double* const behind = b.state + law.numbers * b.count;
+  for (int k = 0; k < lawSlack; ++k)
+    for (int l = 0; l < b.count; ++l)
+      b.guard->look(k, !(behind[k * b.count + l] == LawGuard::canary));
+}
+
 } // namespace
 
 void callVumat(const LoadedLaw& law, SharedLawBlock& b)
@@ -125,6 +164,8 @@ void callVumat(const LoadedLaw& law, SharedLawBlock& b)
   fill(b, a);
   std::copy_n(b.oldState, static_cast<std::size_t>(law.numbers) * b.count, b.state);
   std::fill_n(b.speed, b.count, 0.0);
+  if (b.guard != nullptr)
+    guardStates(law, b);
   char name[81];
   std::fill_n(name, 80, ' ');
   name[80] = '\0';
@@ -132,9 +173,11 @@ void callVumat(const LoadedLaw& law, SharedLawBlock& b)
   const int direct = 3, shear = 3, none = 0, constants = static_cast<int>(law.of.constants.size());
   reinterpret_cast<Vumat>(law.function)(
       &b.count, &direct, &shear, &law.states, &none, &constants, &none, &b.time, &b.time, &b.dt, name,
-      b.position, a.length, law.of.constants.data(), a.density, a.strain, a.spin, a.temperature, b.oldStretch,
+      b.position, a.length, b.constants, a.density, a.strain, a.spin, a.temperature, b.oldStretch,
       a.gradientOld, nullptr, b.oldStress, b.oldState, a.internOld, a.inelasOld, a.temperature, b.stretch,
       a.gradientNew, nullptr, b.stress, b.state, a.internNew, a.inelasNew, 80);
+  if (b.guard != nullptr)
+    lookAtGuard(law, b);
   energies(b, a);
 }
 

@@ -1,10 +1,13 @@
 #include "material/LoadedLaw.hpp"
 
+#include "material/LawTrial.hpp"
+#include "material/LibraryFile.hpp"
+#include "material/SharedLawBlock.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <deque>
 #include <dlfcn.h>
-#include <filesystem>
 
 namespace Rhegma
 {
@@ -15,31 +18,23 @@ namespace
 /// What the interface of a law stores in front of its state variables.
 constexpr int strainOfUmat = 6;
 
-bool same(const LawRequest& a, const LawRequest& b)
+bool isSame(const LawRequest& a, const LawRequest& b)
 {
   return a.file == b.file && a.behaviour == b.behaviour && a.interface == b.interface &&
          a.constants == b.constants && a.states == b.states;
 }
 
-std::deque<LoadedLaw>& laws()
+/// With what is behind its constants: zeros, so that a law that reads on has the same result in each run.
+struct KeptLaw : LoadedLaw
 {
-  static std::deque<LoadedLaw> all;
-  return all;
-}
+  std::vector<double> constants;
+};
 
-void* openLibrary(const std::string& file)
+/// Of all scenes. Never destroyed: it says which law ended the process.
+std::deque<KeptLaw>& laws()
 {
-  const std::filesystem::path path = std::filesystem::absolute(file);
-  if (!std::filesystem::exists(path))
-    throw LawRefused("Library File", "there is no file " + path.string() +
-                                         "; give the path of a shared library, relative to the scene, as "
-                                         "rhegma-law writes it.");
-  // It stays open to the end of the program.
-  if (void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL))
-    return library;
-  const char* why = dlerror();
-  throw LawRefused("Library File", std::string("can't be loaded (") + (why != nullptr ? why : "no reason") +
-                                       "); give a shared library for this machine, as rhegma-law writes it.");
+  static auto& all = *new std::deque<KeptLaw>;
+  return all;
 }
 
 /// The first of some symbols that a library has.
@@ -83,10 +78,11 @@ struct Descriptions
   std::string names(const std::string& what, int count) const
   {
     const auto* found = static_cast<const char* const*>(at(what));
+    constexpr int most = 30;
     std::string all;
-    for (int k = 0; found != nullptr && k < count; ++k)
+    for (int k = 0; found != nullptr && k < std::min(count, most) && found[k] != nullptr; ++k)
       all += (k == 0 ? ": " : ", ") + std::string(found[k]);
-    return all;
+    return count > most && !all.empty() ? all + ", ..." : all;
   }
   /// Numbers of all state variables, some of which are tensors; -1 if the library does not say.
   int stateNumbers() const
@@ -147,13 +143,22 @@ void setGeneric(const Descriptions& has, LoadedLaw& law)
 
 } // namespace
 
-int loadLaw(const LawRequest& request)
+int foundLaw(const LawRequest& request)
 {
   for (std::size_t k = 0; k < laws().size(); ++k)
-    if (same(laws()[k].of, request))
+    if (isSame(laws()[k].of, request))
       return static_cast<int>(k);
-  LoadedLaw law;
+  return -1;
+}
+
+int loadLaw(const LawRequest& request)
+{
+  if (const int number = foundLaw(request); number >= 0)
+    return number;
+  KeptLaw law;
   law.of = request;
+  law.constants = request.constants;
+  law.constants.resize(request.constants.size() + lawSlack, 0.0);
   void* const library = openLibrary(request.file);
   const std::vector<std::string> names = storedNames(request);
   law.function = find(library, names);
@@ -166,6 +171,10 @@ int loadLaw(const LawRequest& request)
     throw LawRefused("Behaviour", "the library " + request.file + " has no function " + tried +
                                       "; give the name of one that it has (nm -D lists them).");
   }
+  if (isVariable(law.function))
+    throw LawRefused("Behaviour", "\"" + request.behaviour + "\" of the library " + request.file +
+                                      " is a variable; give the name of a function (nm -D lists them with "
+                                      "a T).");
   const Descriptions has{library, request.behaviour};
   checkConstants(has, request);
   law.states = stateVariables(has, request);
@@ -181,5 +190,7 @@ int loadLaw(const LawRequest& request)
 }
 
 const LoadedLaw& loadedLaw(int number) { return laws()[number]; }
+
+const double* constantsOf(const LoadedLaw& law) { return static_cast<const KeptLaw&>(law).constants.data(); }
 
 } // namespace Rhegma

@@ -1,5 +1,6 @@
 #include "material/SharedLawBlock.hpp"
 
+#include "base/LawInCall.hpp"
 #include "material/PolarDecomposition.hpp"
 #include "material/StepOfShape.hpp"
 
@@ -32,7 +33,10 @@ void call(const LoadedLaw& law, SharedLawBlock& b)
   std::fill_n(b.failed, n, false);
   if (law.corotational)
     decompose(b);
-  law.call(law, b);
+  {
+    const LawInCall in(law.of.behaviour.c_str(), law.of.file.c_str());
+    law.call(law, b);
+  }
   kirchhoffStress(law, b);
   for (int l = 0; l < n; ++l)
     b.failed[l] = b.failed[l] || !isFinite(b.tau, 6, n, l) || !isFinite(b.stored, 1, n, l) ||
@@ -126,6 +130,7 @@ SharedLawBlock SharedLawMemory::block(const LoadedLaw& law, int count)
 {
   SharedLawBlock b;
   b.count = count;
+  b.constants = constantsOf(law);
   const std::size_t n = count;
   const std::pair<double**, int> arrays[] = {{&b.before, 9},
                                              {&b.F, 9},
@@ -137,8 +142,8 @@ SharedLawBlock SharedLawMemory::block(const LoadedLaw& law, int count)
                                              {&b.oldDissipated, 1},
                                              {&b.dissipated, 1},
                                              {&b.speed, 1},
-                                             {&b.oldState, law.numbers},
-                                             {&b.state, law.numbers},
+                                             {&b.oldState, law.numbers + lawSlack},
+                                             {&b.state, law.numbers + lawSlack},
                                              {&b.tau, 6},
                                              {&b.rotation, 9},
                                              {&b.oldStretch, 6},

@@ -3,10 +3,38 @@
 
 #include "material/LoadedLaw.hpp"
 
+#include <array>
+#include <cstring>
 #include <vector>
 
 namespace Rhegma
 {
+
+/// Numbers that are behind the constants and the state variables of a law, so that one that uses more than it
+/// has changes nothing else: a law has at most so many state variables.
+constexpr int lawSlack = mostStateVariables;
+
+/// What is behind the arrays of a law in a trial.
+struct LawGuard
+{
+  std::vector<double> constants;             ///< of the law, and lawSlack numbers behind
+  std::array<double, lawSlack> states{};     ///< behind the state variables of each particle at the start
+  static constexpr double canary = -7.25e77; ///< behind those at the end, where these are other arrays
+  int written = 0;                           ///< out: up to which of them the law wrote
+
+  /// \param k of the number behind the state variables \param changed whether the law has changed it
+  void look(int k, bool changed)
+  {
+    if (changed && k >= written)
+      written = k + 1;
+  }
+  /// \param behind the numbers behind those of a particle, which were `states`
+  void look(const double* behind)
+  {
+    for (int k = 0; k < lawSlack; ++k)
+      look(k, std::memcmp(behind + k, states.data() + k, sizeof(double)) != 0);
+  }
+};
 
 /// What a law needs to know of some particles, and what it gives. An array of c numbers a particle has
 /// component k of particle l at [k * count + l]. All are of a solid: in 2D the shear across the plane is
@@ -21,6 +49,9 @@ struct SharedLawBlock
   bool plane = false;       ///< whether the deformation is that of a 2D scene
   double length = 0.0;      ///< edge of a cell; 0 if not known [m]
 
+  const double* constants = nullptr; ///< of the law; lawSlack numbers follow
+  LawGuard* guard = nullptr;         ///< in a trial
+
   double* before = nullptr;   ///< deformation gradient at the start of the step, 9, row by row
   double* F = nullptr;        ///< at its end, 9
   double* position = nullptr; ///< 3, zero where it is not known [m]
@@ -32,8 +63,8 @@ struct SharedLawBlock
   double* oldDissipated = nullptr; ///< dissipated so far per undeformed volume at the start [J/m3]
   double* dissipated = nullptr;    ///< out: at the end
   double* speed = nullptr;         ///< out: wave speed where the law computes it, else zero [m/s]
-  double* oldState = nullptr;      ///< numbers of the law at the start, law.numbers
-  double* state = nullptr;         ///< out: at the end
+  double* oldState = nullptr;      ///< numbers of the law at the start, law.numbers; lawSlack * count follow
+  double* state = nullptr;         ///< out: at the end; lawSlack * count follow
   double* tau = nullptr;           ///< out: Kirchhoff stress, 6 [Pa]
   bool* failed = nullptr;          ///< out: whether the law returned no usable stress
 
@@ -44,6 +75,9 @@ struct SharedLawBlock
 
   std::string reason; ///< out: what the law said of a failure; may be empty
 };
+
+/// Constants of a law that loadLaw has loaded, and lawSlack zeros.
+const double* constantsOf(const LoadedLaw& law);
 
 /// Memory of a thread for blocks, so that steps allocate nothing.
 class SharedLawMemory

@@ -4,7 +4,6 @@
 #include "material/StepOfShape.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace Rhegma
 {
@@ -43,78 +42,7 @@ double speedOf(const SharedLawBlock& b, const Properties& m, int l)
   return std::sqrt(J * given * given + std::sqrt(square) / m.density);
 }
 
-template <class Number>
-std::string shortText(Number value)
-{
-  std::ostringstream out;
-  out.precision(4);
-  out << value;
-  return out.str();
-}
-
-/// Strains of 1e-6 along three axes and in three planes, from the undeformed state.
-SharedLawBlock smallStrains(const LoadedLaw& law, const Properties& m, double strain)
-{
-  constexpr int cases = 6;
-  SharedLawBlock b = SharedLawMemory::own().block(law, cases);
-  b.dt = 1e-9;
-  b.temperature = m.temperature;
-  b.density = m.density;
-  b.length = m.cellSize;
-  for (int k = 0; k < 9; ++k)
-    std::fill_n(b.F + k * cases, cases, k % 4 == 0 ? 1.0 : 0.0);
-  std::copy_n(b.F, 9 * cases, b.before);
-  constexpr int row[6] = {0, 1, 2, 0, 1, 0}, column[6] = {0, 1, 2, 1, 2, 2};
-  for (int l = 0; l < cases; ++l)
-  {
-    b.F[(3 * row[l] + column[l]) * cases + l] += strain;
-    if (l >= 3)
-      b.F[(3 * column[l] + row[l]) * cases + l] += strain;
-  }
-  const std::pair<double*, int> zeros[] = {{b.position, 3},          {b.oldStress, 6},     {b.stress, 6},
-                                           {b.oldStored, 1},         {b.oldDissipated, 1}, {b.speed, 1},
-                                           {b.oldState, law.numbers}};
-  for (const auto& [array, components] : zeros)
-    std::fill_n(array, components * cases, 0.0);
-  return b;
-}
-
 } // namespace
-
-int loadAndTry(const LawRequest& request, const Properties& m)
-{
-  constexpr double strain = 1e-6, tolerance = 1.05;
-  const int number = loadLaw(request);
-  const LoadedLaw& law = loadedLaw(number);
-  SharedLawBlock b = smallStrains(law, m, strain);
-  Properties solid = m; // what is compared are the moduli of the solid
-  solid.plane = Plane::Solid;
-  evaluateSharedLaw(law, solid, b);
-  const std::string what = "\"" + request.behaviour + "\"";
-  for (int l = 0; l < b.count; ++l)
-    if (b.failed[l])
-      throw LawRefused(
-          "Behaviour",
-          what +
-              (b.reason.empty() ? " returns a stress, an energy or a state that is not finite"
-                                : " fails (" + b.reason + ")") +
-              " for a strain of 1e-6 of the undeformed material; check Constants, State Variables "
-              "and Interface.");
-  const double speed = SharedLibrary::startSpeed(m), given = m.density * speed * speed;
-  double stiffest = 0.0;
-  for (int l = 0; l < 3; ++l)
-    stiffest = std::max(stiffest, b.tau[l * b.count + l] / strain);
-  for (int l = 3; l < 6; ++l)
-    stiffest = std::max(stiffest, b.tau[l * b.count + l] / (2.0 * strain));
-  if (stiffest > tolerance * given)
-    throw LawRefused(
-        m.own[SharedLawNumber::speed] > 0.0 ? "Wave Speed" : "Young Modulus",
-        "gives waves a modulus of " + shortText(given) + " Pa, but " + what + " has one of " +
-            shortText(stiffest) +
-            " Pa at a strain of 1e-6; give the elastic constants of the law, or a Wave Speed of " +
-            shortText(std::sqrt(stiffest / m.density)) + " m/s.");
-  return number;
-}
 
 template <int D>
 void fillSharedLaw(const SharedLawBlock& b, const LoadedLaw& law, int l, const double* before,

@@ -20,6 +20,8 @@ namespace
 constexpr const char* name = "/run.lock";
 constexpr std::chrono::seconds betweenLooks{1};
 
+const RunLock* held = nullptr; // the last one
+
 std::string thisHost()
 {
   char host[256] = "";
@@ -133,6 +135,7 @@ RunLock::RunLock(const std::string& folder)
   }
   writeOwner();
   next_ = Clock::now() + betweenLooks;
+  held = this;
 }
 
 void RunLock::writeOwner() const
@@ -146,9 +149,16 @@ void RunLock::writeOwner() const
 
 RunLock::~RunLock()
 {
+  remove();
+  close(file_);
+  if (held == this)
+    held = nullptr;
+}
+
+void RunLock::remove() const
+{
   if (isOwn())
     unlink(path_.c_str());
-  close(file_);
 }
 
 bool RunLock::isDue() const { return Clock::now() >= next_; }
@@ -204,6 +214,12 @@ std::string RunLock::loss()
   close(file);
   return "another run (" + other + ") has taken the output folder " + folder_ + " of this run (" + me +
          "), after " + path_ + " had been removed; the files there are left to the other run";
+}
+
+void removeRunLock()
+{
+  if (held != nullptr)
+    held->remove();
 }
 
 void refuseFolderInUse(const std::string& folder)

@@ -29,6 +29,8 @@ public:
   std::string loss();
   /// Whether the folder was this run's when loss() was called last.
   bool holds() const { return holds_; }
+  /// Removes the file, if it is this run's.
+  void remove() const;
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -44,6 +46,9 @@ private:
   bool holds_ = true;
   Clock::time_point next_; ///< time of the next look
 };
+
+/// Removes the run.lock that this process holds, if it does: the process ends without destructors.
+void removeRunLock();
 
 /// Throws as RunLock does where another run has the folder; makes nothing, and refuses no run that starts
 /// meanwhile.

@@ -5,11 +5,13 @@ and what is said of wrong ones. rhegma-law compiles them."""
 import csv
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 import h5py
 import numpy
@@ -26,6 +28,7 @@ LAWS = os.path.join(SOURCE, "unit_tests", "laws")
 EXAMPLE = os.path.join(SOURCE, "docs", "guides", "examples", "law")
 STEEL = {"Density": 7800.0, "Young Modulus": 200e9, "Poisson Ratio": 0.3}
 J2 = [200e9, 0.3, 400e6, 2e9]  # yield stress and hardening
+NOTHING, EXITS, CRASHES, ENERGY_IS_NAN, DISSIPATES_LESS, HAS_NO_STRESS = range(6)  # as ends.c
 BUILT_IN = {"Model": "J2 Plastic", **STEEL, "Yield Stress": J2[2], "Hardening Modulus": J2[3]}
 
 
@@ -82,13 +85,17 @@ class SharedLaws(RestartTest):
         cls.built = tempfile.mkdtemp()
         cls.addClassCleanup(shutil.rmtree, cls.built)
 
-    def library(self, name, folder=LAWS):
+    def library(self, name, folder=LAWS, flags=""):
         """Path of the library of a source, which is compiled at its first use."""
-        path = os.path.join(self.built, name + ".so")
+        path = os.path.join(self.built, name + str(zlib.crc32(flags.encode())) + ".so")
         if not os.path.exists(path):
-            answer = self.compile(os.path.join(folder, name), path)
-            self.assertEqual(answer.returncode, 0, answer.stderr)
+            answer = self.compile(os.path.join(folder, name), path, f"--flags={flags}")
+            self.assertTrue(os.path.exists(path), answer.stderr)
         return path
+
+    def ending(self, does, time):
+        """The material of ends.c, which does one thing from a time on."""
+        return law(self.library("ends.c"), Constants=[*J2[:2], float(does), time], State_Variables=0)
 
     def compile(self, source, path, *more):
         return subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "rhegma-law"), source, "-o", path, *more], stdout=subprocess.PIPE,
@@ -179,6 +186,39 @@ class InMotion(SharedLaws):
         for name, table in theirs.items():
             numpy.testing.assert_array_equal(mine[name], table, err_msg=name)
 
+    def test_restart_with_another_library_is_refused(self):
+        """The same path and arguments, another content."""
+        path = self.path("law.so")
+        scene = self.write("scene.xml", struck(law(path), **{"Checkpoints": True, "Checkpoint Interval": 5e-5}).text())
+        restart = ("--restart", self.path("out", "checkpoint.h5"), "--output", self.path("out"), "--quiet")
+        shutil.copy(self.library("j2_vumat.c"), path)
+        first = rhegma(scene, "--output", self.path("out"), "--quiet", "--set", "Time:Maximum Steps=20")
+        self.assertEqual((first.status, first.messages), (0, ""), first)
+        shutil.copy(self.library("j2_vumat.c", flags="-DOTHER -O0"), path)
+        answer = rhegma(scene, *restart)
+        self.assertEqual(answer.status, 1, answer)
+        self.assertRegex(answer.messages, r"Materials > Steel > Library File is \"law.so, CRC-32 [0-9a-f]{8}\" in the scene and "
+                                          r"\"law.so, CRC-32 [0-9a-f]{8}\" in the checkpoint")
+        shutil.copy(self.library("j2_vumat.c"), path)
+        self.assertEqual(rhegma(scene, *restart).status, 0)
+
+    def test_a_law_that_ends_the_run_is_named(self):
+        """exit(0), which is what STOP of Fortran calls, and a crash, in a run and in the first steps of a check."""
+        for does, how in ((EXITS, "ended the program (by exit or STOP)"), (CRASHES, "crashed by signal 11 (segmentation fault)")):
+            path = self.write("scene.xml", struck(self.ending(does, 1e-9)).text())
+            for status, more in ((2, "--quiet"), (1, "--check")):
+                answer = rhegma(path, "--output", self.path(f"out{does}"), more)
+                self.assertEqual(answer.status, status, answer)
+                self.assertRegex(answer.messages, r'^rhegma: the law "vumat" of .*ends.c\d*\.so ' + re.escape(how))
+            if does == EXITS:
+                self.assertFalse(os.path.exists(self.path(f"out{does}", "run.lock")))
+
+    def test_an_energy_that_is_not_a_number(self):
+        """It is not that of a law which does not set it."""
+        answer = rhegma(self.write("scene.xml", struck(self.ending(ENERGY_IS_NAN, 1e-6)).text()), "--output", self.path("out"), "--quiet")
+        self.assertEqual(answer.status, 2, answer)
+        self.assertIn("the law returned a stress, an energy or a state that is not finite", answer.messages)
+
     def test_a_law_that_fails_says_where_and_when(self):
         material = law(self.library("breaks.c"), Constants=[200e9, 0.3, 0.004], State_Variables=2)
         answer = rhegma(self.write("scene.xml", struck(material).text()), "--output", self.path("out"), "--quiet")
@@ -223,6 +263,64 @@ class Wrong(SharedLaws):
                 self.assertEqual(answer.status, 1, answer)
                 self.assert_messages(answer.messages, [(start.split(": ")[0], [start.split(": ", 1)[1]])])
                 self.assertFalse(os.path.exists(self.path("out")))
+
+    def test_laws_that_break_the_program(self):
+        """Files and laws that would stop or hang it: one sentence each, also with --check."""
+        pipe = self.path("pipe.so")
+        os.mkfifo(pipe)
+        with open(self.library("ends.c"), "rb") as file:
+            content = file.read()
+        other = self.path("other.so")
+        with open(other, "wb") as file:
+            file.write(content[:18] + b"\xb9\x02" + content[20:])  # a processor of its own
+        none = {"State Variables": 0}
+        cases = [
+            ({"Library File": pipe, **none}, "Library File", "pipe.so is a pipe or a device"),
+            ({"Library File": other, **none}, "Library File", "other.so is for another kind of machine"),
+            ({"Library File": self.library("ends.c", flags='-DAT_LOAD=exit(0)'), **none}, "Library File",
+             "ends the program (by exit or STOP) when it is loaded"),
+            ({"Library File": self.library("ends.c", flags='-DAT_LOAD=raise(SIGSEGV)'), **none}, "Library File",
+             "ends the program by signal 11 (segmentation fault) when it is loaded"),
+            ({"Library File": self.library("ends.c", flags="-DLIES"), **none}, "Constants", "needs 60000: E, ...; give"),
+            ({"Behaviour": "data"}, "Behaviour", "is a variable"),
+            (self.ending(EXITS, 0.0), "Behaviour", "ends the program (by exit or STOP) when it is called"),
+            (self.ending(CRASHES, 0.0), "Behaviour", "ends the program by signal 11 (segmentation fault) when it is called"),
+            (self.ending(DISSIPATES_LESS, 0.0), "Behaviour", "dissipates -7800 J/m3 in a strain of 1e-6"),  # 1 J/kg
+            (self.ending(HAS_NO_STRESS, 0.0), "Behaviour", "resists no strain"),
+            # What is tried behind them selects exit().
+            ({"Constants": J2[:1], **none}, "Constants", 'has 1 number, but "vumat" uses more: it ends the program'),
+        ]
+        for change, parameter, part in cases:
+            path = self.write("scene.xml", struck({**self.ending(NOTHING, 0.0), **change}).text())
+            for more in ((), ("--check",)):
+                answer = rhegma(path, "--output", self.path("out"), "--quiet", *more)
+                self.assertEqual(answer.status, 1, answer)
+                self.assert_messages(answer.messages, [(f"Materials > Steel > {parameter}", [part])])
+                self.assertFalse(os.path.exists(self.path("out")))
+
+    def test_numbers_behind_the_arrays(self):
+        """The copper of the example without what its library says of it: it flows, and takes C, B or alpha from behind its arrays."""
+        with open(os.path.join(EXAMPLE, "copper.c"), encoding="utf-8") as file:
+            source = [line for line in file if not line.startswith("const ")]
+        with open(self.path("plain.c"), "w", encoding="utf-8") as file:
+            file.writelines(source)
+        answer = self.compile(self.path("plain.c"), self.path("plain.so"))
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        copper = [124e9, 0.34, 90e6, 292e6, 0.31, 0.025]
+        material = {"Model": "Shared Library", "Density": 8960.0, "Young Modulus": copper[0], "Poisson Ratio": copper[1],
+                    "Library File": self.path("plain.so")}
+        for constants, states, part in (
+                (copper, 1, None),
+                (copper, 5, None),
+                (copper, 0, 'State Variables: is 0, but "vumat" writes number 1 too'),
+                (copper[:5], 1, 'Constants: has 5 numbers, but "vumat" uses number 6 too'),
+                (copper[:4], 1, 'Constants: has 4 numbers, but "vumat" uses number 6 too'),
+        ):
+            path = self.write("scene.xml", struck({**material, "Constants": constants, "State Variables": states}).text())
+            answer = rhegma(path, "--check", "--quiet")
+            self.assertEqual(answer.status, 0 if part is None else 1, answer)
+            if part is not None:
+                self.assertIn("Materials > Steel > " + part, answer.messages)
 
     def test_state_variables_of_other_laws(self):
         path = self.write("scene.xml", struck(BUILT_IN, **{"State Variables": True}).text())

@@ -228,27 +228,30 @@ TEST(SharedLibrary, PolarDecompositionInThePlane)
   }
 }
 
+std::string messageOf(const Teuchos::ParameterList& list)
+{
+  try
+  {
+    makeProperties(list, "Steel", Plane::Solid);
+  }
+  catch (const std::invalid_argument& wrong)
+  {
+    return wrong.what();
+  }
+  return "nothing was refused";
+}
+
+void expectRefusal(const Teuchos::ParameterList& list, const char* parameter, const char* part)
+{
+  const std::string message = messageOf(list);
+  EXPECT_NE(message.find(std::string("Materials > Steel > ") + parameter), std::string::npos) << message;
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
 /// What a scene may have wrong: one sentence each, with the parameter.
 TEST(SharedLibrary, WrongLawsAreRefused)
 {
-  const auto messageOf = [](const Teuchos::ParameterList& list)
-  {
-    try
-    {
-      makeProperties(list, "Steel", Plane::Solid);
-    }
-    catch (const std::invalid_argument& wrong)
-    {
-      return std::string(wrong.what());
-    }
-    return std::string("nothing was refused");
-  };
-  const auto expect = [&](const Teuchos::ParameterList& list, const char* parameter, const char* part)
-  {
-    const std::string message = messageOf(list);
-    EXPECT_NE(message.find(std::string("Materials > Steel > ") + parameter), std::string::npos) << message;
-    EXPECT_NE(message.find(part), std::string::npos) << message;
-  };
+  const auto expect = expectRefusal;
   const Teuchos::ParameterList right = sharedLaw("j2_vumat", "VUMAT", "vumat", Metal{});
   Teuchos::ParameterList list = right;
   list.set("Library File", std::string("/nowhere/law.so"));
@@ -274,6 +277,54 @@ TEST(SharedLibrary, WrongLawsAreRefused)
   EXPECT_EQ(messageOf(list), "nothing was refused");
   list = sharedLaw("j2_umat", "UMAT", "umat", Metal{});
   expect(list, "State Variables", "the library does not say");
+  list = right;
+  list.set("Library File", std::string(RHEGMA_LAWS));
+  expect(list, "Library File", "is a folder");
+  list = sharedLaw("ends", "VUMAT", "data", Metal{});
+  list.set("State Variables", 0);
+  expect(list, "Behaviour", "is a variable");
+}
+
+/// A law that uses more than the scene gives it, where its library does not say how much: constants that
+/// count only where it flows, and state variables that it reads and writes.
+TEST(SharedLibrary, NumbersBehindArraysAreNotUsed)
+{
+  Teuchos::ParameterList list = sharedLaw("j2_umat", "UMAT", "umat", Metal{});
+  list.set("State Variables", 1);
+  EXPECT_EQ(messageOf(list), "nothing was refused");
+  list.set("State Variables", mostStateVariables);
+  EXPECT_EQ(messageOf(list), "nothing was refused");
+  list.set("State Variables", 0);
+  expectRefusal(list, "State Variables", "is 0, but \"umat\" writes number 1 too");
+  const std::vector<double> right = {2.6, 0.3, 0.01, 0.05};
+  list.set("State Variables", 1);
+  for (std::size_t given = 0; given < right.size(); ++given)
+  {
+    const std::vector<double> few(right.begin(), right.begin() + static_cast<std::ptrdiff_t>(given));
+    list.set("Constants", Teuchos::Array<double>(few));
+    expectRefusal(list, "Constants", "uses number");
+  }
+  expectRefusal(list, "Constants", "has 3 numbers, but \"umat\" uses number 4 too");
+}
+
+/// What a law does in its first call. The third constant of the law says what.
+TEST(SharedLibrary, LawsThatEndTheProcessAreRefused)
+{
+  Teuchos::ParameterList list = sharedLaw("ends", "VUMAT", "vumat", Metal{});
+  list.set("State Variables", 0);
+  const auto does = [&](double what)
+  {
+    list.set("Constants", Teuchos::Array<double>(std::vector<double>{2.6, 0.3, what, 0.0}));
+    return list;
+  };
+  EXPECT_EQ(messageOf(does(0.0)), "nothing was refused");
+  expectRefusal(does(1.0), "Behaviour", "ends the program (by exit or STOP) when it is called");
+  expectRefusal(does(2.0), "Behaviour",
+                "ends the program by signal 11 (segmentation fault) when it is called");
+  expectRefusal(does(3.0), "Behaviour", "that is not finite");
+  // 1 J/kg of a density of 2 kg/m3
+  expectRefusal(does(4.0), "Behaviour", "dissipates -2 J/m3 in a strain of 1e-6");
+  expectRefusal(does(5.0), "Behaviour", "resists no strain: its largest modulus is 0 Pa");
 }
 
 } // namespace
