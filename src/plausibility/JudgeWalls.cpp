@@ -194,10 +194,55 @@ private:
     return std::numeric_limits<double>::infinity();
   }
 
+  /// What is at two cells from a point along the surface.
+  enum class Beside
+  {
+    Nothing,
+    Thin,
+    Wide
+  };
+
+  /// \param tangent unit vector
+  Beside besideOf(const SurfacePoint<D>& point, const Vector<D>& tangent) const
+  {
+    constexpr int samples = 8; // of a cell: a round body falls away from the tangent by less
+    const double reach = fewest * cell_;
+    for (int k = 0; k < samples; ++k)
+    {
+      const double depth = cell_ * std::max(1e-3, static_cast<double>(k) / samples);
+      const SurfacePoint<D> next{point.x + reach * tangent - depth * point.normal, point.normal, 0.0};
+      if (shape_.contains(next.x))
+        return widthAt(next, true) < reach ? Beside::Thin : Beside::Wide;
+    }
+    return Beside::Nothing;
+  }
+
+  /// Whether the body ends to one side of a point and is wide to the other: next to an edge of 45 degrees or
+  /// more it is thin, and that is no wall.
+  bool isNextToEdge(const SurfacePoint<D>& point) const
+  {
+    int steepest = 0;
+    for (int d = 1; d < D; ++d)
+      steepest = std::fabs(point.normal[d]) > std::fabs(point.normal[steepest]) ? d : steepest;
+    for (int d = 0; d < D; ++d)
+    {
+      if (d == steepest)
+        continue;
+      Vector<D> tangent = -point.normal[d] * point.normal;
+      tangent[d] += 1.0;
+      tangent = (1.0 / norm(tangent)) * tangent;
+      const Beside one = besideOf(point, tangent), other = besideOf(point, -1.0 * tangent);
+      if ((one == Beside::Nothing && other == Beside::Wide) ||
+          (one == Beside::Wide && other == Beside::Nothing))
+        return true;
+    }
+    return false;
+  }
+
   void addWidth(const SurfacePoint<D>& point, bool wall)
   {
     const double width = widthAt(point, wall);
-    if (!(width < fewest * cell_ * (1.0 - rounding)))
+    if (!(width < fewest * cell_ * (1.0 - rounding)) || (wall && isNextToEdge(point)))
       return;
     Thin<D> thin;
     thin.cell = spacingAt(state_, point.x);

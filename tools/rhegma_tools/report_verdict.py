@@ -191,7 +191,7 @@ def at_surface(start, fronts, below):
     surface = max((front["closest_at_surface"] for _, _, front in fronts if is_number(front.get("closest_at_surface"))), default=0.0)
     text = " Inner nodes are two cells or more from the surface; at the others G depends on the cells"
     if surface <= inside / HOOP**2:
-        return text + "."
+        return text + (f": they reached {short(surface)}." if surface > 0.0 else ".")
     text += f": they reached {short(surface)}"
     if is_number(start.get("load_factor_at_surface")):
         text += f", which is {short(start['load_factor_at_surface'])} times the loads"

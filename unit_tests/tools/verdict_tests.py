@@ -117,7 +117,7 @@ class Verdict(ToolTest):
             return verdict(summary_of(front, start_of_growth={"toughness": 100.0, "load_factor": factor, "load_factor_at_surface": at_surface}))
 
         self.assertEqual(of(0.64, 0.6), "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Inner nodes are two cells "
-                                        "or more from the surface; at the others G depends on the cells.")
+                                        "or more from the surface; at the others G depends on the cells: they reached 0.6.")
         self.assertNotIn("surface", of(0.64, 0.0))
         self.assertEqual(of(0.64, 0.81, 1.25, 1.111),
                          "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Cracks start at 1.25 times the "

@@ -60,6 +60,28 @@ Teuchos::RCP<Teuchos::ParameterList> pointed(double degrees, bool tip)
   return scene;
 }
 
+/// A shaft along z of which a box is cut, in cells of 0.75 mm. \param lower, upper corners of the box [m]
+Teuchos::RCP<Teuchos::ParameterList> cutShaft(double radius, const std::vector<double>& lower,
+                                              const std::vector<double>& upper)
+{
+  const auto scene = Teuchos::rcp(new Teuchos::ParameterList("Rhegma"));
+  const double cell = 0.75e-3, across = cell * std::ceil(radius / cell + 2.0), along = 21.0 * cell;
+  const auto triple = [](double x, double y, double z) { return Reals(std::vector<double>{x, y, z}); };
+  Teuchos::ParameterList& domain = scene->sublist("Domain");
+  domain.set("Dimension", 3).set("Cell Size", cell);
+  domain.set("Lower Corner", triple(-across, -across, -along));
+  domain.set("Upper Corner", triple(across, across, along));
+  scene->sublist("Time").set("Final Time", 1e-4);
+  scene->sublist("Materials").sublist("Steel") = freePlate()->sublist("Materials").sublist("Steel");
+  Teuchos::ParameterList& shaft = scene->sublist("Bodies").sublist("Plate");
+  shaft.set<std::string>("Material", "Steel").set<std::string>("Shape", "Cylinder").set("Radius", radius);
+  shaft.set("From", triple(0.0, 0.0, -15e-3)).set("To", triple(0.0, 0.0, 15e-3));
+  Teuchos::ParameterList& box = shaft.sublist("Operations").sublist("Box");
+  box.set<std::string>("Operation", "Cut").set<std::string>("Shape", "Box");
+  box.set("Lower Corner", Reals(lower)).set("Upper Corner", Reals(upper));
+  return scene;
+}
+
 } // namespace
 
 /// Cells are 0.05 m: two of them are 0.1 m.
@@ -114,24 +136,19 @@ TEST(Walls, GoOnBeyondAMirror)
 TEST(Walls, OfShaftsAreNotTheirEdges)
 {
   for (const bool thin : {false, true})
-  {
-    const auto scene = Teuchos::rcp(new Teuchos::ParameterList("Rhegma"));
-    const auto triple = [](double x, double y, double z) { return Reals(std::vector<double>{x, y, z}); };
-    Teuchos::ParameterList& domain = scene->sublist("Domain");
-    domain.set("Dimension", 3).set("Cell Size", 0.75e-3);
-    domain.set("Lower Corner", triple(-7.5e-3, -7.5e-3, -15.75e-3));
-    domain.set("Upper Corner", triple(7.5e-3, 7.5e-3, 15.75e-3));
-    scene->sublist("Time").set("Final Time", 1e-4);
-    scene->sublist("Materials").sublist("Steel") = freePlate()->sublist("Materials").sublist("Steel");
-    Teuchos::ParameterList& shaft = scene->sublist("Bodies").sublist("Plate");
-    shaft.set<std::string>("Material", "Steel").set<std::string>("Shape", "Cylinder").set("Radius", 6e-3);
-    shaft.set("From", triple(0.0, 0.0, -15e-3)).set("To", triple(0.0, 0.0, 15e-3));
-    Teuchos::ParameterList& half = shaft.sublist("Operations").sublist("Half");
-    half.set<std::string>("Operation", "Cut").set<std::string>("Shape", "Box");
-    half.set("Lower Corner", triple(-10e-3, -10e-3, -20e-3));
-    half.set("Upper Corner", triple(thin ? 4.8e-3 : 0.0, 10e-3, 20e-3));
-    EXPECT_EQ(say(warningsOf(scene), wall), thin);
-  }
+    EXPECT_EQ(
+        say(warningsOf(cutShaft(6e-3, {-10e-3, -10e-3, -20e-3}, {thin ? 4.8e-3 : 0.0, 10e-3, 20e-3})), wall),
+        thin);
+}
+
+/// Both edges of a keyway have 74 degrees. What is left below a deep one, of 0.7 to 1.05 mm, is a wall.
+TEST(Walls, AreNoEdgesOfKeyways)
+{
+  for (const bool deep : {false, true})
+    EXPECT_EQ(
+        say(warningsOf(cutShaft(9e-3, {deep ? -7.95e-3 : 6.5e-3, -2.5e-3, -8e-3}, {12e-3, 2.5e-3, 8e-3})),
+            wall),
+        deep);
 }
 
 TEST(Pieces, OfABodyThatIsCutApartAreSaidWithTheirMass)
