@@ -58,8 +58,9 @@ void judgeWeight(const JudgedScene<D>& judged, Messages& messages)
   for (const BodyMeasure<D>& body : judged.bodies)
     if (const double weight = body.density * g * body.longest; highest > 0.0 && weight > times * highest)
       messages.push_back("Bodies > " + body.name + ": its own weight would stress it with " +
-                         formatShort(weight) + " Pa, more than its loads (" + formatShort(highest) +
-                         " Pa at most): are lengths in metres, and loads in N and Pa? It is " +
+                         formatShort(weight) + " Pa, more than its loads do (" + formatShort(highest) +
+                         " Pa at most, by an estimate that includes bending): are lengths in metres, and "
+                         "loads in N and Pa? It is " +
                          readableLength(body.longest) + " long");
 }
 
