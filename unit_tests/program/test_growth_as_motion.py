@@ -76,8 +76,10 @@ class GrowthAsMotion(ProgramTest):
         # Faces are longer by what the body is strained, less than a thousandth.
         self.assertTrue(all(abs(row["Notch.0.length"] / NOTCH - 1.0) < 1e-3 for row in before))
         self.assertAlmostEqual(before[-1]["Notch.0.G_J"] / 20.0, 1.001, delta=1.1e-3)
-        # Nothing jumps: the energy of a linear beam is what its grips have given, and the first microsecond changes it by little.
-        self.assertAlmostEqual(after[0]["strain"] / before[-1]["strain"], 1.0, delta=0.01)
+        # Nothing jumps: the energy of a linear beam is what its grips have given, and the first microsecond changes it by little. What springs at the
+        # front store counts as energy of new faces from there on.
+        stored = after[0]["strain"] + after[0]["fracture"] + after[0]["kinetic"]
+        self.assertAlmostEqual(stored / before[-1]["strain"], 1.0, delta=2e-3)
         self.assertGreater(after[-1]["kinetic"], 0.01 * before[-1]["strain"])
         self.assertGreater(after[-1]["fracture"], 0.0)
         for row in after:
