@@ -195,7 +195,7 @@ private:
   }
 
   /// What is at two cells from a point along the surface.
-  enum class Beside
+  enum class Neighbour
   {
     Nothing,
     Thin,
@@ -203,7 +203,7 @@ private:
   };
 
   /// \param tangent unit vector
-  Beside besideOf(const SurfacePoint<D>& point, const Vector<D>& tangent) const
+  Neighbour neighbourOf(const SurfacePoint<D>& point, const Vector<D>& tangent) const
   {
     constexpr int samples = 8; // of a cell: a round body falls away from the tangent by less
     const double reach = fewest * cell_;
@@ -212,9 +212,9 @@ private:
       const double depth = cell_ * std::max(1e-3, static_cast<double>(k) / samples);
       const SurfacePoint<D> next{point.x + reach * tangent - depth * point.normal, point.normal, 0.0};
       if (shape_.contains(next.x))
-        return widthAt(next, true) < reach ? Beside::Thin : Beside::Wide;
+        return widthAt(next, true) < reach ? Neighbour::Thin : Neighbour::Wide;
     }
-    return Beside::Nothing;
+    return Neighbour::Nothing;
   }
 
   /// Whether the body ends to one side of a point and is wide to the other: next to an edge of 45 degrees or
@@ -231,9 +231,9 @@ private:
       Vector<D> tangent = -point.normal[d] * point.normal;
       tangent[d] += 1.0;
       tangent = (1.0 / norm(tangent)) * tangent;
-      const Beside one = besideOf(point, tangent), other = besideOf(point, -1.0 * tangent);
-      if ((one == Beside::Nothing && other == Beside::Wide) ||
-          (one == Beside::Wide && other == Beside::Nothing))
+      const Neighbour one = neighbourOf(point, tangent), other = neighbourOf(point, -1.0 * tangent);
+      if ((one == Neighbour::Nothing && other == Neighbour::Wide) ||
+          (one == Neighbour::Wide && other == Neighbour::Nothing))
         return true;
     }
     return false;
