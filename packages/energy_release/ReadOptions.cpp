@@ -25,14 +25,7 @@ void describeToughness(Section& s)
       .optional("no comparison")
       .meaning("Energy release rate at which the cracks would start. The summary then says how close they "
                "come to it; they do not grow. For cracks that grow see Propagation.");
-  s.real(criticalIntensity)
-      .unit("Pa m^0.5")
-      .positive()
-      .optional("Toughness")
-      .meaning(meaningOfCriticalIntensity);
-  s.fromLibrary("Toughness From Library")
-      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
-               "absent (docs/reference/materials.md).");
+  describeToughnessByOtherMeans(s);
   s.refuse({when::given("Energy Release", "Toughness"), when::present("Propagation")},
            "the cracks grow by the toughness of the section Propagation; leave Toughness and Toughness From "
            "Library out here");

@@ -122,14 +122,7 @@ void addToughness(Section& s)
                "increment: a number, an "
                "expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
                "500:200\". With Thermal the expression may contain the temperature T [K].");
-  s.real(criticalIntensity)
-      .unit("Pa m^0.5")
-      .positive()
-      .optional("Toughness")
-      .meaning(meaningOfCriticalIntensity);
-  s.fromLibrary("Toughness From Library")
-      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
-               "absent (docs/reference/materials.md).");
+  describeToughnessByOtherMeans(s);
   s.real("Initiation Toughness")
       .unit("J/m2")
       .positive()

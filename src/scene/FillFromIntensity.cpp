@@ -17,14 +17,6 @@
 namespace Rhegma
 {
 
-const char* const criticalIntensity = "K_Ic";
-
-const char* const meaningOfCriticalIntensity = "Critical stress intensity, instead of Toughness, which is "
-                                               "then K_Ic^2 / E' with the E' of the scene: E in "
-                                               "plane stress, else E / (1 - nu^2), at small strain. For "
-                                               "scenes with one material, or with materials of the "
-                                               "same E'.";
-
 namespace
 {
 
@@ -32,6 +24,7 @@ using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
 
 const char* const energy = "Toughness";
+const char* const criticalIntensity = "K_Ic"; // [Pa m^0.5]
 
 bool isGiven(const ParameterList& list, const std::string& name)
 {
@@ -136,6 +129,21 @@ private:
 };
 
 } // namespace
+
+void describeToughnessByOtherMeans(Section& section)
+{
+  section.real(criticalIntensity)
+      .unit("Pa m^0.5")
+      .positive()
+      .optional(energy)
+      .meaning(
+          "Critical stress intensity, instead of Toughness, which is then K_Ic^2 / E' with the E' of the "
+          "scene: E in plane stress, else E / (1 - nu^2), at small strain. For scenes with one material, "
+          "or with materials of the same E'.");
+  section.fromLibrary("Toughness From Library")
+      .meaning("Name of a material of the library, such as PMMA, whose toughness is used if Toughness is "
+               "absent (docs/reference/materials.md).");
+}
 
 void fillFromIntensity(ParameterList& scene, const SceneSchema& schema, std::vector<SceneError>& errors)
 {

@@ -14,11 +14,9 @@
 namespace Rhegma
 {
 
-/// Name of the parameter, a critical stress intensity [Pa m^0.5].
-extern const char* const criticalIntensity;
-
-/// Its meaning in the reference.
-extern const char* const meaningOfCriticalIntensity;
+/// Adds what a section may have instead of its `Toughness`: `K_Ic`, and the name of a material of the
+/// library.
+void describeToughnessByOtherMeans(Section& section);
 
 /// Sets Toughness = K_Ic^2 / E' [J/m2] in each list that has `K_Ic`, with the E' of the scene's materials at
 /// small strain: E in plane stress, else E / (1 - nu^2). The value is marked as a default one
