@@ -21,7 +21,7 @@ void disableSprings(const State<D>& state, int crack)
   const View<int*> near = state.cracks.nearFront, crackOf = state.cracks.crackOf;
   parallelForSmall(
       "rhegma::cracks::disableSprings", static_cast<int>(near.extent(0)), KOKKOS_LAMBDA(const int s) {
-        if (crackOf(s) == crack && near(s) == nearFront::hasSprings)
+        if (crackOf(s) == crack && nearFront::mayHaveSprings(near(s)))
           near(s) = nearFront::springsDisabled;
       });
 }

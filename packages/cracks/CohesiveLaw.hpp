@@ -72,14 +72,33 @@ KOKKOS_INLINE_FUNCTION double frontBond(double behind, double away, double steep
   return xi < range ? (range - xi) / xi : 0.0;
 }
 
+/// By how much the traction between the two fields of a node near a front falls with their opening [N/m],
+///
+///     s = a (1 + b max(0, 1 - 2 z)) E' w,
+///
+/// with the constants of FrontCell.hpp; b is zero for limited springs. Zero where that law does not hold.
+/// Parameters: see frontSpringStiffness
+template <int D>
+KOKKOS_INLINE_FUNCTION double frontCellSlope(double modulus, double width, double away, double steepest,
+                                             FrontLaw law)
+{
+  if (!hasFrontCell<D>(steepest, law))
+    return 0.0;
+  const double factor = law.unlimited
+                            ? frontCell::unlimited::stiffness *
+                                  (1.0 + frontCell::unlimited::onCrack * std::fmax(0.0, 1.0 - 2.0 * away))
+                            : frontCell::limited::stiffness;
+  return factor * modulus * width;
+}
+
 /// Stiffness of the spring between the two fields of a node near a front [N/m]. By the law of
 /// FrontCell.hpp
 ///
-///     k = a (1 + b max(0, 1 - 2 z)) E' w (l - xi) / xi,   xi = behind + s,   l = l0 / c,
+///     k = s (l - xi) / xi,   xi = behind + ahead,   l = l0 / c,
 ///
-/// zero from xi = l on, s of splitAhead and the other constants from the near field in the cells of a front
-/// (FrontCell.hpp); b is zero for limited springs. It holds for all nodes with two fields: w falls to zero
-/// where the crack leaves the cells of a node. Elsewhere
+/// zero from xi = l on, s of frontCellSlope, the distance ahead of splitAhead and the other constants from
+/// the near field in the cells of a front (FrontCell.hpp). It holds for all nodes with two fields: w falls to
+/// zero where the crack leaves the cells of a node. Elsewhere
 ///
 ///     k = 0.1 E' w (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05,   zero from z = 1 on.
 ///
@@ -90,18 +109,12 @@ template <int D>
 KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width, double behind, double away,
                                                    double steepest, FrontLaw law)
 {
-  if (!hasFrontCell<D>(steepest, law))
-  {
-    const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
-    return xi < 1.0 && away < 1.0
-               ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away)
-               : 0.0;
-  }
-  const double factor = law.unlimited
-                            ? frontCell::unlimited::stiffness *
-                                  (1.0 + frontCell::unlimited::onCrack * std::fmax(0.0, 1.0 - 2.0 * away))
-                            : frontCell::limited::stiffness;
-  return factor * modulus * width * frontBond<D>(behind, away, steepest, law);
+  if (hasFrontCell<D>(steepest, law))
+    return frontCellSlope<D>(modulus, width, away, steepest, law) * frontBond<D>(behind, away, steepest, law);
+  const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
+  return xi < 1.0 && away < 1.0
+             ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away)
+             : 0.0;
 }
 
 /// The cohesive traction of a node, as a nodal force: falls linearly from T at an onset T / k to zero at an
@@ -186,11 +199,19 @@ KOKKOS_INLINE_FUNCTION CohesiveLaw releaseLaw(double strength, double range, dou
   return {strength, range * springs::initialFraction / fraction, strength / stiffness};
 }
 
-/// The law that a stretched front spring follows from when its front is initiated: its force falls to zero
-/// over another stretch. \param stretch now, larger than zero [m]
-KOKKOS_INLINE_FUNCTION CohesiveLaw softeningLaw(double stiffness, double stretch)
+/// The law that a stretched front spring follows from when its front is initiated.
+///
+/// By the law of FrontCell.hpp its force falls by s times the further opening: as a front moves through a
+/// cell under a constant K, the force k = s (l - xi) / xi times the opening of its node falls along the line
+/// s (w - opening), and the area below this line is Gc times the area of the cell
+/// (unit_tests/studies/front_cell.py --opening). Elsewhere the force falls to zero over another stretch.
+///
+/// \param stretch now, larger than zero [m] \param slope s, zero where that law does not hold [N/m]
+/// \param spent part of G that new faces dissipate: the node is part of them
+KOKKOS_INLINE_FUNCTION CohesiveLaw softeningLaw(double stiffness, double stretch, double slope, double spent)
 {
-  return {stiffness * stretch, springs::softeningStretch * stretch, stretch};
+  const double force = stiffness * stretch;
+  return {force, slope > 0.0 ? spent * force / slope : springs::softeningStretch * stretch, stretch};
 }
 
 /// Energy that a softening spring dissipates in all, with what it stored when it began to soften [J].

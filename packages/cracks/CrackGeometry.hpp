@@ -29,6 +29,9 @@ namespace nearFront
 constexpr int away = 0;
 constexpr int hasSprings = 1;      ///< its crack may have front springs
 constexpr int springsDisabled = 2; ///< near a front as well, its crack without springs (AdvectedFronts.hpp)
+constexpr int grown = 3;           ///< its crack may have front springs, and the front has grown
+
+KOKKOS_INLINE_FUNCTION bool mayHaveSprings(int flag) { return flag == hasSprings || flag == grown; }
 } // namespace nearFront
 
 /// Locates points with respect to cracks, in kernels.

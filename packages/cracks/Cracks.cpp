@@ -129,6 +129,7 @@ struct Parts
     // to its faces: by this law up to G times a cell, which may be a hundred times their toughness.
     const RunOptions& motion = options.ofMotion();
     const bool startsByTime = motion.growth && moves && motion.growthFrom > 0.0;
+    surroundings.releases = releases;
     surroundings.law.ofCells = motion.fieldsConduct && !startsByTime && (!motion.contact || !moves);
   }
 };

@@ -4,6 +4,7 @@
 #include "cracks/HoldingForce.hpp"
 #include "cracks/NearestFront.hpp"
 #include "cracks/Release.hpp"
+#include "cracks/SplitNode.hpp"
 #include "material/MaterialTable.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/Motion.hpp"
@@ -23,20 +24,16 @@ template <int D>
 struct FindSpring
 {
   Nodes<D> nodes;
-  NodePositions<D> positions;
-  CrackSight<D> sight;
-  View<std::uint64_t*> nearest;
+  SplitNodes<D> split;
   NodalSprings<D> springs;
   View<double * [D + 1]> spring; ///< CrackSet::spring
   View<double*> damping;         ///< [N s/m]
   View<double*> inertia;         ///< NodalMotion::relativeInertia; empty where springs are limited instead
   NearestFront<D> frontOf;
+  View<double*> spent;    ///< of each front, the part of G that new faces dissipate
   View<double*> softened; ///< energy that springs dissipate which began to soften now [J]
   StableStiffness<D> stable;
-  bool refined, grows, moves;
-  FrontLaw frontLaw;
-  View<int*> level;
-  double spacing, thickness, modulus, density;
+  bool grows, moves;
   int step;
 
   KOKKOS_INLINE_FUNCTION void operator()(int i, int& passed, double& converted) const
@@ -60,8 +57,7 @@ struct FindSpring
         spring(primary, D) = atMost(node.law().secant(node.largest()), most);
       return;
     }
-    const int s = simplexOf(nearest(primary));
-    const int front = grows ? frontOf(positions(primary), sight.crackOf(s)) : noFront;
+    const int front = grownFrontAt(primary);
     if (front != noFront)
     {
       spring(primary, D) = atMost(node.stiffness(), most);
@@ -75,15 +71,16 @@ struct FindSpring
       node.stiffness() = 0.0;
       return;
     }
-    if (sight.nearFront(s) != nearFront::hasSprings)
+    if (!nearFront::mayHaveSprings(split.sight.nearFront(simplexOf(split.nearest(primary)))))
     {
       node.stiffness() = 0.0;
       return;
     }
-    double stiffness = most > 0.0 ? wanted(i, s) : 0.0;
+    double stiffness = most > 0.0 ? split.stiffness(i) : 0.0;
     if (inertia.extent(0) == 0)
       stiffness = atMost(stiffness, most);
-    if (stiffness > node.stiffness() && isStretched(node, cellAt(primary))) // stiffening would add energy
+    if (stiffness > node.stiffness() &&
+        isStretched(node, split.cellAt(primary))) // stiffening would add energy
       stiffness = node.stiffness();
     spring(primary, D) = node.stiffness() = stiffness;
     if (moves)
@@ -94,6 +91,13 @@ private:
   static KOKKOS_INLINE_FUNCTION double atMost(double value, double limit)
   {
     return value < limit ? value : limit;
+  }
+
+  /// The nearest front of the crack of a node, if it has grown.
+  KOKKOS_INLINE_FUNCTION int grownFrontAt(int primary) const
+  {
+    return grows ? frontOf(split.positions(primary), split.sight.crackOf(simplexOf(split.nearest(primary))))
+                 : noFront;
   }
 
   static KOKKOS_INLINE_FUNCTION double square(const NodalSpring<D>& node)
@@ -116,11 +120,6 @@ private:
     damping(primary) = stableDamping(stiffness, a * b / (a + b) + added, dt);
   }
 
-  KOKKOS_INLINE_FUNCTION double cellAt(int primary) const
-  {
-    return refined ? spacing / (1 << level(primary)) : spacing;
-  }
-
   static KOKKOS_INLINE_FUNCTION bool isStretched(const NodalSpring<D>& node, double cell)
   {
     return square(node) > springs::unstretched * springs::unstretched * cell * cell;
@@ -135,7 +134,7 @@ private:
     const double stretch = square(node);
     if (!(stretch > 0.0))
       return;
-    const CohesiveLaw law = softeningLaw(node.stiffness(), std::sqrt(stretch));
+    const CohesiveLaw law = softeningLaw(node.stiffness(), std::sqrt(stretch), split.slope(i), spent(front));
     node.release(law, Vector<D>{});
     springs.front(primary) = front;
     if (!isOwnedByThisRank(nodes, primary))
@@ -143,31 +142,25 @@ private:
     softened(i) = softenedEnergy(law);
     converted += 0.5 * node.stiffness() * stretch;
   }
-
-  /// Stiffness by the law of front springs [N/m].
-  KOKKOS_INLINE_FUNCTION double wanted(int i, int s) const
-  {
-    const int primary = nodes.parent(i);
-    const double cell = cellAt(primary);
-    const Sight seen = sight.locate(s, positions(primary));
-    double steepest = 0.0;
-    for (int d = 0; d < D; ++d)
-      steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
-    const double a = nodes.sums(primary, Nodes<D>::massAt),
-                 b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
-    double width = 0.0;
-    if constexpr (D == 3) // less at the surface, by the filled fraction of the cells of the node
-    {
-      const double filled = (a + b) / (density * cell * cell * cell);
-      width = cell * (filled > springs::fullCells ? 1.0 : filled) *
-              (hasFrontCell<D>(steepest, frontLaw) ? openingFraction(a, b) : 1.0);
-    }
-    else
-      width = thickness * (hasFrontCell<D>(steepest, frontLaw) ? openingFraction(a, b) : 1.0);
-    return frontSpringStiffness<D>(modulus, width, seen.behind / cell,
-                                   std::fabs(seen.distance) / (cell * steepest), steepest, frontLaw);
-  }
 };
+
+/// Of each front, the part of G that its new faces dissipate: all but where it started under more than their
+/// toughness.
+template <int D>
+View<double*> spentParts(const State<D>& state, bool grows)
+{
+  const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  View<double*> spent("rhegma::cracks::spentParts", grows ? fronts.size() : 0);
+  const auto host = Kokkos::create_mirror_view(spent);
+  for (std::size_t f = 0; f < host.extent(0); ++f)
+  {
+    const double release = fronts[f].nodes.empty() ? 0.0 : fronts[f].nodes[0].driving.release,
+                 toughness = D == 2 ? fronts[f].budget.toughness : release;
+    host(f) = release > toughness ? toughness / release : 1.0;
+  }
+  Kokkos::deep_copy(spent, host);
+  return spent;
+}
 
 } // namespace
 
@@ -228,25 +221,17 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
     frontOf_.update(state.cracks);
   const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numOfCracks : 0);
   const FindSpring<D> find{nodes,
-                           nodePositions(state),
-                           CrackSight<D>(state.cracks, state.mesh.grid.spacing),
-                           surroundings.nearest,
+                           SplitNodes<D>(state, surroundings.nearest, modulus_, density_, surroundings.law),
                            springs(state),
                            state.cracks.spring,
                            damping_,
                            state.motion.relativeInertia,
                            frontOf_,
+                           spentParts(state, grows_),
                            softened,
                            StableStiffness<D>(state),
-                           state.mesh.tree.refined(),
                            grows_,
                            !state.method.equilibrium(),
-                           surroundings.law,
-                           state.mesh.tree.nodeLevel,
-                           state.mesh.grid.spacing,
-                           state.method.thickness,
-                           modulus_,
-                           density_,
                            surroundings.stamp};
   double converted = 0.0;
   parallelSumSmall("rhegma::cracks::findSprings", 0, nodes.numOfCracks, find, passed_, converted);

@@ -99,7 +99,15 @@ void listFacets(CrackSet<D>& set)
   Kokkos::deep_copy(set.facetsOfCrack, range);
 }
 
-/// Marks the simplices near fronts.
+/// A point of a facet of a front.
+template <int D>
+struct PointOfFront
+{
+  Vector<D> position; ///< [m]
+  bool grown;         ///< CrackFront::grown
+};
+
+/// Marks the simplices near fronts by the nearest one.
 template <int D>
 void markNearFront(CrackSet<D>& set, double spacing)
 {
@@ -116,10 +124,11 @@ void markNearFront(CrackSet<D>& set, double spacing)
       x[d] = vertex(v, d);
     return x;
   };
-  std::vector<std::vector<Vector<D>>> frontsOf(
-      set.cracks.size()); // a point of each facet of a crack's fronts
-  for (std::size_t f = 0; f < frontFacet.extent(0); ++f)
-    frontsOf[crackOf(frontFacet(f, 0))].push_back(at(simplex(frontFacet(f, 0), (frontFacet(f, 1) + 1) % D)));
+  std::vector<std::vector<PointOfFront<D>>> frontsOf(set.cracks.size()); // of a crack
+  for (const CrackFront<D>& front : set.fronts)
+    for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
+      frontsOf[crackOf(frontFacet(f, 0))].push_back(
+          {at(simplex(frontFacet(f, 0), (frontFacet(f, 1) + 1) % D)), front.grown});
   for (std::size_t s = 0; s < simplex.extent(0); ++s)
   {
     Vector<D> corner[D];
@@ -129,13 +138,17 @@ void markNearFront(CrackSet<D>& set, double spacing)
     for (int i = 1; i < D; ++i)
       radius = std::max(radius, norm(corner[i] - corner[0]));
     const double most = (reach + radius) * (reach + radius);
-    for (const Vector<D>& front : frontsOf[crackOf(s)])
+    double nearest = reach;
+    for (const PointOfFront<D>& front : frontsOf[crackOf(s)])
     {
-      const Vector<D> from = front - corner[0];
-      if (dot(from, from) >= most || surface::distanceToSimplex(corner, front) >= reach)
+      const Vector<D> from = front.position - corner[0];
+      if (dot(from, from) >= most)
         continue;
-      nearFront(s) = 1;
-      break;
+      const double distance = surface::distanceToSimplex(corner, front.position);
+      if (distance >= nearest)
+        continue;
+      nearest = distance;
+      nearFront(s) = front.grown ? nearFront::grown : nearFront::hasSprings;
     }
   }
   Kokkos::deep_copy(set.nearFront, nearFront);

@@ -189,9 +189,12 @@ std::vector<double> releaseEnergy(const State<D>& state, CrackFront<D>& front, c
     // If the front reaches a node only because material moves through the grid, its energy is that of a cell
     // of new face by the toughness of the last advance; by G, which may be far above that, it would
     // dissipate too much.
+    const double ofCell = toughness[0] * state.method.thickness * cell, pending = front.budget.pending;
+    // What is pending beyond a cell was required while springs softened and no node was passed.
+    const double most =
+        std::max(springs::carriedOverFraction, pending > ofCell ? 1.0 - ofCell / pending : 0.0);
     if (sums[0].force > 0.0)
-      energy[0] = front.budget.releaseAll(toughness[0] * state.method.thickness * cell,
-                                          springs::carriedOverFraction, springs::deductedFraction);
+      energy[0] = front.budget.releaseAll(ofCell, most, springs::deductedFraction);
     return energy;
   }
   double wanted = 0.0, row = 0.0;

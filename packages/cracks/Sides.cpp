@@ -139,7 +139,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
   const bool frontSprings = state.cracks.frontSprings;
   const View<double*> conductance = state.cracks.frontConductance;
   const int stamp = around.stamp;
-  const FrontLaw law = around.law;
+  const FrontLaw lawOfHeld = around.law, lawOfGrown = D == 2 && around.releases ? FrontLaw{} : around.law;
   Kokkos::parallel_for(
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
@@ -150,6 +150,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const Vector<D> x = positions(n);
         const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
         const Sight seen = sight.locate(s, x);
+        const FrontLaw law = sight.nearFront(s) == nearFront::grown ? lawOfGrown : lawOfHeld;
         if (sight.nearFront(s) != nearFront::away) // else it is behind all fronts
         {
           const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
@@ -163,7 +164,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         if (conductance.extent(0) > 0)
         {
           const double steepest = steepestOf(sight, s);
-          conductance(n) = frontSprings && sight.nearFront(s) == nearFront::hasSprings
+          conductance(n) = frontSprings && nearFront::mayHaveSprings(sight.nearFront(s))
                                ? frontCell::conductance *
                                      frontBond<D>(seen.behind / cell,
                                                   std::fabs(seen.distance) / (cell * steepest), steepest, law)

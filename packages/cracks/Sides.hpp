@@ -29,9 +29,13 @@ struct Surroundings
   View<double* [4]> reach;      ///< of each crack: its ends along the two axes of blocks [cells]
   int stamp = 0;
   int generation = 0; ///< of the nodes
-  /// That of FrontCell.hpp is not where fronts may grow in motion, nor where faces touch in motion, nor where
-  /// heat cannot pass between the fields of a node.
+  /// That of FrontCell.hpp is not where faces touch in motion, nor where heat cannot pass between the fields
+  /// of a node.
   FrontLaw law;
+  /// New faces cohere (CohesiveLaw.hpp). In 2D a node then opens by the other law once its front has grown,
+  /// when the front has passed it: as that of FrontCell.hpp opens it half a cell earlier, the force that
+  /// holds it is smaller, and new faces would cohere over twice the length.
+  bool releases = false;
 };
 
 /// The simplex in an entry of Surroundings::nearest.

@@ -149,22 +149,25 @@ def shared_law():
 
 
 def material(model):
+    """Constants of one stiffness. Metals yield at 10 MPa: at fronts, but not across what a crack leaves of a body."""
     soft = {"Model": model, "Density": 1200.0}
-    if model == "Mooney-Rivlin":
+    if model == "Orthotropic":
+        soft.update({"Young Moduli": [4e9, 2e9, 3e9], "Shear Moduli": [1.1e9, 1e9, 1.2e9], "Poisson Ratios": [0.3, 0.2, 0.25]})
+    elif model == "Mooney-Rivlin":
         soft.update({"C10": 3e8, "C01": 2.6e8, "Bulk Modulus": 3e9})
     else:
         soft.update({"Young Modulus": 3e9, "Poisson Ratio": 0.33})
     if model == "J2 Plastic":
-        soft.update({"Yield Stress": 4e6, "Hardening Modulus": 1e8})
+        soft.update({"Yield Stress": 1e7, "Hardening Modulus": 1e8})
     elif model == "Shared Library":
-        soft.update({"Library File": shared_law(), "Constants": [3e9, 0.33, 4e6, 1e8]})
+        soft.update({"Library File": shared_law(), "Constants": [3e9, 0.33, 1e7, 1e8]})
     elif model == "Viscoelastic":
         soft.update({"Relaxation Times": [1e-5, 1e-3], "Shear Fractions": [0.3, 0.2]})
     elif model == "ViscoSCRAM":
         soft.update({"Relaxation Times": [1e-5, 1e-3], "Shear Fractions": [0.3, 0.2], "Initial Crack Radius": 3e-5, "Crack Length Scale": 1e-4,
                      "Crack Toughness": 3e4, "Crack Friction": 0.3, "Crack Growth Exponent": 10.0, "Maximum Crack Speed": 200.0})
     elif model == "High-Rate Solid":
-        soft.update({"Johnson-Cook A": 4e6, "Johnson-Cook B": 1e7, "Johnson-Cook n": 0.3, "Johnson-Cook C": 0.02})
+        soft.update({"Johnson-Cook A": 1e7, "Johnson-Cook B": 1e7, "Johnson-Cook n": 0.3, "Johnson-Cook C": 0.02})
     return soft
 
 

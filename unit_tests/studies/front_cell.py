@@ -12,6 +12,7 @@ crack across a flux on the rim, sqrt(r) sin(theta / 2), and the conductivity in 
 
     front_cell.py            print the lag of the law of the constants in packages/cracks/FrontCell.hpp, in cells
     front_cell.py --heat     the same of the conductance
+    front_cell.py --opening  force and opening of a node while the front moves through its cell, for a crack along the cells
     front_cell.py --before   the same of the law that 3D has
     front_cell.py --fit      fit the constants (some minutes) and write them to that file
 """
@@ -212,8 +213,19 @@ def add_springs(entries, stiffness, enriched, n):
     return np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
 
 
-def lag(law, front, degrees, mode, nu=0.33, particles=2, cfl=0.0):
-    """By how many cells the crack of the cells ends behind its front."""
+class LimitedLaw(NewLaw):
+    """That of springs which explicit steps limit, along the cells."""
+
+    def __init__(self, stiffness, range_, lag, mid_cell):
+        super().__init__([stiffness, range_, lag, 0.0, 0.0], True)
+        self.mid_cell = mid_cell
+
+    def ahead(self, c, z):
+        return self.lag + self.mid_cell * np.maximum(0, 2 * np.minimum(z, 1 - z))
+
+
+def solve(law, front, degrees, mode, nu=0.33, particles=2, cfl=0.0):
+    """Equilibrium of the patch: displacements, stiffness with springs, and opening and spring of nodes with two fields."""
     t = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
     edge, c = 2 * RADIUS + 1, max(abs(t))
     nodes = np.stack(np.meshgrid(np.arange(edge), np.arange(edge), indexing="ij"), -1).reshape(-1, 2) - RADIUS
@@ -242,7 +254,28 @@ def lag(law, front, degrees, mode, nu=0.33, particles=2, cfl=0.0):
             u[2 * index[i] + 1], fixed[2 * index[i] + 1] = a * t[1] + b * t[0], True
     free = ~fixed
     u[free] = scipy.sparse.linalg.spsolve(K[free][:, free].tocsc(), -K[free][:, fixed] @ u[fixed])
+    at = np.nonzero(joined & (away < 1))[0]
+    across = n - 1
+    opening = side[at] * (u[n * at + across] - u[n * enriched[at] + across])
+    return u, K, {tuple(nodes[i]): (o, k[i]) for i, o in zip(at, opening)}
+
+
+def lag(law, front, degrees, mode, nu=0.33, particles=2, cfl=0.0):
+    """By how many cells the crack of the cells ends behind its front."""
+    u, K, _ = solve(law, front, degrees, mode, nu, particles, cfl)
+    t = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
     return 0.5 * u @ (K @ u) - exact_energy(front, t, mode, nu) - (REMOTE_HEAT if mode == HEAT else REMOTE)
+
+
+def opening(law, away, nu, particles):
+    """Of a node of a crack along the cells at a distance from it: openings and forces while a front under K_I moves through the
+    cell behind it, in units of K sqrt(h) / E' and K sqrt(h). A crack between two rows has a node in each: the forces of both."""
+    found = []
+    for behind in np.linspace(0.0, 0.7, 8):
+        _, _, springs = solve(law, np.array([behind, away]), 0.0, 1, nu, particles, CFL)
+        column = [(o, k * o) for (x, z), (o, k) in springs.items() if x == 0 and k > 0]
+        found.append((behind, column[0][0], sum(force for _, force in column)))
+    return found
 
 
 def lags(law, degrees, mode, points, **more):
@@ -251,6 +284,20 @@ def lags(law, degrees, mode, points, **more):
 
 def positions(number, seed):
     return scipy.stats.qmc.Sobol(2, seed=seed).random(number)
+
+
+def print_openings(nu, particles):
+    """The forces against the straight line through them: their slope, that of the constants, and the area below the line."""
+    text = open(HEADER).read()
+    law = LimitedLaw(*[float(v) for v in re.search(r"namespace limited\n.*?stiffness = ([0-9.]+), range = ([0-9.]+), lag = ([0-9.]+), "
+                                                   r"lagMidCell = ([0-9.]+);", text, re.S).groups()])
+    for away in (0.0, 0.25, 0.5):
+        found = np.array(opening(law, away, nu, particles))
+        slope, strength = np.polyfit(found[:, 1], found[:, 2], 1)
+        print("crack %.2f cells from the node: front behind it, opening / (K sqrt(h) / E'), force / (K sqrt(h)), of the line" % away)
+        for behind, o, force in found:
+            print("  %5.2f  %.3f  %.3f  %.3f" % (behind, o, force, strength + slope * o))
+        print("  slope %.3f (-%.3f of the constants), area below the line %.3f Gc h" % (slope, law.stiffness, -0.5 * strength**2 / slope))
 
 
 def read_constants():
@@ -301,11 +348,15 @@ def main():
     options.add_argument("--fit", action="store_true")
     options.add_argument("--before", action="store_true")
     options.add_argument("--heat", action="store_true")
+    options.add_argument("--opening", action="store_true")
     options.add_argument("--moving", action="store_true", help="with the limits of explicit steps of coupled masses")
     options.add_argument("--positions", type=int, default=64, help="of the front in its cell")
     options.add_argument("--particles", type=int, default=2, help="of a cell along an axis")
     options.add_argument("--poisson", type=float, default=0.33)
     chosen = options.parse_args()
+    if chosen.opening:
+        print_openings(chosen.poisson, chosen.particles)
+        return
     if chosen.fit:
         constants = fit()
         write_constants(constants, fit_conductance(constants))

@@ -80,6 +80,23 @@ TEST(CohesiveLaw, NodesDivideAnEnergyByTheirForces)
   EXPECT_DOUBLE_EQ(first.onset, 1.425);
 }
 
+/// Stiffness times opening at all positions of a front in its cell lie on one line, if openings are in
+/// proportion to xi.
+TEST(CohesiveLaw, FrontSpringsFollowALine)
+{
+  const FrontLaw front{true};
+  const double slope = frontCellSlope<2>(10.0, 2.0, 0.0, 1.0, front), ahead = splitAhead<2>(1.0, 0.0, front),
+               open = 5.0;
+  EXPECT_DOUBLE_EQ(slope, frontCell::limited::stiffness * 20.0);
+  for (const double behind : {0.0, 0.2, 0.5, 0.7})
+  {
+    const double opening = open * (behind + ahead) / frontCell::limited::range;
+    EXPECT_NEAR(frontSpringStiffness<2>(10.0, 2.0, behind, 0.0, 1.0, front) * opening,
+                slope * (open - opening), 1e-12 * slope * open);
+  }
+  EXPECT_EQ(frontCellSlope<2>(10.0, 2.0, 0.0, 0.8, front), 0.0); // at an angle, limited
+}
+
 /// Where the fields would pass w within a step the node starts with less force and dissipates the same.
 TEST(CohesiveLaw, ShortRangesStartWithLessForce)
 {
@@ -148,15 +165,18 @@ TEST(CohesiveLaw, WithoutLimitsOneLawHoldsEverywhere)
   }
 }
 
-/// A spring of 8 N/m stretched by 0.5 m stores 1 J and dissipates another one as it softens.
+/// A spring of 8 N/m stretched by 0.5 m stores 1 J and dissipates another one as it softens; by a slope of 2
+/// N/m another 4 J, of which new faces under half of G dissipate half.
 TEST(CohesiveLaw, SpringsSoftenOverAnotherStretch)
 {
-  const CohesiveLaw softening = softeningLaw(8.0, 0.5);
+  const CohesiveLaw softening = softeningLaw(8.0, 0.5, 0.0, 1.0);
   EXPECT_DOUBLE_EQ(softening.traction(0.5, 0.5), 4.0);
   EXPECT_DOUBLE_EQ(softening.traction(0.75, 0.75), 2.0);
   EXPECT_TRUE(softening.isOpen(1.0));
   EXPECT_DOUBLE_EQ(softening.energy(), 1.0);
   EXPECT_DOUBLE_EQ(softenedEnergy(softening), 2.0);
+  EXPECT_DOUBLE_EQ(softeningLaw(8.0, 0.5, 2.0, 1.0).energy(), 4.0);
+  EXPECT_DOUBLE_EQ(softeningLaw(8.0, 0.5, 2.0, 0.5).energy(), 2.0);
 }
 
 } // namespace Rhegma::cracks
