@@ -67,6 +67,16 @@ void refuseOtherFormulations(Section& s)
   s.refuse({when::present("Contact"), brokenCells, when::equilibrium()}, verified);
   s.refuse({when::present("Propagation"), brokenCells, when::equilibrium()}, verified);
   s.refuse({brokenCells}, "broken cells are available in 2D only; write Dual Field", 0, 3);
+  // N^T m N / M of the projection has eigenvalues up to 1 if no weight is negative, and above it else.
+  const auto negative = when::is("Cracks", "Formulation", {"Corrected Broken Cell"});
+  s.refuse(
+      {negative, when::is("Mass Matrix", "Velocity Update", {"PIC", "XPIC", "FMPM"})},
+      "weights of corrected cells may be negative, with which projections of the velocity grow from step "
+      "to step; write Velocity Update = FLIP, or Formulation = Dual Field");
+  s.refuse(
+      {negative, when::above("Time", "PIC Fraction", 0.0)},
+      "weights of corrected cells may be negative, with which projections of the velocity grow from step "
+      "to step; remove PIC Fraction, or write Formulation = Dual Field");
 }
 
 } // namespace
