@@ -88,26 +88,36 @@ def run(program, scene, folder):
     return history, fields
 
 
-def errors(program, pick, cells, arguments, keep=None):
+def profile(fields, number, meet, radii, columns):
+    """Middles of columns of cells at the face of a body, from where the bodies meet, and the mean pressure and shear stress there."""
+    side = 1.0 if number == 1 else -1.0
+    start = (fields["position"] - fields["displacement"])[:, :2] - meet
+    depth = radii[number] - numpy.hypot(start[:, 0], start[:, 1] - side * radii[number])
+    row = (fields["body"] == number) & (depth < 1.0)
+    x, stress, weight = fields["position"][row, 0] - meet[0], fields["stress"][row], fields["mass"][row]
+    chosen = [numpy.round(x).astype(int) == k for k in columns]
+    return (numpy.array([numpy.average(values[c], weights=weight[c]) for c in chosen]) for values in (x, -stress[:, 1], stress[:, 3]))
+
+
+def half_width_and_pressure(x, pressure):
+    """Of the ellipse that fits best: p^2 = p0^2 - (p0 / a)^2 x^2."""
+    slope, square = numpy.polyfit(x**2, pressure**2, 1)
+    return math.sqrt(max(-square / slope, 0.0)), math.sqrt(max(square, 0.0))
+
+
+def errors(program, pick, cells, arguments):
     """For the two bodies: errors of the half width and p0 of the ellipse through the pressure over the middle 80 %, and the largest deviation
     there over p0; then the error of the force and the residual over the strain energy [%]."""
     scene, meet, radii, load = pressed(pick, cells, arguments.ratio, arguments.moduli, arguments.radii, arguments.friction)
     with tempfile.TemporaryDirectory() as folder:
-        history, fields = run(program, scene, keep or folder)
-    position, displacement, stress, body, mass = (fields[name] for name in ("position", "displacement", "stress", "body", "mass"))
+        history, fields = run(program, scene, folder)
     highest = 2.0 * load / (math.pi * cells)
     found = []
-    for number, side in enumerate((-1.0, 1.0)):
-        start = (position - displacement)[:, :2] - meet
-        depth = radii[number] - numpy.hypot(start[:, 0], start[:, 1] - side * radii[number])
-        row = (body == number) & (depth < 1.0)
-        x, pressure, weight = position[row, 0] - meet[0], -stress[row, 1], mass[row]
-        column = numpy.round(x).astype(int)
-        columns = [column == k for k in range(int(-0.8 * cells), int(0.8 * cells) + 1)]
-        x, pressure = (numpy.array([numpy.average(values[chosen], weights=weight[chosen]) for chosen in columns]) for values in (x, pressure))
-        slope, square = numpy.polyfit(x**2, pressure**2, 1)
+    for number in (0, 1):
+        x, pressure, _ = profile(fields, number, meet, radii, range(-int(0.8 * cells), int(0.8 * cells) + 1))
+        a, p0 = half_width_and_pressure(x, pressure)
         exact = highest * numpy.sqrt(1.0 - (x / cells) ** 2)
-        found += [math.sqrt(max(-square / slope, 0.0)) / cells - 1, math.sqrt(square) / highest - 1, numpy.abs(pressure - exact).max() / highest]
+        found += [a / cells - 1.0, p0 / highest - 1.0, numpy.abs(pressure - exact).max() / highest]
     residual = max(abs(float(row["residual"])) / float(row["strain"] or 1) for row in history[-20:])
     force = float(history[-1]["Lower - Upper.contact_force_y"]) / load - 1.0
     return [100 * value for value in found + [force, residual]]
@@ -123,7 +133,6 @@ def main():
     parser.add_argument("--moduli", type=float, nargs=2, default=[1.0, 1.0])
     parser.add_argument("--radii", type=float, nargs=2, default=[1.0, 1.0])
     parser.add_argument("--friction", type=float, default=0.3)
-    parser.add_argument("--keep")
     arguments = parser.parse_args()
     print(f"seed {arguments.seed}, {arguments.number} runs of each size, half width over radius {arguments.ratio}, moduli {arguments.moduli}, "
           f"radii {arguments.radii}, friction {arguments.friction}")
@@ -131,7 +140,7 @@ def main():
     for cells in arguments.cells:
         pick = random.Random(f"{arguments.seed} {cells}")
         for _ in range(arguments.number):
-            print(f"{cells:5d} " + " ".join(f"{value:8.2f}" for value in errors(arguments.program, pick, cells, arguments, arguments.keep)), flush=True)
+            print(f"{cells:5d} " + " ".join(f"{value:8.2f}" for value in errors(arguments.program, pick, cells, arguments)), flush=True)
 
 
 if __name__ == "__main__":
