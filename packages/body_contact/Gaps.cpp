@@ -46,7 +46,7 @@ constexpr double apart = 1e-6;
 
 /// Distance from a node of the lines along which gaps are measured [cells]: a quarter of a domain, so that
 /// the mean of two lines is that of the two domains where the node lies between them.
-constexpr double besideNode = 0.125;
+constexpr double fromNode = 0.125;
 
 /// Size of domains that a line meets, so that strain leaves no way between neighbours.
 constexpr double closedSize = 1.1;
@@ -143,7 +143,7 @@ struct FindGap
     {
       Vector<D> start = node;
       for (int d = 0; d < D - 1; ++d)
-        start = start + ((line >> d & 1) != 0 ? 1.0 : -1.0) * besideNode * particles.grid.spacing * aside[d];
+        start = start + ((line >> d & 1) != 0 ? 1.0 : -1.0) * fromNode * particles.grid.spacing * aside[d];
       const double gap = gapOnLine(s, one, other, start, n);
       if (gap < 1e200)
       {
