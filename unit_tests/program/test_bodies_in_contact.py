@@ -223,8 +223,8 @@ class Bodies(DrawnScenes):
         angle = self.rng.uniform(0.3, 0.9) * math.atan(friction)
         scene = self.incline(angle, friction, turned, 1e3, cell=0.025, ends=(-0.1, 0.1))
         scene.set("Boundaries > Weight > History", "t < 0.3 ? sin(pi*t/0.6)^2 : 1").set("Output > History Interval", 0.1)
-        # The lowest frequency of the block is about c / 4 L, and its motion decays at half of this rate. Nodes at the edge of the face that
-        # carry part of their load are a hundred times softer: ten times the rate would damp them so much that they creep for seconds.
+        # The lowest frequency of the block is about c / 4 L, and its motion decays at half of this rate. A softer motion of the pressed
+        # face is overdamped by ten times the rate: its speed then falls with a time constant of two seconds.
         scene.set("Damping > Mass Rate", 30.0)
         centres = []
         for steps in (20000, 100000):
