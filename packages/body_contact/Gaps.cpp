@@ -1,10 +1,12 @@
 /// Normals and gaps of pairs of groups at shared nodes.
 
 #include "base/SmallLoops.hpp"
+#include "body_contact/LineThroughDomain.hpp"
 #include "body_contact/LogisticNormal.hpp"
 #include "body_contact/NearestHulls.hpp"
 #include "body_contact/NodalContact.hpp"
 #include "transfer/ParticleDomains.hpp"
+#include "transfer/PressedNodes.hpp"
 
 namespace Rhegma::body_contact
 {
@@ -41,6 +43,17 @@ constexpr double coreSize = 0.5;
 
 /// Distance of hulls below which they count as overlapping [cells]: rounding of their shortest line.
 constexpr double apart = 1e-6;
+
+/// Distance from a node of the lines along which gaps are measured [cells]: a quarter of a domain, so that
+/// the mean of two lines is that of the two domains where the node lies between them.
+constexpr double fromNode = 0.125;
+
+/// Size of domains that a line meets, so that strain leaves no way between neighbours.
+constexpr double closedSize = 1.1;
+
+/// Most by which the gap at a node is larger than the least one within half a cell [cells]: by so much may
+/// corners between nodes overlap.
+constexpr double mostSlope = 0.1;
 
 template <int D>
 struct FindGap
@@ -106,8 +119,87 @@ struct FindGap
         best = {sign * across, gap};
   }
 
-  /// Gap between the two groups at a node along a direction [m].
+  /// Gap between the two groups at a node along a direction [m]. Where faces slope away from each other, as
+  /// those of round bodies, the least gap within half a cell is that of half a cell nearer to where they
+  /// touch, so that a contact became too wide by a part of a cell. Then the gap is that at the node.
   KOKKOS_INLINE_FUNCTION double gapAlong(int s, int one, int other, const Vector<D>& node,
+                                         const Vector<D>& n) const
+  {
+    const double h = particles.grid.spacing, least = leastGap(s, one, other, node, n);
+    if (least > stillClosed * h) // they do not touch
+      return least;
+    return std::fmax(least, std::fmin(gapAtNode(s, one, other, node, n), least + mostSlope * h));
+  }
+
+  /// Mean gap on lines next to the node along n [m]; -1e300 if none meets both groups.
+  KOKKOS_INLINE_FUNCTION double gapAtNode(int s, int one, int other, const Vector<D>& node,
+                                          const Vector<D>& n) const
+  {
+    Vector<D> aside[2];
+    tangents(n, aside);
+    double sum = 0.0;
+    int lines = 0;
+    for (int line = 0; line < (1 << (D - 1)); ++line)
+    {
+      Vector<D> start = node;
+      for (int d = 0; d < D - 1; ++d)
+        start = start + ((line >> d & 1) != 0 ? 1.0 : -1.0) * fromNode * particles.grid.spacing * aside[d];
+      const double gap = gapOnLine(s, one, other, start, n);
+      if (gap < 1e200)
+      {
+        sum += gap;
+        ++lines;
+      }
+    }
+    return lines > 0 ? sum / lines : -1e300;
+  }
+
+  /// Unit vectors normal to n and to each other: one in 2D, two in 3D.
+  KOKKOS_INLINE_FUNCTION void tangents(const Vector<D>& n, Vector<D> (&aside)[2]) const
+  {
+    if constexpr (D == 2)
+      aside[0] = {-n[1], n[0]};
+    else
+    {
+      int least = 0;
+      for (int d = 1; d < D; ++d)
+        least = std::fabs(n[d]) < std::fabs(n[least]) ? d : least;
+      Vector<D> axis{};
+      axis[least] = 1.0;
+      const Vector<D> first = axis - n[least] * n;
+      aside[0] = (1.0 / norm(first)) * first;
+      for (int d = 0; d < D; ++d)
+      {
+        const int i = (d + 1) % 3, j = (d + 2) % 3;
+        aside[1][d] = n[i] * aside[0][j] - n[j] * aside[0][i];
+      }
+    }
+  }
+
+  /// Gap on a line along n [m]; above 1e200 if it does not meet both groups.
+  KOKKOS_INLINE_FUNCTION double gapOnLine(int s, int one, int other, const Vector<D>& start,
+                                          const Vector<D>& n) const
+  {
+    double end = -1e300, begin = 1e300; // of the first group, and of the second
+    particles.forEach(s, one, other,
+                      [&](int p, double label)
+                      {
+                        Vector<D> edges[D];
+                        particles.domains.edgesOf(p, edges);
+                        const PartOfLine part = partOfLine<D>(edges, -1.0 * offset(p, start), n, closedSize);
+                        if (!part.any())
+                          return;
+                        const double at = along(p, label, n, start, 1.0);
+                        if (label < 0.0)
+                          end = std::fmax(end, std::fmin(at, part.last));
+                        else
+                          begin = std::fmin(begin, std::fmax(at, part.first));
+                      });
+    return end > -1e200 && begin < 1e200 ? begin - end : 1e300;
+  }
+
+  /// The least gap near a node along a direction [m].
+  KOKKOS_INLINE_FUNCTION double leastGap(int s, int one, int other, const Vector<D>& node,
                                          const Vector<D>& n) const
   {
     const double window = windowAround(s, one, other, node, n);

@@ -135,20 +135,20 @@ class Bodies(DrawnScenes):
                 self.assertLess(max(abs(p / mass - 1.0) for p in history["momentum_x"]), ROUNDING)
                 self.assertLess(pair["largest_overlap"], 1e-3 * cell)
 
-    def incline(self, angle, friction, turned, time, law="Coulomb"):
-        """A block on a plane that is turned through the cells; gravity makes `angle` with its normal."""
-        cell, g = 0.0125, 10.0
+    def incline(self, angle, friction, turned, time, law="Coulomb", cell=0.0125, ends=(-0.2, 0.5)):
+        """A block of 0.1 m on a plane that is turned through the cells; gravity makes `angle` with its normal."""
+        g = 10.0
         at = [self.rng.uniform(0.0, cell) for _ in range(2)]
         c, s = math.cos(turned), math.sin(turned)
 
         def out(x, y):
             return [c * x - s * y, s * x + c * y]
 
-        corners = [out(x, y) for x in (-0.2, 0.5) for y in (-0.1, 0.1)]
+        corners = [out(x, y) for x in ends for y in (-0.1, 0.1)]
         around = {"Rotation": math.degrees(turned), "Rotation Centre": at}
         held = {}
         for k in range(8):
-            a, b = (out(-0.2 + 0.7 * (k + n) / 8.0, -0.05) for n in (0, 1))
+            a, b = (out(ends[0] + (ends[1] - ends[0]) * (k + n) / 8.0, -0.05) for n in (0, 1))
             held[f"Base {k}"] = {
                 "Type": "Velocity",
                 "Components": "xy",
@@ -168,7 +168,7 @@ class Bodies(DrawnScenes):
                 "Time": {"Final Time": time},
                 "Materials": {"Solid": solid(1e7)},
                 "Bodies": {
-                    "Plane": box([at[0] - 0.2, at[1] - 0.1], [at[0] + 0.5, at[1]], **around),
+                    "Plane": box([at[0] + ends[0], at[1] - 0.1], [at[0] + ends[1], at[1]], **around),
                     "Block": box([at[0] - 0.05, at[1]], [at[0] + 0.05, at[1] + 0.1], **around),
                 },
                 "Boundaries": {
@@ -216,6 +216,64 @@ class Bodies(DrawnScenes):
             moved = max(abs(a - b) for a, b in zip(early["bodies"][1]["centre"], late["bodies"][1]["centre"]))
             with self.subTest(law=law, turned=turned):
                 self.assertLess(moved, 1e-4 * 0.1)
+
+    def test_a_block_sticks_for_100000_steps(self):
+        """After its weight is applied and the motion by it has decayed, it moves by less than a millionth of its length in 80,000 steps."""
+        friction, turned = self.rng.uniform(0.2, 0.6), self.rng.choice((0.0, self.rng.uniform(-0.5, 0.5)))
+        angle = self.rng.uniform(0.3, 0.9) * math.atan(friction)
+        scene = self.incline(angle, friction, turned, 1e3, cell=0.025, ends=(-0.1, 0.1))
+        scene.set("Boundaries > Weight > History", "t < 0.3 ? sin(pi*t/0.6)^2 : 1").set("Output > History Interval", 0.1)
+        # The lowest frequency of the block is about c / 4 L, and its motion decays at half of this rate. A softer motion of the pressed
+        # face is overdamped by ten times the rate: its speed then falls with a time constant of two seconds.
+        scene.set("Damping > Mass Rate", 30.0)
+        centres = []
+        for steps in (20000, 100000):
+            summary, _ = self.run_scene(scene.set("Time > Maximum Steps", steps))
+            self.assertEqual(summary["steps"], steps)
+            centres.append(summary["bodies"][1]["centre"])
+        with self.subTest(friction=friction, turned=turned, angle=angle):
+            self.assertLess(math.dist(*centres), 1e-6 * 0.1)
+
+    def blocks(self, gap, law, speed, dimension):
+        """Two blocks, turned by any angle, a gap apart along their common normal; the second one moves along it."""
+        angle, friction = self.rng.uniform(-180.0, 180.0), self.rng.uniform(0.1, 0.6)
+        turn, cell = math.radians(angle), 1.0
+        n, along = (math.cos(turn), math.sin(turn)), (-math.sin(turn), math.cos(turn))
+        at, aside = [self.rng.uniform(0.0, 1.0) for _ in range(dimension)], self.rng.uniform(-3.0, 3.0)
+        bodies = {}
+        for name, shift, velocity in (("Left", 0.0, 0.0), ("Right", 6.0 + gap, speed)):
+            middle = [x + shift * u + (aside * v if name == "Right" else 0.0) for x, u, v in zip(at, n, along)] + at[2:]
+            bodies[name] = box([x - 3.0 for x in middle], [x + 3.0 for x in middle], Rotation=angle,
+                               Velocity=[velocity * u for u in n] + [0.0] * (dimension - 2))
+        scene = Scene(
+            {
+                "Domain": {"Dimension": dimension, "Cell Size": cell, "Lower Corner": [-16.0] * dimension, "Upper Corner": [17.0] * dimension},
+                "Time": {"Final Time": 2.0 / abs(speed)},
+                "Materials": {"Solid": solid(1e6)},
+                "Bodies": bodies,
+                "Body Contact": {"Law": law, **({"Friction Coefficient": friction} if law == "Coulomb" else {})},
+                "Output": {"Fields": False, "Checkpoints": False, "History Interval": 0.02 / abs(speed)},
+            }
+        )
+        return scene, n, {"angle": angle, "gap": gap, "law": law, "dimension": dimension, "at": at, "aside": aside}
+
+    def test_turned_bodies_fly_freely_until_they_touch(self):
+        """A block leaves another one over a gap, or comes back: up to the first touch both move freely; the momentum of the pair never changes."""
+        for law in ("Frictionless", "Coulomb", "Stick"):
+            for speed, dimension in ((1.0, self.rng.choice((2, 3))), (-1.0, 2)):
+                scene, n, drawn = self.blocks(self.rng.uniform(0.1, 1.3), law, speed, dimension)
+                summary, history = self.run_scene(scene)
+                mass, touch = summary["bodies"][1]["mass"], summary["body_contact"][0]["first_touch"]
+                with self.subTest(speed=speed, **drawn):
+                    for axis, u in zip("xy", n):
+                        self.assertLess(max(abs(p - mass * speed * u) for p in history["momentum_" + axis]), ROUNDING * mass)
+                    free = [k for t, k in zip(history["time"], history["kinetic"]) if touch is None or t < touch]
+                    self.assertLess(max(abs(k / (0.5 * mass) - 1.0) for k in free), ROUNDING)
+                    if speed > 0.0:
+                        self.assertIsNone(touch)
+                    else:
+                        # A step passes between touch and record; turned domains touch where their particles see each other.
+                        self.assertLess(abs(touch - drawn["gap"]), 0.01 + summary["time"] / summary["steps"])
 
     def test_bodies_of_any_shape_conserve_momentum_and_create_no_energy(self):
         cell = 0.0125
