@@ -7,6 +7,7 @@
 #include "material/LinearElastic.hpp"
 #include "material/MooneyRivlin.hpp"
 #include "material/NeoHookean.hpp"
+#include "material/Ogden.hpp"
 #include "material/Orthotropic.hpp"
 #include "material/SharedLibrary.hpp"
 #include "material/ViscoScram.hpp"
@@ -26,7 +27,7 @@ struct LawList
 
 /// Properties::law is an index in it.
 using Laws = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid,
-                     ViscoScram, SharedLibrary, Orthotropic>;
+                     ViscoScram, SharedLibrary, Orthotropic, Ogden>;
 
 /// Index of a law in a list.
 template <class Law, class... Listed>

@@ -152,6 +152,8 @@ def material(model):
     soft = {"Model": model, "Density": 1200.0}
     if model == "Mooney-Rivlin":
         soft.update({"C10": 3e8, "C01": 2.6e8, "Bulk Modulus": 3e9})
+    elif model == "Ogden":
+        soft.update({"Moduli": [1.5e9, -5e7], "Exponents": [1.3, -3.0], "Bulk Modulus": 3e9})
     else:
         soft.update({"Young Modulus": 3e9, "Poisson Ratio": 0.33})
     if model == "J2 Plastic":
