@@ -1,6 +1,7 @@
 #pragma once
 /// Rubber at very large stretch.
 
+#include "material/ExponentialRest.hpp"
 #include "material/LawParameters.hpp"
 #include "material/OgdenParameters.hpp"
 #include "material/PrincipalStretches.hpp"
@@ -132,18 +133,6 @@ private:
         slope[i] += modulus(m, p) * exponent(m, p) * power;
       }
     return f[0] + f[1] + f[2];
-  }
-
-  /// exp(x) - 1 - x, by its series where that has more digits; the first term left out is 1e-17.
-  KOKKOS_INLINE_FUNCTION static double exponentialRest(double x)
-  {
-    constexpr double small = 0.02;
-    if (std::fabs(x) > small)
-      return std::expm1(x) - x;
-    return 0.5 * x * x *
-           (1.0 +
-            x / 3.0 *
-                (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0 * (1.0 + x / 7.0 * (1.0 + x / 8.0))))));
   }
 
   /// tau_zz as a function of the thickness stretch. Its part of the shape rises and is zero between the two

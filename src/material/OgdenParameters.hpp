@@ -55,7 +55,7 @@ void checkOgdenTerm(const Reader& reader, int p, double modulus, double exponent
                   "has " + Reader::text(modulus) + " Pa in " + term + ", with the exponent " +
                       Reader::text(exponent) + ": mu_p alpha_p > 0 fails, " +
                       Reader::text(modulus * exponent) +
-                      " <= 0, and rubber would give way when it is stretched; give a modulus of the "
+                      " <= 0, and rubber would lose strength as it is stretched; give a modulus of the "
                       "sign of the exponent.");
 }
 

@@ -154,6 +154,8 @@ def material(model):
         soft.update({"C10": 3e8, "C01": 2.6e8, "Bulk Modulus": 3e9})
     elif model == "Ogden":
         soft.update({"Moduli": [1.5e9, -5e7], "Exponents": [1.3, -3.0], "Bulk Modulus": 3e9})
+    elif model == "Fluid":
+        soft.update({"Equation Of State": "Tait", "Bulk Modulus": 3e9, "Viscosity": 1.0})
     else:
         soft.update({"Young Modulus": 3e9, "Poisson Ratio": 0.33})
     if model == "J2 Plastic":
