@@ -2,6 +2,7 @@
 /// Metals at high rates and in shocks.
 
 #include "material/AcousticBound.hpp"
+#include "material/ArtificialViscosity.hpp"
 #include "material/HighRateParameters.hpp"
 #include "material/JohnsonCook.hpp"
 #include "material/MieGrueneisen.hpp"
@@ -15,9 +16,7 @@ namespace Rhegma
 ///     volume     K/2 ((J^2 - 1)/2 - ln J), or Mie-Grueneisen (MieGrueneisen.hpp)
 ///     shape      mu/2 (tr be - 3), be = J^(-2/3) F Cp^-1 F^T
 ///     flow       none, or Johnson-Cook, with Voce hardening or without (JohnsonCook.hpp)
-///     viscosity  none, or artificial bulk viscosity q = rho l |d| (C1 c + C2 l |d|) in compression, with d
-///     the
-///                rate of volume, l the cell size and c the speed of sound (von Neumann and Richtmyer 1950)
+///     viscosity  none, or artificial bulk viscosity (ArtificialViscosity.hpp)
 ///
 /// Flow is that of J2Plastic (Simo and Hughes, boxes 9.1 and 9.2), implicit in the plastic rate and explicit
 /// in temperature. In scenes without heat the material is adiabatic: a fraction of plastic work and all work
@@ -131,7 +130,8 @@ struct HighRateSolid : LawDefaults
     {
       const MieGrueneisen volume(m);
       volume.pressure(J, history[energyIndex<D>] + heat, modulus);
-      viscous = viscousPressure<D>(step, m, J, volumeBefore, speedOf(modulus, m.density), history, heat);
+      viscous = artificial(m).pressure(step.dt, J, volumeBefore, speedOf(modulus, m.density),
+                                       history[viscousIndex<D>], history[dissipationIndex<D>], heat);
       shift = -J * volume.pressure(J, history[energyIndex<D>] + heat, modulus) - viscous;
     }
     for (int i = 0; i < 3; ++i)
@@ -190,46 +190,14 @@ private:
         speedOf(0.5 * m.mu * firstInvariantBound(trace<D>(be), range) + modulus, m.density);
     if (!(q > 0.0))
       return elastic;
-    using namespace HighRateNumber;
-    const double linear = m.own[linearViscosity] * speedOf(modulus, m.density);
-    const double viscous =
-        0.5 * (linear + std::sqrt(linear * linear + 4.0 * m.own[quadraticViscosity] * q / m.density));
+    const double viscous = artificial(m).speed(speedOf(modulus, m.density), q);
     return viscous + std::sqrt(viscous * viscous + elastic * elastic);
   }
 
-  /// Part of -tr tau / 3 by artificial viscosity [Pa]. The forces on nodes do its work by the trapezoidal
-  /// rule, which is what is dissipated; the heat is by the new value, so that it is never negative. Over a
-  /// shock both are the same. \param sound speed of sound in the volume [m/s] \param heat gains the heat
-  /// [J/m3]
-  template <int D>
-  KOKKOS_INLINE_FUNCTION static double viscousPressure(const LawStep& step, const Properties& m, double J,
-                                                       double before, double sound, double* history,
-                                                       double& heat)
+  KOKKOS_INLINE_FUNCTION static ArtificialViscosity artificial(const Properties& m)
   {
-    using namespace HighRateNumber;
-    double& q = history[viscousIndex<D>];
-    if (!(step.dt > 0.0))
-      return q;
-    const double strain = compression(before, J);
-    double now = 0.0;
-    if (strain > 0.0)
-    {
-      const double closing = m.cellSize * strain / step.dt;
-      now = m.density * closing * (m.own[linearViscosity] * sound + m.own[quadraticViscosity] * closing);
-    }
-    history[dissipationIndex<D>] += 0.5 * (q + now) * strain;
-    heat += now * strain;
-    q = now;
-    return now;
-  }
-
-  /// ln(before / J), by its series where a step changes the volume little; the first term left out is 1e-17.
-  KOKKOS_INLINE_FUNCTION static double compression(double before, double J)
-  {
-    const double z = (before - J) / (before + J), square = z * z;
-    if (square > 1.0e-4)
-      return std::log(before / J);
-    return 2.0 * z * (1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0 + square / 7.0)));
+    return {m.own[HighRateNumber::linearViscosity], m.own[HighRateNumber::quadraticViscosity], m.density,
+            m.cellSize};
   }
 
   template <int D>

@@ -2,11 +2,13 @@
 /// The list of all constitutive laws. A new law is its header and its entry here; all switches over laws, the
 /// schema, readers, tables and merging of particles follow from the list.
 
+#include "material/Fluid.hpp"
 #include "material/HighRateSolid.hpp"
 #include "material/J2Plastic.hpp"
 #include "material/LinearElastic.hpp"
 #include "material/MooneyRivlin.hpp"
 #include "material/NeoHookean.hpp"
+#include "material/Ogden.hpp"
 #include "material/Orthotropic.hpp"
 #include "material/SharedLibrary.hpp"
 #include "material/ViscoScram.hpp"
@@ -26,7 +28,7 @@ struct LawList
 
 /// Properties::law is an index in it.
 using Laws = LawList<LinearElastic, NeoHookean, MooneyRivlin, J2Plastic, Viscoelastic, HighRateSolid,
-                     ViscoScram, SharedLibrary, Orthotropic>;
+                     ViscoScram, SharedLibrary, Orthotropic, Ogden, Fluid>;
 
 /// Index of a law in a list.
 template <class Law, class... Listed>

@@ -39,6 +39,9 @@ void setMaterial(const State<D>& state, int material, BodyMeasure<D>& body)
   body.material = state.materials.names[material];
   body.density = properties.density;
   body.moduli = elasticity(properties);
+  // A fluid resists a change of its volume only, by which loads on it are judged.
+  if (properties.mu == 0.0)
+    body.moduli.young = body.moduli.effectiveModulus = properties.bulk;
   body.speed = std::sqrt(body.moduli.constrainedModulus / body.density);
   body.linear = isLinear(properties);
   body.anisotropic = isAnisotropic(properties);

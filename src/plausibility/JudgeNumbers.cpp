@@ -68,14 +68,15 @@ void lookThrough(const ParameterList& list, std::vector<const std::string*>& abo
   }
 }
 
-/// Densities of solids that bear loads reach from 10 (foam) to 22 590 kg/m3 (osmium).
+/// Densities of solids that bear loads reach from 10 (foam) to 22 590 kg/m3 (osmium); a gas may have any.
 template <int D>
 void judgeDensities(const JudgedScene<D>& judged, Messages& messages)
 {
   constexpr double lightest = 5.0, heaviest = 25e3;
   const MaterialSet& materials = judged.state.materials;
   for (std::size_t m = 0; m < materials.properties.size(); ++m)
-    if (const double density = materials.properties[m].density; density < lightest || density > heaviest)
+    if (const double density = materials.properties[m].density;
+        materials.properties[m].mu > 0.0 && (density < lightest || density > heaviest))
       messages.push_back(
           "Materials > " + materials.names[m] + " > Density is " + formatReal(density) + " kg/m3, " +
           (density < lightest ? "less than of foams (10)" : "more than of any solid (osmium 22 590)") +

@@ -257,6 +257,31 @@ void addRulesOfTime(Section& s)
            "Time > Initial State = Unloaded");
 }
 
+/// A fluid has no stiffness in shear, and no length but that of its cells.
+void addRulesOfFluids(Section& s)
+{
+  const Condition fluid = when::is("Materials > *", "Model", {Fluid::name});
+  s.refuse(
+      {fluid, when::equilibrium()},
+      "a fluid has no strength in shear, so that its equilibrium has no stiffness to solve for; write Time > "
+      "Analysis = Dynamic");
+  s.refuse(
+      {fluid, when::isNot("Time", "Initial State", {"Unloaded"})},
+      "a fluid has no strength in shear, so that its equilibrium has no stiffness to solve for; write Time > "
+      "Initial State = Unloaded");
+  s.refuse(
+      {fluid, when::present("Thermal")},
+      "a fluid is adiabatic and has an internal energy of its own, which heat would not reach; remove the "
+      "section Thermal");
+  s.refuse({fluid, when::present("Cracks")}, "a fluid has no crack faces, and no strength that a crack would "
+                                             "reduce; remove the section Cracks, or give "
+                                             "the body a solid law");
+  s.refuse({fluid, when::present("Adaptivity")},
+           "its viscosities are those of cells of one size; remove one of the two");
+  s.refuse({fluid, when::is("Domain", "Plane", {"Stress"})},
+           "a fluid is no plate; write Domain > Plane = Strain");
+}
+
 /// A static analysis has no time: what relaxes or flows would depend on the length of the run.
 void addRulesOfStatic(Section& s)
 {
@@ -287,6 +312,7 @@ Section materials()
   s.namedByUser(material);
   addRulesOfTime(s);
   addRulesOfStatic(s);
+  addRulesOfFluids(s);
   return s;
 }
 

@@ -155,6 +155,10 @@ def material(model):
         soft.update({"Young Moduli": [4e9, 2e9, 3e9], "Shear Moduli": [1.1e9, 1e9, 1.2e9], "Poisson Ratios": [0.3, 0.2, 0.25]})
     elif model == "Mooney-Rivlin":
         soft.update({"C10": 3e8, "C01": 2.6e8, "Bulk Modulus": 3e9})
+    elif model == "Ogden":
+        soft.update({"Moduli": [1.5e9, -5e7], "Exponents": [1.3, -3.0], "Bulk Modulus": 3e9})
+    elif model == "Fluid":
+        soft.update({"Equation Of State": "Tait", "Bulk Modulus": 3e9, "Viscosity": 1.0})
     else:
         soft.update({"Young Modulus": 3e9, "Poisson Ratio": 0.33})
     if model == "J2 Plastic":

@@ -12,6 +12,17 @@ def cracked(parameter, value):
     return plate().set("Materials", {"Polymer": {**CRACKED, parameter: value}})
 
 
+WATER = {"Model": "Fluid", "Density": 1000.0, "Equation Of State": "Tait", "Bulk Modulus": 2.2e9}
+
+
+def rubber(moduli, exponents):
+    return {"Model": "Ogden", "Density": 930.0, "Moduli": moduli, "Exponents": exponents, "Bulk Modulus": 1e9}
+
+
+def uncracked(material):
+    return plate().remove("Cracks").remove("Energy Release").set("Materials > Polymer", material)
+
+
 MATERIALS = [
     ("negative_modulus", plate().set(MODULUS, -3e9), one(MODULUS, "-3000000000", "above 0")),
     ("static_analysis_of_a_body_that_relaxes",
@@ -48,6 +59,22 @@ MATERIALS = [
      plate().set("Materials > Polymer", {"Model": "Mooney-Rivlin", "Density": 1.0, "C10": 1.0, "C01": 0.0,
      "Bulk Modulus": -1.0}),
      one("Materials > Polymer > Bulk Modulus", "above 0")),
+    ("ogden_term_of_the_wrong_sign", plate().set("Materials > Polymer", rubber([1e6, 1e4], [2.0, -2.0])),
+     one("Materials > Polymer > Moduli", "term 2", "mu_p alpha_p > 0 fails", "sign of the exponent")),
+    ("ogden_terms_of_two_lengths", plate().set("Materials > Polymer", rubber([1e6], [2.0, -2.0])),
+     one("Materials > Polymer > Exponents", "has 2 numbers, but Moduli has 1")),
+    ("ogden_that_is_compressible", plate().set("Materials > Polymer", rubber([1e10], [2.0])),
+     one("Materials > Polymer > Bulk Modulus", "K >= 2/3 mu fails", "6.66667e+09")),
+    ("crack_in_a_fluid", plate().set("Materials > Polymer", WATER), one("Materials > Polymer > Model", "no crack faces", "Cracks")),
+    ("fluid_in_equilibrium", uncracked(WATER).set("Time > Analysis", "Static"),
+     one("Materials > Polymer > Model", "no strength in shear", "Dynamic")),
+    ("fluid_that_starts_in_equilibrium", uncracked(WATER).set("Time > Initial State", "Equilibrium"),
+     one("Materials > Polymer > Model", "no strength in shear", "Unloaded")),
+    ("fluid_in_refined_cells", uncracked(WATER).set("Adaptivity", {"Maximum Level": 1, "Velocity Change": 1.0}),
+     one("Materials > Polymer > Model", "cells of one size")),
+    ("fluid_as_a_plate", uncracked(WATER).set("Domain > Plane", "Stress"), 2 * one("Materials > Polymer > Model", "no plate", "Strain")),
+    ("gas_without_pressure", uncracked({"Model": "Fluid", "Density": 1.2, "Equation Of State": "Ideal Gas", "Heat Capacity Ratio": 1.4}),
+     one("Materials > Polymer > Initial Pressure", "pressure of the gas")),
     ("saturation_below_yield",
      plate().set("Materials > Polymer", {"Model": "J2 Plastic", "Density": 1.0, "Young Modulus": 1e9,
      "Poisson Ratio": 0.3, "Yield Stress": 1e6,

@@ -168,6 +168,7 @@ TEST(Equilibrium, PatchWithShearAtCentres)
 
 TEST(Equilibrium, RateOfNeoHookean) { testRate("Neo-Hookean", 0.0); }
 TEST(Equilibrium, RateOfMooneyRivlin) { testRate("Mooney-Rivlin", 0.0); }
+TEST(Equilibrium, RateOfOgden) { testRate("Ogden", 0.0); }
 TEST(Equilibrium, RateOfPlasticity) { testRate("J2 Plastic", 0.02); }
 
 /// Where no load is left there is nothing but the loads before to measure the residual by.

@@ -80,6 +80,24 @@ inline Teuchos::ParameterList orthotropicList(Plane plane)
   return list;
 }
 
+inline Teuchos::ParameterList ogdenList(const std::vector<double>& moduli,
+                                        const std::vector<double>& exponents, double bulk)
+{
+  Teuchos::ParameterList list;
+  list.set("Model", "Ogden");
+  list.set("Density", 2.0);
+  list.set("Moduli", arrayOf(moduli));
+  list.set("Exponents", arrayOf(exponents));
+  list.set("Bulk Modulus", bulk);
+  return list;
+}
+
+inline Properties ogden(Plane plane, const std::vector<double>& moduli, const std::vector<double>& exponents,
+                        double bulk)
+{
+  return makeProperties(ogdenList(moduli, exponents, bulk), "Test", plane);
+}
+
 /// A law, a dimension, a plane, and a material of moduli of order one. The J2 material does not yield.
 template <class L, int dimension, Plane plane>
 struct Case
@@ -95,6 +113,8 @@ struct Case
       return hookean("Neo-Hookean", P, 2.6, 0.3);
     else if constexpr (std::is_same_v<L, MooneyRivlin>)
       return mooneyRivlin(P, 0.4, 0.1, 20.0);
+    else if constexpr (std::is_same_v<L, Ogden>)
+      return ogden(P, {0.9, 0.01, -0.1}, {1.3, 5.0, -2.0}, 20.0);
     else if constexpr (std::is_same_v<L, Orthotropic>)
       return makeProperties(orthotropicList(P), "Test", P);
     else
@@ -112,7 +132,8 @@ using EveryCase = testing::Types<Case<LinearElastic, 2, Plane::Strain>, Case<Lin
                                  Case<MooneyRivlin, 3, Plane::Solid>, Case<J2Plastic, 2, Plane::Strain>,
                                  Case<J2Plastic, 2, Plane::Stress>, Case<J2Plastic, 3, Plane::Solid>,
                                  Case<Orthotropic, 2, Plane::Strain>, Case<Orthotropic, 2, Plane::Stress>,
-                                 Case<Orthotropic, 3, Plane::Solid>>;
+                                 Case<Orthotropic, 3, Plane::Solid>, Case<Ogden, 2, Plane::Strain>,
+                                 Case<Ogden, 2, Plane::Stress>, Case<Ogden, 3, Plane::Solid>>;
 
 template <int D>
 Gradient<D> identity()

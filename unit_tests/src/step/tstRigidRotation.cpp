@@ -206,7 +206,7 @@ TEST(RigidRotation, FreeBodyShakesAsARandomWalk)
   EXPECT_NEAR(total, 1.0, 0.01);
 }
 
-const auto laws = testing::Values("Linear Elastic", "Neo-Hookean", "Mooney-Rivlin", "J2 Plastic");
+const auto laws = testing::Values("Linear Elastic", "Neo-Hookean", "Mooney-Rivlin", "J2 Plastic", "Ogden");
 INSTANTIATE_TEST_SUITE_P(RigidRotation, TurnIn2D, testing::Combine(laws, testing::Values("Strain", "Stress")),
                          CaseName());
 INSTANTIATE_TEST_SUITE_P(RigidRotation, TurnIn3D, testing::Combine(laws, testing::Values("Solid")),
