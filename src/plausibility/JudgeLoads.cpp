@@ -199,10 +199,16 @@ bool hasSteps(const std::vector<Geometry::SurfacePoint<D>>& points, double edge)
     {
       std::size_t end = first + 1;
       double area = places[first].second;
-      for (; end < places.size() && places[end].first - places[end - 1].first < 1.25 * edge; ++end)
+      // Pieces of large faces are longer than a voxel.
+      const auto length = [](double size) { return D == 2 ? size : std::sqrt(size); };
+      for (; end < places.size() &&
+             places[end].first - places[end - 1].first <
+                 2.0 * std::max(edge, length(std::max(places[end].second, places[end - 1].second)));
+           ++end)
         area += places[end].second;
       all += area;
-      steps += places[end - 1].first - places[first].first < 2.0 * edge ? area : 0.0;
+      const double wide = places[end - 1].first - places[first].first + length(places[end - 1].second);
+      steps += wide < 2.75 * edge ? area : 0.0;
       first = end;
     }
   }

@@ -137,7 +137,7 @@ class CrackedPlates(ProgramTest):
         self.assertAlmostEqual(zone / (0.2 * 0.02 / 0.98**2), 1.0, delta=1e-6)
         said = [warning for warning in summaries["weak"]["warnings"] if "ahead of it yield" in warning]
         self.assertEqual(len(said), 1, summaries["weak"]["warnings"])
-        self.assertRegex(said[0], "crack Notch, front 0: with K = .* twice Irwin's radius in plane stress.* more than a fifth of the crack's 20 mm")
+        self.assertRegex(said[0], r"crack Notch, front 0: with K = .*\(twice Irwin's radius in plane stress.* more than a fifth of the crack's 20 mm")
         self.assertFalse(any("ahead of it yield" in warning for warning in summaries["strong"]["warnings"]))
 
     def summary_of(self, scene, name):
