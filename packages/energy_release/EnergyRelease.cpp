@@ -17,7 +17,9 @@
 #include "energy_release/JudgeYield.hpp"
 #include "energy_release/LargestRelease.hpp"
 #include "energy_release/LoadsInRing.hpp"
+#include "energy_release/ModeRatios.hpp"
 #include "energy_release/NegativeRelease.hpp"
+#include "energy_release/PlasticZones.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "energy_release/RecordFrontValues.hpp"
 #include "energy_release/SurfaceNodes.hpp"
@@ -315,6 +317,8 @@ void reportSamples(const State<D>& state, const Options& options, Samples<D>& sa
     nlohmann::json& front = crack["fronts"][s.front.number];
     s.report(options, front);
     reportNodesAtSurface(state, s.front, samples.reached.mirrors(), front);
+    if (options.contour)
+      reportModeRatios(state, s, samples.reached.mirrors(), front);
     reportError(s, options, errors[k], front);
     // Where all loads rise in proportion the largest is the last.
     const bool proportional =
@@ -328,24 +332,37 @@ void reportSamples(const State<D>& state, const Options& options, Samples<D>& sa
   }
 }
 
+/// Judges whether the bodies yield by the loads. \param estimate gets a warning of a plastic zone, which a
+/// run judges by the K that it computes
+template <int D>
+void judgeYieldBefore(const Teuchos::ParameterList& scene, std::string& estimate, State<D>& state)
+{
+  const auto [warning, isOfZone] = judgeYield<D>(scene, state);
+  if (isOfZone)
+    estimate = warning;
+  else if (!warning.empty())
+    state.warnings.push_back(warning);
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
   const Options options = readOptions(scene, run);
   const auto samples = std::make_shared<Samples<D>>();
   samples->loads = readLoads(scene);
-  samples->reached = ToughnessReached(options.toughness, mirrorPlanes(scene));
+  samples->reached = ToughnessReached(options.toughness, mirrorPlanes(scene), options.criticalIntensity);
   const auto driving = std::make_shared<DrivingForces<D>>();
   const auto work = std::make_shared<SampleWork<D>>();
   const auto yielded = std::make_shared<YieldRecords<D>>();
   Effect<D> effect;
   effect.name = "Energy Release";
   const auto strain = std::make_shared<StrainWatch>();
+  const auto estimate = std::make_shared<std::string>(); // of a plastic zone, before K is known
   effect.atStart = [=](State<D>& state) { start(state, options, run, *samples); };
   effect.judge = [=, all = Teuchos::ParameterList(scene)](State<D>& state)
   {
     strain->start(all, state);
-    judgeYield(all, state);
+    judgeYieldBefore(all, *estimate, state);
   };
   effect.call(Stage::Observe, "energy release of crack fronts",
               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
@@ -379,6 +396,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
     reportSamples(state, options, *samples, summary);
     const ToughnessReached::Factors start = samples->reached.report(state, run, summary);
     reportYield(state, samples->last, start, *yielded, summary);
+    reportPlasticZones(state, samples->last, start, *estimate, summary);
     addAnswersOfHeldFronts(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);

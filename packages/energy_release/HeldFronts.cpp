@@ -1,5 +1,6 @@
 #include "energy_release/HeldFronts.hpp"
 
+#include "base/IntensityText.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 
@@ -26,39 +27,11 @@ bool isKnown(const nlohmann::json& entry, const std::string& name)
   return entry.contains(name) && entry[name].is_number() && std::isfinite(entry[name].get<double>());
 }
 
-/// A value in the digits that two digits of its error have.
-std::string inDigitsOf(double error, double value)
-{
-  if (!(error > 0.0))
-    return formatShort(value);
-  const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
-  return formatShort(std::round(value / unit) * unit + 0.0); // no negative zero
-}
-
-std::string errorAsText(double error) { return inDigitsOf(error, error); }
-
-/// A value as text with its error, where that is a number: "2 +- 0.01", "0 +- 0.01".
-std::string withError(double value, double error)
-{
-  if (!std::isfinite(error))
-    return formatShort(value);
-  return (std::fabs(value) < error ? inDigitsOf(error, value) : formatShort(value)) + " +- " +
-         errorAsText(error);
-}
-
-/// A stress intensity [Pa m^0.5] with a unit prefix.
-std::string intensityAsText(double value, double error = noNumber)
-{
-  const double size = std::isfinite(error) ? std::max(std::fabs(value), error) : std::fabs(value);
-  return size >= 1e6   ? withError(1e-6 * value, 1e-6 * error) + " MPa m^0.5"
-         : size >= 1e3 ? withError(1e-3 * value, 1e-3 * error) + " kPa m^0.5"
-                       : withError(value, error) + " Pa m^0.5";
-}
-
 std::string releaseAsText(double value, double error = noNumber)
 {
+  const double percent = 100.0 * error / std::fabs(value);
   return withError(value, error) + " J/m2" +
-         (std::isfinite(error) ? " (" + errorAsText(100.0 * error / std::fabs(value)) + " %)" : "");
+         (std::isfinite(error) ? " (" + inDigitsOf(percent, percent) + " %)" : "");
 }
 
 /// "K_I = 2 +- 0.01 MPa m^0.5", in 3D with its range along the front.
@@ -74,6 +47,30 @@ std::string quantityAsText(const nlohmann::json& entry, const std::string& name,
     text += " (" + asText(entry[name + "_min"].get<double>(), noNumber) + " to " +
             asText(entry[name + "_max"].get<double>(), noNumber) + " along the front)";
   return text;
+}
+
+/// "|K_II| = 2 +- 0.1 MPa m^0.5 at most, at (0, 0.01, 0.02) m": the largest of a mode of shear in 3D, whose
+/// sign can change along the front, so that its mean says little.
+std::string shearAlongFront(const nlohmann::json& entry, const std::string& name)
+{
+  const nlohmann::json& along = entry["front_nodes"][name];
+  std::size_t at = along.size();
+  double largest = -1.0;
+  for (std::size_t k = 0; k < along.size(); ++k)
+    if (along[k].is_number() && std::fabs(along[k].get<double>()) > largest)
+    {
+      largest = std::fabs(along[k].get<double>());
+      at = k;
+    }
+  if (at == along.size())
+    return {};
+  const char* const ofError = "K_extremes_error_estimate";
+  const double error = isKnown(entry, ofError) ? entry[ofError].get<double>() : noNumber;
+  const std::vector<double> x = entry["front_nodes"]["position"][at];
+  return "|" + name + "| = " + intensityAsText(largest, error) + " at most" +
+         (largest < error
+              ? std::string()
+              : ", at (" + formatShort(x[0]) + ", " + formatShort(x[1]) + ", " + formatShort(x[2]) + ") m");
 }
 
 /// What is said of a closed crack: the part of G that K_I has closes it further.
@@ -149,9 +146,10 @@ void addAnswersOfHeldFronts(const CrackSet<D>& set, const std::vector<FrontSampl
     if (!isKnown(entry, release))
       continue;
     std::string text = frontName(set, front) + ": " + quantityAsText(entry, release, "G", releaseAsText);
-    for (const char* name : {"K_I", "K_II", "K_III"})
+    for (const std::string name : {"K_I", "K_II", "K_III"})
       if (isKnown(entry, name))
-        text += ", " + quantityAsText(entry, name, name, intensityAsText);
+        text += ", " + (D == 3 && name != "K_I" ? shearAlongFront(entry, name)
+                                                : quantityAsText(entry, name, name, intensityAsText));
     lines.emplace_back(entry[release].get<double>(), text + " at t = " + readableTime(time) +
                                                          largestAsText(entry) +
                                                          closedAsText(entry, release, samples[f].isotropic));

@@ -158,6 +158,7 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
   options.openingKnown = run.openingKnown;
   options.radii = readRadii(scene);
   options.toughness = list.isParameter("Toughness") ? list.get<double>("Toughness") : 0.0;
+  options.criticalIntensity = list.isType<double>("K_Ic") ? list.get<double>("K_Ic") : 0.0;
   if (isThreeDimensional(scene)) // crack closure is 2D only
     return options;
   if (run.growth) // round cracks that run the usual radii are those by which they run

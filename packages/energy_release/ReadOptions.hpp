@@ -21,7 +21,8 @@ struct Options
   bool lumped = false;
   bool openingKnown = true; ///< shape functions without linear completeness give no opening to close
   int columns = 1;
-  double toughness = 0.0; ///< with which G is compared [J/m2]; 0: none
+  double toughness = 0.0;         ///< with which G is compared [J/m2]; 0: none
+  double criticalIntensity = 0.0; ///< K_Ic from which that is [Pa m^0.5]; 0: it was not given
   RecoveryMatrix recovery = consistentMatrix();
 };
 

@@ -1,6 +1,7 @@
 #include "energy_release/ToughnessReached.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/IntensityText.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "material/LawStiffness.hpp"
@@ -29,16 +30,6 @@ constexpr double leastEffect = 1.005; ///< on a load that is worth a word
 /// pressed shut is what is left of the forces by the solver, 1e-8 of them or less.
 constexpr double leastFraction = 1e-6;
 
-/// How close a front came to its start, as text.
-std::string reachedAsText(double release, double intensity, double toughness)
-{
-  std::string text =
-      "G reached " + formatShort(release) + " of the toughness of " + formatShort(toughness) + " J/m2";
-  if (intensity > leastEffect * std::sqrt(release))
-    text += ", and K of the largest hoop stress " + formatShort(intensity) + " of that of the toughness";
-  return text;
-}
-
 /// What nodes at the surface have, where it is more; else nothing.
 std::string surfaceAsText(double release, double atSurface)
 {
@@ -46,6 +37,18 @@ std::string surfaceAsText(double release, double atSurface)
     return {};
   return ", without the nodes less than two cells from the surface, where G depends on the cells (" +
          formatShort(atSurface) + ")";
+}
+
+/// "; K_II is 23 % of K_I": the shear at a front at the end. \param entry of the front
+std::string shearAtEnd(const nlohmann::json& entry, int dimension)
+{
+  const auto ratio = [&](const char* name)
+  {
+    const nlohmann::json value = entry.value(name, nlohmann::json());
+    return value.is_number() ? value.get<double>() : FrontSample<2>::notYet;
+  };
+  const std::string text = shearOfComparison(ratio("K_II_over_K_I"), ratio("K_III_over_K_I"), dimension);
+  return text.empty() ? text : "; " + text;
 }
 
 /// Whether G is proportional to the square of all loads: one static solution of linear bodies without contact
@@ -96,6 +99,21 @@ StartTime StartTime::of(const double* row)
   start.lastTime_ = row[2];
   start.lastRatio_ = row[3];
   return start;
+}
+
+/// How close a front came to its start, as text.
+std::string ToughnessReached::reachedAsText(const Reached& reached) const
+{
+  const double root = std::sqrt(std::max(reached.release, 0.0));
+  std::string text = "G reached " + formatShort(reached.release) + " of the toughness of " +
+                     formatShort(toughness_) + " J/m2";
+  if (criticalIntensity_ > 0.0)
+    text += " (K of G = " + intensityAsText(root * criticalIntensity_) + ", " + formatShort(root) +
+            " of K_Ic = " + intensityAsText(criticalIntensity_) + ")";
+  if (reached.intensity > leastEffect * root)
+    text +=
+        ", and K of the largest hoop stress " + formatShort(reached.intensity) + " of that of the toughness";
+  return text;
 }
 
 template <int D>
@@ -156,15 +174,18 @@ ToughnessReached::Factors ToughnessReached::report(const State<D>& state, const 
     const auto& [release, atSurface, intensity, start] = found->second;
     most = std::max({most, std::sqrt(release), intensity});
     mostAtSurface = std::max(mostAtSurface, std::sqrt(atSurface));
-    summary["answers"].push_back(
-        frontName(state.cracks, front) + ": " + reachedAsText(release, intensity, toughness_) +
-        surfaceAsText(release, atSurface) + (timed ? start.asText() : std::string()));
+    summary["answers"].push_back(frontName(state.cracks, front) + ": " + reachedAsText(found->second) +
+                                 shearAtEnd(entry, D) + surfaceAsText(release, atSurface) +
+                                 (timed ? start.asText() : std::string()));
   }
   const bool scales = isProportional(state, run) && most > leastFraction;
   // Static loads rise in proportion to the time.
   const double part = state.clock.finalTime > 0.0 ? state.clock.time / state.clock.finalTime : 1.0;
   summary["start_of_growth"] = {{"toughness", toughness_},
-                                {"load_factor", scales ? part / most : FrontSample<D>::notYet}};
+                                {"load_factor", scales ? part / most : FrontSample<D>::notYet},
+                                {"factor_at_end", scales ? 1.0 / most : FrontSample<D>::notYet}};
+  if (criticalIntensity_ > 0.0)
+    summary["start_of_growth"]["K_Ic"] = criticalIntensity_;
   if (!scales)
     return {};
   if (D == 3)

@@ -50,9 +50,10 @@ class ToughnessReached
 {
 public:
   ToughnessReached() = default;
-  /// \param toughness [J/m2]; 0: there is none
-  ToughnessReached(double toughness, std::vector<MirrorPlane> mirrors)
-      : toughness_(toughness), mirrors_(std::move(mirrors))
+  /// \param toughness [J/m2]; 0: there is none \param criticalIntensity K_Ic that it is from [Pa m^0.5]; 0:
+  /// it was not given
+  ToughnessReached(double toughness, std::vector<MirrorPlane> mirrors, double criticalIntensity = 0.0)
+      : toughness_(toughness), criticalIntensity_(criticalIntensity), mirrors_(std::move(mirrors))
   {
   }
 
@@ -73,7 +74,7 @@ public:
 
   /// Adds `closest_to_initiation` and `time_of_toughness` to the entries of fronts, in 2D also
   /// `closest_by_hoop_stress`, in 3D `closest_at_surface`, an answer for each front, and the entry
-  /// `start_of_growth`, its `load_factor` without nodes at the surface.
+  /// `start_of_growth`, its `load_factor` without nodes at the surface, and `K_Ic` where the scene gave it.
   template <int D>
   Factors report(const State<D>& state, const RunOptions& run, nlohmann::json& summary) const;
 
@@ -88,7 +89,10 @@ private:
     double intensity = 0.0; ///< largest K of the largest hoop stress over that of the toughness; 0 in 3D
     StartTime start;        ///< of G without nodes at the surface
   };
+  std::string reachedAsText(const Reached& reached) const;
+
   double toughness_ = 0.0;
+  double criticalIntensity_ = 0.0;
   std::vector<MirrorPlane> mirrors_;
   std::map<std::pair<int, int>, Reached> reached_; ///< by crack and number of the front
 };

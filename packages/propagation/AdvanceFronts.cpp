@@ -201,8 +201,8 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
   if (made.increments == 0)
     return advance;
   if (starts)
-    front.first.include(
-        {node.driving.release / rule.initiation, node.driving.modeI, node.driving.modeII, held});
+    front.first.include({node.driving.release / rule.initiation, node.driving.modeI, node.driving.modeII,
+                         node.driving.modeIII, held});
   front.count(own.history, made.increments);
   advance.length = made.increments * fraction * own.increment;
   advance.toughness = made.toughness;

@@ -1,5 +1,6 @@
 #include "propagation/FirstAdvance.hpp"
 
+#include "base/IntensityText.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 
@@ -43,11 +44,10 @@ void reportFirstAdvance(const State<D>& state, const Options& options, const Fro
   const bool moved = own.increments > 0;
   const auto known = [](bool is, double value) { return is ? nlohmann::json(value) : nlohmann::json(); };
   entry["start_release"] = known(moved, own.first.release);
-  if (D == 2)
-  {
-    entry["start_K_I"] = known(moved, own.first.modeI);
-    entry["start_K_II"] = known(moved, own.first.modeII);
-  }
+  entry["start_K_I"] = known(moved, own.first.modeI);
+  entry["start_K_II"] = known(moved, own.first.modeII);
+  if (D == 3)
+    entry["start_K_III"] = known(moved, own.first.modeIII);
   entry["release_before_start_time"] = known(own.early() > 0.0, own.early());
   entry["held_until_start_time"] = wasHeld(state, options, own);
 }
@@ -75,6 +75,18 @@ std::string closureAsText(const nlohmann::json& front)
     return {};
   return "its faces pressed together as it started (K_I = " + formatShort(one) +
          ", K_II = " + formatShort(two) + " MPa m^0.5)";
+}
+
+std::string shearAtStart(const nlohmann::json& front)
+{
+  if (!front.contains("start_K_III") || !front["start_K_III"].is_number())
+    return {};
+  const auto ratio = [&](const char* name)
+  { return front[name].get<double>() / front["start_K_I"].get<double>(); };
+  if (!(front["start_K_I"].get<double>() > 0.0))
+    return {};
+  const std::string text = shearOfComparison(ratio("start_K_II"), ratio("start_K_III"), 3);
+  return text.empty() ? text : "as it started, " + text;
 }
 
 template void reportFirstAdvance(const State<2>&, const Options&, const FrontState<2>&, nlohmann::json&);

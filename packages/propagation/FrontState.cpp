@@ -155,6 +155,7 @@ void FrontState<D>::serialize(Archive& archive)
   archive("start_release", first.release);
   archive("start_mode_i", first.modeI);
   archive("start_mode_ii", first.modeII);
+  archive("start_mode_iii", first.modeIII);
   archive("start_held", first.held);
   if constexpr (D == 2)
   {

@@ -41,10 +41,10 @@ struct PathStart
 /// The first advance of a front: of its nodes that advance in that step the one with the largest G.
 struct FirstAdvance
 {
-  double release = 0.0;             ///< G over the initiation toughness; 0: there is none
-  double modeI = 0.0, modeII = 0.0; ///< stress intensities [Pa m^0.5]; of a front with one node
-  bool held =
-      false; ///< in motion: G had reached the toughness before the start time, and growth began with it
+  double release = 0.0;                            ///< G over the initiation toughness; 0: there is none
+  double modeI = 0.0, modeII = 0.0, modeIII = 0.0; ///< stress intensities [Pa m^0.5]
+  /// In motion: G had reached the toughness before the start time, and growth began with it.
+  bool held = false;
 
   /// Takes a node into account that advances in the first step in which any does.
   void include(const FirstAdvance& node)

@@ -1,5 +1,6 @@
 #include "propagation/FrontWarnings.hpp"
 
+#include "base/IntensityText.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "propagation/HoopStress.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Rhegma::propagation
 {
@@ -30,6 +32,29 @@ std::string reachedAtMost(double closest, bool relieved)
          (closest >= 1.0 && relieved ? ", until the growth of other fronts reduced it" : "");
 }
 
+/// The same as a stress intensity, " (K of G = 1.2 MPa m^0.5, 0.6 of K_Ic = 2 MPa m^0.5)", where the scene
+/// gives K_Ic. That is of Toughness, from which the initiation toughness may differ.
+std::string ofIntensity(double closest, const AdvanceRule& rule, const Options& options)
+{
+  if (!(options.criticalIntensity > 0.0 && closest > 0.0))
+    return {};
+  const double root = std::sqrt(closest * rule.initiation / rule.toughness(0.0, rule.temperature));
+  return " (K of G = " + intensityAsText(root * options.criticalIntensity) + ", " + formatShort(root) +
+         " of K_Ic = " + intensityAsText(options.criticalIntensity) + ")";
+}
+
+/// ", K_II is 23 % of K_I at the end". \param entry of the front
+std::string shearAtEnd(const nlohmann::json& entry, int dimension)
+{
+  const auto ratio = [&](const char* name)
+  {
+    const nlohmann::json value = entry.value(name, nlohmann::json());
+    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+  };
+  const std::string text = shearOfComparison(ratio("K_II_over_K_I"), ratio("K_III_over_K_I"), dimension);
+  return text.empty() ? text : "; at the end " + text;
+}
+
 /// What G over the initiation toughness was before the start time; empty where that was below it.
 std::string reachedBefore(double early, const nlohmann::json& entry, const AdvanceRule& rule)
 {
@@ -48,7 +73,7 @@ std::string reachedBefore(double early, const nlohmann::json& entry, const Advan
 
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, const Closest& closest,
-                const AdvanceRule& rule, nlohmann::json& summary)
+                const AdvanceRule& rule, const Options& options, nlohmann::json& summary)
 {
   nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
   entry["closest_to_initiation"] = closest.release;
@@ -66,7 +91,8 @@ void reportRest(const State<D>& state, const CrackFront<D>& front, const Closest
   summary["warnings"].push_back(
       frontName(state.cracks, front) + ": not initiated" +
       (closed ? ", and closed at the end (K_I < 0); counting also the G that closes it, " : "; ") +
-      reachedAtMost(closest.release, !closed && state.method.equilibrium()) + effectOfShearAtRest(entry) +
+      reachedAtMost(closest.release, !closed && state.method.equilibrium()) +
+      ofIntensity(closest.release, rule, options) + effectOfShearAtRest(entry) + shearAtEnd(entry, D) +
       before);
 }
 
@@ -84,8 +110,8 @@ void compareContours(const std::string& name, const ContourDifference& largest, 
 }
 
 template void reportRest(const State<2>&, const CrackFront<2>&, const Closest&, const AdvanceRule&,
-                         nlohmann::json&);
+                         const Options&, nlohmann::json&);
 template void reportRest(const State<3>&, const CrackFront<3>&, const Closest&, const AdvanceRule&,
-                         nlohmann::json&);
+                         const Options&, nlohmann::json&);
 
 } // namespace Rhegma::propagation

@@ -3,6 +3,7 @@
 
 #include "propagation/FrontHistory.hpp"
 #include "propagation/FrontState.hpp"
+#include "propagation/Options.hpp"
 #include "state/State.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,10 +21,11 @@ struct Closest
 };
 
 /// How close a front that has not initiated came to initiation, in its entry and in a warning; also by the
-/// largest hoop stress (HoopStress.hpp), where that is known. \param rule at the start
+/// largest hoop stress (HoopStress.hpp), where that is known. With K_Ic, which Options may have, as an
+/// intensity, too. \param rule at the start
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, const Closest& closest,
-                const AdvanceRule& rule, nlohmann::json& summary);
+                const AdvanceRule& rule, const Options& options, nlohmann::json& summary);
 
 /// Warns where G of the history was not that by which growth was found, which may have another contour.
 void compareContours(const std::string& name, const ContourDifference& largest, nlohmann::json& summary);

@@ -306,6 +306,7 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
                   isEquilibrium(scene),
                   !list.isParameter("On Stop") || list.get<std::string>("On Stop") == "Stop"};
   options.contours = run.contours;
+  options.criticalIntensity = list.isType<double>("K_Ic") ? list.get<double>("K_Ic") : 0.0;
   return options;
 }
 

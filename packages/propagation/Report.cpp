@@ -62,13 +62,21 @@ std::string extensionAsText(const std::vector<CrackRun>&, const CrackFront<3>& f
 
 /// How far a front has grown in equilibrium, and where to.
 template <int D>
-std::string growthAsText(const CrackFront<D>& front, const std::string& hold)
+std::string growthAsText(const CrackFront<D>& front, long increments, const std::string& hold)
 {
   std::string text = "grew by " + readableLength(front.extension.largest);
   text += D == 3 ? " at most, " + readableLength(front.extension.mean) + " on average, new area " +
                        formatShort(front.extension.area) + " m2"
                  : " to " + formatShort(front.position[0]) + ", " + formatShort(front.position[1]) + " m";
-  return text + hold + (front.arrival.happened() ? ", " + front.arrival.what : "");
+  return text + ", " + counted(increments, D == 3 ? "node increment" : "increment") + hold +
+         (front.arrival.happened() ? ", " + front.arrival.what : "");
+}
+
+/// "; as it started, K_II is 23 % of K_I" of a front in 3D. \param entry of the front
+std::string startedWithShear(const nlohmann::json& entry)
+{
+  const std::string shear = shearAtStart(entry);
+  return shear.empty() ? shear : "; " + shear;
 }
 
 /// Angle from a to b, counter-clockwise [degrees].
@@ -85,9 +93,11 @@ std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& f
   std::string text = "initiated at t = " + readableTime(runs.front().initiation) + holdAsText(options, entry);
   if (runs.size() > 1)
     text += ", arrested and reinitiated " + counted(static_cast<long>(runs.size()) - 1, "time");
-  const std::string shear = effectOfShear(entry), closure = closureAsText(entry);
+  const std::string shear = D == 3 ? shearAtStart(entry) : effectOfShear(entry),
+                    closure = D == 3 ? std::string() : closureAsText(entry);
   return text + ", " + extensionAsText(runs, front, own) +
-         (shear.empty() ? "" : "; " + shear + " at that time") + (closure.empty() ? "" : "; " + closure);
+         (shear.empty() ? "" : "; " + shear + (D == 3 ? "" : " at that time")) +
+         (closure.empty() ? "" : "; " + closure);
 }
 
 /// Mean time and position of the points of a path between two times; not numbers where there are none.
@@ -298,14 +308,16 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     warnOfSpeedLimit(state, front, own, options, summary);
     const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
     if (moved && options.equilibrium && !stopped)
-      summary["answers"].push_back(name + ": " + growthAsText(front, holdAsText(options, entry)) +
-                                   ligamentAsText(entry));
+      summary["answers"].push_back(name + ": " +
+                                   growthAsText(front, own.increments, holdAsText(options, entry)) +
+                                   startedWithShear(entry) + ligamentAsText(entry));
     else if (moved || stopped)
       summary["answers"].push_back(name + ": " +
                                    (moved ? runsAsText(runs, front, own, options, entry) + ", " : "") +
                                    fateAsText(front, own, end) + ligamentAsText(entry));
     else if (end.fate == Fate::NotInitiated && state.method.analysis != Analysis::LoadFactor)
-      reportRest(state, front, {own.closest(), own.early()}, ruleAt(options.temperature, options), summary);
+      reportRest(state, front, {own.closest(), own.early()}, ruleAt(options.temperature, options), options,
+                 summary);
     if (stopped && options.endsAtStops && !summary.contains("ended_by"))
       summary["ended_by"] = name + (D == 2 ? " " : ": ") + fateAsText(front, own, end) + adviceAtStop;
   }
@@ -323,6 +335,9 @@ void reportToughness(const Options& options, nlohmann::json& summary)
 {
   summary["propagation"]["initiation_toughness"] = ruleAt(options.temperature, options).initiation;
   summary["propagation"]["start_time"] = options.rule.startTime;
+  const AdvanceRule rule = ruleAt(options.temperature, options);
+  if (options.criticalIntensity > 0.0 && rule.initiation == rule.toughness(0.0, rule.temperature))
+    summary["propagation"]["K_Ic"] = options.criticalIntensity;
 }
 
 template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, const Options&,

@@ -107,6 +107,16 @@ void CrackConduction<D>::read(const Teuchos::ParameterList& list, const State<D>
 }
 
 template <int D>
+std::vector<char> CrackConduction<D>::insulating() const
+{
+  const auto laws = onHost(laws_);
+  std::vector<char> all(laws.extent(0));
+  for (std::size_t c = 0; c < all.size(); ++c)
+    all[c] = laws(c).conductance > 0.0 ? 0 : 1;
+  return all;
+}
+
+template <int D>
 void CrackConduction<D>::update(const State<D>& state, const HeatNodes<D>& nodes)
 {
   const bool atFronts = state.cracks.frontConductance.extent(0) > 0;

@@ -6,6 +6,8 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <vector>
+
 namespace Rhegma
 {
 class Archive;
@@ -41,6 +43,9 @@ class CrackConduction
 public:
   /// Reads the sublist `Crack Faces` of Thermal.
   void read(const Teuchos::ParameterList& list, const State<D>& state);
+
+  /// Not 0 for the cracks whose faces never conduct. \return of all cracks
+  std::vector<char> insulating() const;
 
   /// Finds the conductance of the nodes as the faces are now; needs the capacities of the nodes. Collective.
   void update(const State<D>& state, const HeatNodes<D>& nodes);

@@ -10,6 +10,7 @@
 #include "step/CoreStep.hpp"
 #include "thermal/CellsForSources.hpp"
 #include "thermal/Conduction.hpp"
+#include "thermal/JudgeCutPieces.hpp"
 #include "thermal/JudgeHeat.hpp"
 #include "thermal/JudgeSteady.hpp"
 #include "thermal/JudgeTemperatures.hpp"
@@ -17,6 +18,7 @@
 #include "thermal/Observations.hpp"
 #include "thermal/RepeatedStep.hpp"
 #include "thermal/Start.hpp"
+#include "thermal/ThinLayers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +124,11 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   }
   judgeHeat(scene, run.conduction, run.finalTime, state);
   if (run.conduction.integrator.method == Method::Steady)
+  {
+    refuseThinLayers(scene.sublist("Materials"), state);
     judgeSteady(scene, run.conduction, run.finalTime, state);
+    judgeCutPieces(scene, run.conduction, state);
+  }
   startTemperature(state, scene.sublist("Bodies"), run.initial);
   if (run.conduction.integrator.method == Method::Steady && !(run.conduction.diffusivity > 0.0))
     throw std::invalid_argument(

@@ -1,6 +1,7 @@
 #include "output/Progress.hpp"
 
-#include "output/SampleFigures.hpp"
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -62,6 +63,8 @@ void Progress::sample(double time, const Row& row)
   if (rest_ && time >= notBefore_)
     rest_->sample(time, row);
   releases_ = releasesOf(row);
+  if (showsExtents_)
+    extents_ = extentsOf(row);
   residual_ = residualFraction(row);
 }
 
@@ -109,6 +112,23 @@ std::string Progress::releaseText() const
   return text + (releases_.size() > few ? " at most of " + std::to_string(releases_.size()) + " fronts" : "");
 }
 
+/// Text with a comma before it: of each crack, or of many the largest; empty where none is known.
+std::string Progress::extentText() const
+{
+  constexpr std::size_t few = 4;
+  if (extents_.sizes.empty())
+    return {};
+  std::vector<double> shown = extents_.sizes;
+  if (shown.size() > few)
+    shown = {*std::max_element(shown.begin(), shown.end())};
+  std::string text = extents_.areAreas ? ", crack area " : ", crack ";
+  for (std::size_t k = 0; k < shown.size(); ++k)
+    text +=
+        (k == 0 ? "" : ", ") + (extents_.areAreas ? formatShort(1e6 * shown[k]) : readableLength(shown[k]));
+  text += extents_.areAreas ? " mm2" : "";
+  return text + (extents_.sizes.size() > few ? " at most" : "");
+}
+
 std::string Progress::text(bool running) const
 {
   char part[64];
@@ -117,7 +137,7 @@ std::string Progress::text(bool running) const
   if (running)
     text += timeLeft();
   text += ", step " + std::to_string(step_);
-  text += releaseText();
+  text += releaseText() + extentText();
   if (residual_)
   {
     std::snprintf(part, sizeof part, ", residual %.2g %%", 100.0 * std::fabs(*residual_));
@@ -154,10 +174,9 @@ void Progress::iteration(long step, int iteration, double residual)
       now - lastIteration_ < (terminal_ ? secondsOfIteration : secondsOfIterationInFile))
     return;
   lastIteration_ = now;
-  char text[96];
-  std::snprintf(text, sizeof text, "load step %ld: iteration %d, residual %.1e", step, iteration + 1,
-                residual);
-  write(text);
+  char text[64];
+  std::snprintf(text, sizeof text, "iteration %d, residual %.1e", iteration + 1, residual);
+  write((step > 0 ? "load step " + std::to_string(step) + ": " : std::string()) + text);
   stale_ = true;
 }
 

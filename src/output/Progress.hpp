@@ -2,6 +2,7 @@
 /// The progress line of a run.
 
 #include "output/RestForecast.hpp"
+#include "output/SampleFigures.hpp"
 
 #include <functional>
 #include <optional>
@@ -15,8 +16,9 @@ namespace Rhegma
 
 /// On a terminal one line that is overwritten a few times a second; elsewhere a line in the first seconds and
 /// one each tenth of the run. Percent done, time left, step, and of the last sample G of each front (of
-/// more than four the largest), over their toughness where that is known, and the residual of the energy
-/// balance. Time left is by the pace of the last quarter to half of the run so far.
+/// more than four the largest), over their toughness where that is known, how far cracks have come if
+/// asked to, and the residual of the energy balance. Time left is by the pace of the last quarter to half of
+/// the run so far.
 class Progress
 {
 public:
@@ -39,6 +41,9 @@ public:
   /// Shows G over the toughness at which fronts initiate [J/m2], where they grow.
   void setToughness(std::optional<double> toughness) { toughness_ = toughness; }
 
+  /// Shows the lengths of cracks, in 3D their areas, as that of more than four the largest.
+  void showExtents() { showsExtents_ = true; }
+
   /// Follows the pace of the run though nothing is printed, for text().
   void follow() { followed_ = true; }
 
@@ -55,9 +60,9 @@ public:
   /// A step has been taken. \param time [s]
   void step(double time, long step);
 
-  /// A load step is being solved: every few seconds says how far it is. \param step its number, from 1 \param
-  /// iteration of Newton's method, from 0
-  /// \param residual before it, as a fraction of the forces
+  /// A load step is being solved: every few seconds says how far it is. \param step its number, from 1; 0:
+  /// the run has only one \param iteration of Newton's method, from 0 \param residual before it, as a
+  /// fraction of the forces
   void iteration(long step, int iteration, double residual);
 
   /// Prints where the run ended, unless that was just printed, and ends the line.
@@ -66,6 +71,7 @@ public:
 private:
   std::string timeLeft() const;
   std::string releaseText() const;
+  std::string extentText() const;
   void followPace(double now);
   void print(bool running);
   void write(std::string text);
@@ -92,7 +98,9 @@ private:
   bool followed_ = false;
   std::optional<double> toughness_; ///< of initiation [J/m2]
   std::vector<double> releases_;    ///< of the fronts in the last sample [J/m2]
-  std::optional<double> residual_;  ///< of the last sample, over the largest energy
+  bool showsExtents_ = false;
+  CrackExtents extents_;           ///< of the last sample
+  std::optional<double> residual_; ///< of the last sample, over the largest energy
   double lastPrint_;
   double lastIteration_; ///< when an iteration was printed, or the last step was taken
   int lastTenth_ = 0;

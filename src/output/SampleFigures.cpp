@@ -26,6 +26,18 @@ std::vector<double> releasesOf(const std::vector<std::pair<std::string, double>>
   return along.empty() ? mean : along;
 }
 
+CrackExtents extentsOf(const std::vector<std::pair<std::string, double>>& row)
+{
+  CrackExtents lengths, areas;
+  areas.areAreas = true;
+  for (const auto& [name, value] : row)
+    if (std::isfinite(value) && endsWith(name, ".area"))
+      areas.sizes.push_back(value);
+    else if (std::isfinite(value) && endsWith(name, ".length"))
+      lengths.sizes.push_back(value); // in 3D that of the front
+  return areas.sizes.empty() ? lengths : areas;
+}
+
 std::optional<double> residualFraction(const std::vector<std::pair<std::string, double>>& row)
 {
   const std::vector<std::string>& names = energyNames();

@@ -53,13 +53,19 @@ template <int D>
 double shortestAcrossFronts(const State<D>& state, const BodyMeasure<D>& body);
 
 /// Length of the plastic zone ahead of a front (Irwin 1960): (K / yield stress)^2 / (2 pi) in plane stress, a
-/// third of it elsewhere [m]. \param K stress intensity [Pa m^0.5] \param body with a yield stress
+/// third of it elsewhere [m]. \param K stress intensity [Pa m^0.5] \param yield stress [Pa]
+inline double irwinRadius(double K, double yield, Plane plane)
+{
+  constexpr double pi = 3.14159265358979;
+  const double ratio = K / yield;
+  return ratio * ratio / ((plane == Plane::Stress ? 2.0 : 6.0) * pi);
+}
+
+/// The same in a body. \param body with a yield stress
 template <int D>
 double plasticZone(double K, const BodyMeasure<D>& body, Plane plane)
 {
-  constexpr double pi = 3.14159265358979;
-  const double ratio = K / body.yield;
-  return ratio * ratio / ((plane == Plane::Stress ? 2.0 : 6.0) * pi);
+  return irwinRadius(K, body.yield, plane);
 }
 
 /// Part of the crack and of the body up to which a plastic zone is small. The standard of K_Ic (ASTM E399,

@@ -1,11 +1,15 @@
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "boundary/BodySurface.hpp"
 #include "plausibility/IdleLoads.hpp"
 #include "plausibility/Judges.hpp"
 #include "scene/TimeFunction.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace Rhegma
 {
@@ -147,6 +151,70 @@ bool hasVoxels(const Teuchos::ParameterList& body)
                      [&](const std::string& name) { return isOfVoxels(operations.sublist(name)); });
 }
 
+/// The largest edge of the voxels of a body [m].
+double voxelEdge(const Teuchos::ParameterList& body)
+{
+  double edge = body.isType<double>("Voxel Size") && body.get<double>("Voxel Size") > 0.0
+                    ? body.get<double>("Voxel Size")
+                    : 0.0;
+  if (!body.isSublist("Operations"))
+    return edge;
+  const Teuchos::ParameterList& operations = body.sublist("Operations");
+  for (const std::string& name : sublistNames(operations))
+    edge = std::max(edge, voxelEdge(operations.sublist(name)));
+  return edge;
+}
+
+/// Whether a noticeable part of a surface of voxels are steps: flat pieces that are less than three voxels
+/// wide along some axis, between edges of the surface. A face along the axes, which has none, is as large as
+/// it is meant. \param edge of a voxel [m]
+template <int D>
+bool hasSteps(const std::vector<Geometry::SurfacePoint<D>>& points, double edge)
+{
+  constexpr double noticeable = 0.02;
+  // Rows of points along an axis of a flat piece: its normal, the axis, and the voxel in all other
+  // directions.
+  std::map<std::vector<long>, std::vector<std::pair<double, double>>> rows; // position along it, and area
+  double all = 0.0, steps = 0.0;
+  for (const Geometry::SurfacePoint<D>& point : points)
+  {
+    int out = 0;
+    for (int d = 1; d < D; ++d)
+      out = std::fabs(point.normal[d]) > std::fabs(point.normal[out]) ? d : out;
+    for (int along = 0; along < D; ++along)
+    {
+      if (along == out)
+        continue;
+      std::vector<long> row{out, point.normal[out] > 0.0 ? 1 : 0, along};
+      for (int d = 0; d < D; ++d)
+        // Quarters of voxels, off their edges and middles, so that rounding does not divide a row.
+        row.push_back(d == along ? 0 : std::lround(4.0 * point.x[d] / edge + 0.318));
+      rows[row].emplace_back(point.x[along], point.size);
+    }
+  }
+  for (auto& [row, places] : rows)
+  {
+    std::sort(places.begin(), places.end());
+    for (std::size_t first = 0; first < places.size();)
+    {
+      std::size_t end = first + 1;
+      double area = places[first].second;
+      // Pieces of large faces are longer than a voxel.
+      const auto length = [](double size) { return D == 2 ? size : std::sqrt(size); };
+      for (; end < places.size() &&
+             places[end].first - places[end - 1].first <
+                 2.0 * std::max(edge, length(std::max(places[end].second, places[end - 1].second)));
+           ++end)
+        area += places[end].second;
+      all += area;
+      const double wide = places[end - 1].first - places[first].first + length(places[end - 1].second);
+      steps += wide < 2.75 * edge ? area : 0.0;
+      first = end;
+    }
+  }
+  return steps > noticeable * all;
+}
+
 /// What acts by area on faces of voxels, which go up and down in steps. Of a pressure the steps cancel.
 template <int D>
 void judgeVoxelFaces(const JudgedScene<D>& judged, Messages& messages)
@@ -160,6 +228,9 @@ void judgeVoxelFaces(const JudgedScene<D>& judged, Messages& messages)
     const bool ofBody = list.isType<std::string>("Surface") && list.get<std::string>("Surface") == "Body";
     if (!ofBody || list.isParameter("Pressure") ||
         !hasVoxels(judged.scene.sublist("Bodies").sublist(list.get<std::string>("Body"))))
+      continue;
+    const double edge = voxelEdge(judged.scene.sublist("Bodies").sublist(list.get<std::string>("Body")));
+    if (!(edge > 0.0) || !hasSteps(chosenSurface<D>(judged.scene, list, "Boundaries > " + name), edge))
       continue;
     messages.push_back("Boundaries > " + name +
                        " acts on the steps of its voxels: on faces that are not along " +

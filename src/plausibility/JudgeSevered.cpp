@@ -1,9 +1,7 @@
-#include "base/FacetEnds.hpp"
 #include "base/PointText.hpp"
 #include "base/ShortNumber.hpp"
-#include "plausibility/CrackBounds.hpp"
+#include "plausibility/CutBodies.hpp"
 #include "plausibility/Judges.hpp"
-#include "plausibility/Pieces.hpp"
 #include "state/ContactAdvice.hpp"
 
 #include <algorithm>
@@ -14,44 +12,6 @@ namespace Rhegma
 
 namespace
 {
-
-/// Bodies whose bounds those of a crack meet.
-template <int D>
-std::vector<char> crackedOnes(const std::vector<BodyMeasure<D>>& bodies, const State<D>& state)
-{
-  std::vector<Geometry::Bounds<D>> bounds;
-  for (const BodyMeasure<D>& body : bodies)
-    bounds.push_back({body.lower, body.upper});
-  const Geometry::NearBoxes<D> boxes(bounds);
-  const auto vertex = onHost(state.cracks.vertex);
-  std::vector<char> cracked(bodies.size(), 0);
-  for (const Crack<D>& crack : state.cracks.cracks)
-    for (const int body : boxes.near(boundsOfCrack(crack, vertex), 0.0))
-      cracked[body] = 1;
-  return cracked;
-}
-
-/// Names of cracks: "Cracks > A, B".
-template <int D>
-std::string namesOf(const std::set<int>& cracks, const State<D>& state)
-{
-  std::string names;
-  for (const int crack : cracks)
-    names += (names.empty() ? "Cracks > " : ", ") + state.cracks.cracks[crack].name;
-  return names;
-}
-
-/// Whether some crack meets a surface: without that none cuts a piece off, unless cracks cross each other.
-template <int D>
-bool anyMeetsSurface(const State<D>& state)
-{
-  const auto neighbour = onHost(state.cracks.neighbour);
-  for (std::size_t s = 0; s < neighbour.extent(0); ++s)
-    for (int i = 0; i < D; ++i)
-      if (neighbour(s, i) == facet::surfaceBreaking || neighbour(s, i) == facet::joined)
-        return true;
-  return false;
-}
 
 /// The axis nearest to the mean normal of some cracks, along which pieces part.
 template <int D>
@@ -106,25 +66,14 @@ Messages judgeSevered(const JudgedScene<D>& judged)
   const State<D>& state = judged.state;
   // Faces that touch hold pieces together; gas and pressure part them on purpose.
   if (judged.driven || !state.method.mechanics || state.method.equilibrium() || state.cracks.empty() ||
-      state.cracks.contactEnergy || !anyMeetsSurface(state))
+      state.cracks.contactEnergy)
     return {};
   Messages messages;
   const bool startsInEquilibrium =
       judged.scene.sublist("Time").template get<std::string>("Initial State") == "Equilibrium";
-  const CrackWalls<D> walls(state);
   const std::vector<BoundaryRegion> supports = supportRegions(judged.scene);
-  const std::vector<Grains<D>> grains = grainsOf(state, crackedOnes(judged.bodies, state));
-  for (std::size_t b = 0; b < grains.size(); ++b)
+  for (const auto& [b, pieces, cutters] : cutBodies(judged.bodies, state))
   {
-    if (grains[b].position.empty())
-      continue;
-    const BodyInfo<D>& body = state.bodies.info[b];
-    const Pieces<D> pieces(grains[b], body, 1, &walls);
-    if (pieces.gaveUp())
-      continue;
-    const std::set<int> cutters = pieces.cutters();
-    if (cutters.empty())
-      continue;
     const char axis = axisAcross(cutters, state);
     std::vector<BoundaryRegion> holders = holding(axis, supports);
     for (const BoundaryRegion& neighbour : neighboursOf(b, judged.bodies, axis))
@@ -132,7 +81,7 @@ Messages judgeSevered(const JudgedScene<D>& judged)
     if (!anyUnsupported(holders, pieces.all(), state.mesh.grid.spacing))
       continue;
     const Piece<D>& smallest = pieces.smallest();
-    messages.push_back(namesOf(cutters, state) + ": at the start Bodies > " + judged.bodies[b].name +
+    messages.push_back(pathsOfCracks(cutters, state) + ": at the start Bodies > " + judged.bodies[b].name +
                        " is cut in " + std::to_string(pieces.all().size()) + " pieces, the smallest of " +
                        formatShort(smallest.mass) + " kg of " + formatShort(judged.bodies[b].mass) +
                        " kg, such as at " + formatPoint(smallest.at) +

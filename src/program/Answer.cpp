@@ -4,6 +4,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "program/RunEnd.hpp"
+#include "program/StartForces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -128,6 +129,55 @@ std::string noteOnResidual(const nlohmann::json& summary, bool heated, double fr
   return {};
 }
 
+/// The residual of the energy balance, and what it is compared with.
+struct Residual
+{
+  double value = 0.0;    ///< [J]
+  double of = 0.0;       ///< the energy that it is compared with [J]
+  bool heated = false;   ///< that is one without heat
+  bool unloaded = false; ///< that is the energy supplied at most, as bodies have given theirs back
+  double given = 0.0;    ///< the largest energy, without heat if heated [J]
+  double fraction() const { return std::fabs(value) / of; }
+  bool isKnown() const { return std::isfinite(of) && std::isfinite(value) && of > 0.0; }
+};
+
+Residual residualOf(const nlohmann::json& summary)
+{
+  const nlohmann::json energy = summary.value("energy", nlohmann::json::object());
+  const auto [given, heated] = largestOf(energy, summary.contains("equilibrium"));
+  // A body that is unloaded has given its energy back: the residual is that of all of it.
+  const double supplied = numberOrZero(summary, "largest_energy_supplied");
+  return {numberOrZero(energy, "residual"), given > 0.0 ? std::max(given, supplied) : given, heated,
+          supplied > 1.01 * given, given};
+}
+
+/// Whether the energies of a summary are those of one state.
+bool hasBalance(const nlohmann::json& summary)
+{
+  return summary.value("energy", nlohmann::json::object()).contains("residual") &&
+         summary.value("equilibrium", nlohmann::json::object()).value("last_step_complete", true);
+}
+
+/// What a residual is compared with, in words.
+std::string basisOf(const Residual& residual)
+{
+  return residual.unloaded ? "energy supplied at most"
+         : residual.heated ? "largest energy without heat"
+                           : "largest energy";
+}
+
+/// The residual over the fracture energy of the growth, where cracks have grown.
+std::string ofGrowth(const nlohmann::json& summary)
+{
+  const nlohmann::json growth = summary.value("propagation", nlohmann::json::object());
+  const nlohmann::json fraction = growth.value("residual_fraction", nlohmann::json());
+  return fraction.is_number() && std::isfinite(fraction.get<double>()) &&
+                 numberOrZero(growth, "energy_of_new_faces") > 0.0
+             ? ", " + formatShort(100.0 * std::fabs(fraction.get<double>())) + " % of the fracture energy" +
+                   (summary.contains("equilibrium") ? " since cracks grew" : "")
+             : std::string();
+}
+
 /// The energy balance: its terms, and its residual as a fraction of the largest one.
 std::string energyBalance(const nlohmann::json& summary)
 {
@@ -135,20 +185,16 @@ std::string energyBalance(const nlohmann::json& summary)
   if (!energy.contains("residual"))
     return {};
   const bool isEquilibrium = summary.contains("equilibrium");
-  if (!summary.value("equilibrium", nlohmann::json::object()).value("last_step_complete", true))
+  if (!hasBalance(summary))
     return "energy balance: not given, as the run stopped within a load step, which has no equilibrium";
-  const auto [given, heated] = largestOf(energy, isEquilibrium);
-  const double residual = numberOrZero(energy, "residual"), start = numberOrZero(energy, "start");
-  if (!std::isfinite(given) || !std::isfinite(residual))
+  const Residual residual = residualOf(summary);
+  const double given = residual.given, start = numberOrZero(energy, "start");
+  if (!std::isfinite(given) || !std::isfinite(residual.value))
     return "energy balance: not available, because energies are not finite";
   if (!(given > 0.0))
     return numberOrZero(summary, "steps") > 0.0
                ? "energy balance: all energies are zero: no load, motion or heat has acted on the bodies"
                : std::string();
-  // A body that is unloaded has given its energy back: the residual is that of all of it.
-  const double supplied = numberOrZero(summary, "largest_energy_supplied");
-  const bool unloaded = supplied > 1.01 * given;
-  const double fraction = std::fabs(residual) / std::max(given, supplied);
   return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +
          ", strain " + readableEnergy(numberOrZero(energy, "strain")) + ", kinetic " +
          readableEnergy(numberOrZero(energy, "kinetic")) + ", fracture " +
@@ -157,11 +203,24 @@ std::string energyBalance(const nlohmann::json& summary)
                                                                : ", stored at the start ") +
                                          readableEnergy(start)
                                    : std::string()) +
-         "; residual " + readableEnergy(residual) + " (" + formatShort(100.0 * fraction) +
-         (unloaded ? " % of the " + readableEnergy(supplied) + " supplied at most)"
-          : heated ? " % of the largest of these without heat)"
-                   : " % of the largest of these)") +
-         noteOnResidual(summary, heated, fraction);
+         "; residual " + readableEnergy(residual.value) + " (" + formatShort(100.0 * residual.fraction()) +
+         (residual.unloaded ? " % of the " + readableEnergy(residual.of) + " supplied at most"
+          : residual.heated ? " % of the largest of these without heat"
+                            : " % of the largest of these") +
+         ofGrowth(summary) + ")" + noteOnResidual(summary, residual.heated, residual.fraction());
+}
+
+/// The residual as numbers, for tools: `energy_balance`, null where it is not known.
+void addBalance(nlohmann::json& summary)
+{
+  nlohmann::json& balance = summary["energy_balance"];
+  balance = {{"residual", nullptr}, {"compared_with", nullptr}, {"energy", nullptr}, {"fraction", nullptr}};
+  const Residual residual = residualOf(summary);
+  if (hasBalance(summary) && residual.isKnown())
+    balance = {{"residual", residual.value},
+               {"compared_with", basisOf(residual)},
+               {"energy", residual.of},
+               {"fraction", residual.fraction()}};
 }
 
 /// Warnings that are named, and the longest name [characters].
@@ -198,6 +257,9 @@ void addAnswers(nlohmann::json& summary)
     answers.push_back(stopped);
   for (const auto& answer : ofEffects)
     answers.push_back(answer);
+  if (const std::string forces = startForcesAsText(summary); !forces.empty())
+    answers.push_back(forces);
+  addBalance(summary);
   if (const std::string balance = energyBalance(summary); !balance.empty())
     answers.push_back(balance);
   answers.push_back(countOf(summary.value("warnings", nlohmann::json::array())));

@@ -135,7 +135,8 @@ std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::Parameter
 std::string cellsAsText(const nlohmann::json& summary, long particles)
 {
   const double largest = summary["cells"]["largest"], smallest = summary["cells"]["smallest"];
-  return counted(particles, "particle") + " in cells of " + readableLength(largest) +
+  return counted(particles, "particle") + (summary.contains("adaptivity") ? " at the start" : "") +
+         " in cells of " + readableLength(largest) +
          (smallest < largest ? ", the finest of " + readableLength(smallest) : "");
 }
 
@@ -144,9 +145,12 @@ std::string unknownsAsText(const nlohmann::json& summary)
   if (!summary.contains("equilibrium"))
     return {};
   const nlohmann::json& of = summary["equilibrium"];
+  // Three digits: bodies that deform touch other nodes.
+  const double unknowns = of["unknowns"].get<double>();
+  const double digits = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(unknowns, 1.0))) - 2.0));
   char text[96];
-  std::snprintf(text, sizeof text, "; %d unknowns, a matrix of %.3g MB before factorisation",
-                of["unknowns"].get<int>(), 1e-6 * of["matrix_bytes"].get<double>());
+  std::snprintf(text, sizeof text, "; about %.0f unknowns, a matrix of %.3g MB before factorisation",
+                digits * std::round(unknowns / digits), 1e-6 * of["matrix_bytes"].get<double>());
   return text;
 }
 

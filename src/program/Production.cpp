@@ -83,6 +83,8 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
   if (run.endAtRest)
     progress_.stopsAtRest(run.endAtRest->energyRatio, run.endAtRest->drift, run.endAtRest->notBefore);
   progress_.setToughness(run.initiationToughness);
+  if (run.growth && isEquilibrium(scene))
+    progress_.showExtents();
   if (options.watch && ranks.rank() == 0)
   {
     progress_.follow();
@@ -129,7 +131,7 @@ void Production::observe()
   simulation_.onIteration(
       [this](int iteration, double residual)
       {
-        progress_.iteration(simulation_.steps() + 1, iteration, residual);
+        progress_.iteration(loadStep(), iteration, residual);
         if (watch_)
           watch_->update();
       });
@@ -142,6 +144,15 @@ void Production::observe()
         const bool byClock = stopIfRequested(time, step);
         checkpoints_.afterStep(byClock);
       });
+}
+
+long Production::loadStep() const
+{
+  constexpr double rounding = 1e-6; // equilibrium is restored a little before the end
+  const bool atEnd = simulation_.steps() > 0 && simulation_.time() >= (1.0 - rounding) * finalTime_;
+  const long step = simulation_.steps() + (atEnd ? 0 : 1);
+  const Teuchos::ParameterList& time = scene_.sublist("Time");
+  return step == 1 && time.isType<int>("Load Steps") && time.get<int>("Load Steps") == 1 ? 0 : step;
 }
 
 std::string Production::runToEnd()

@@ -59,6 +59,8 @@ public:
 
 private:
   void observe();
+  /// Number of the load step that is being solved, from 1; 0: the only one.
+  long loadStep() const;
   /// Continues the files of the run before its checkpoint.
   void takeUpFiles();
   /// Writes the fields and, with them, the values along fronts, as far as the scene asks for them.

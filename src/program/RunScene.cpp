@@ -24,6 +24,7 @@
 #include "program/RunEnd.hpp"
 #include "program/ScenePicture.hpp"
 #include "program/ScratchFolder.hpp"
+#include "program/StartForces.hpp"
 #include "program/Templates.hpp"
 #include "program/Twice.hpp"
 #include "scene/FillFromLibrary.hpp"
@@ -275,7 +276,9 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   const double setup = processorSeconds();
   const std::string failure = warnOfUnbalancedLoads(simulation, *scene);
   nlohmann::json& summary = keepToTheEnd(new nlohmann::json(reportBefore(simulation, *scene, bodiesInText)));
-  if (!failure.empty() && options.quiet) // else the forecast reports it
+  for (const auto& estimate : summary.value("warnings_of_a_check", nlohmann::json::array()))
+    summary["warnings"].push_back(estimate); // of what a run computes
+  if (!failure.empty() && options.quiet)     // else the forecast reports it
     summary["warnings"].push_back("the first load step fails: " + failure);
   std::set<std::string> printed;
   if (!mayRun(options, summary, printed, err))
@@ -360,6 +363,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   }
   nlohmann::json summary = summaryOf(options, *scene, simulation, production, failure);
   const bool within = addReferences(references(*scene), summary);
+  if (ranks.rank() == 0) // whose files are there
+    addStartForces(summary, production.folder() + "/history.csv");
   addAnswers(summary);
   const std::string unwritten = writeResults(summary, production, ranks);
   if (failure.empty())

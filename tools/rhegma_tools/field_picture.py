@@ -83,8 +83,22 @@ def middle_layer(fields, normal, where):
     heights = fields.position[:, normal]
     layer = in_slice(fields, normal, where) & (heights >= where)
     if layer.any():
-        return float(np.median(heights[layer]))
+        return clear_of_faces(fields, normal, float(np.median(heights[layer])))
     return float(heights[np.argmin(np.abs(heights - where))])  # a gap between bodies
+
+
+def clear_of_faces(fields, normal, where):
+    """A position next to this one, in its layer of particles, that is on the faces of as few particles as possible: particles of split ones have
+    faces in the middle of whole ones, and of those that have parted a little there one would see through the body."""
+    half = boxes.reach(fields.boxes(), normal)
+    near = np.abs(fields.position[:, normal] - where) <= half + half.max()
+    if not near.any():
+        return where
+    faces = np.concatenate([fields.position[near, normal] - half[near], fields.position[near, normal] + half[near]])
+    candidates = where + half[in_slice(fields, normal, where)].max(initial=0.0) * np.linspace(-0.75, 0.75, 13)
+    on_faces = [int(np.sum(np.abs(faces - candidate) < 0.2 * half[near].min())) for candidate in candidates]
+    best = min(range(len(candidates)), key=lambda k: (on_faces[k], abs(candidates[k] - where)))
+    return float(candidates[best])
 
 
 def in_slice(fields, normal, where):

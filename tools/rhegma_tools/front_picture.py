@@ -13,6 +13,7 @@ from .style import plt
 
 MODES = ("K_I", "K_II", "K_III")
 MOST = 4  # fronts drawn
+SHORT_EDGE = 0.5  # of the longest edge: a shorter one has one number
 OVERLAP = 0.01  # of the largest distance of faces: a smaller overlap is not drawn as one
 
 
@@ -113,10 +114,13 @@ def draw_surface(crack, title, time, path):
     middle, half = 0.5 * (low + high), 0.5 * np.maximum(high - low, 0.3 * np.max(high - low))  # so that a flat crack has a visible height
     for i, name in enumerate("xyz"):
         getattr(axes, f"set_{name}lim")(middle[i] - half[i], middle[i] + half[i])
-        getattr(axes, f"set_{name}label")(f"{name} [{metres}]")
+        getattr(axes, f"set_{name}label")(f"{name} [{metres}]", labelpad=9)
     axes.set_box_aspect(half, zoom=1.05 * np.linalg.norm(half) / (np.sqrt(3.0) * half.max()))  # the longest edge fits as that of a cube
-    for i, name in enumerate("xyz"):  # short edges have room for few numbers
-        axes.locator_params(axis=name, nbins=max(2, round((3 if name == "z" else 5) * half[i] / half.max())))
+    for i, name in enumerate("xyz"):  # short edges have room for few numbers, the shortest for one
+        if half[i] < SHORT_EDGE * half.max():
+            getattr(axes, f"set_{name}ticks")([middle[i]], labels=[f"{middle[i] + 0.0:.4g}"])
+        else:
+            axes.locator_params(axis=name, nbins=max(2, round((3 if name == "z" else 5) * half[i] / half.max())))
     axes.tick_params(labelsize=8)
     factor, seconds = style.scale(time, "s")
     axes.set_title(f"{title}: crack surface at t = {time * factor:.4g} {seconds}", fontsize=12)

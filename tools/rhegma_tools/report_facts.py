@@ -1,7 +1,6 @@
 """What a page of a run states of it: how it was run, what it answers, and how certain that is."""
 
 import os
-import re
 
 from . import style
 from .answers import is_number
@@ -11,7 +10,7 @@ STATIC = 1e-3  # change of energy release rates that is still to come, of a run 
 
 # Lists and objects of a summary that the page uses: [shape of each entry] and {name: shape}.
 FRONT = {"runs": [{}], "position": [], "stop": {"node_positions": []}, "arrival": {}, "front_nodes": {}}
-SHAPE = {"cracks": [{"fronts": [FRONT]}], "energy": {}, "cells": {}, "propagation": {"initiation": {}}, "equilibrium": {}, "references": [{}],
+SHAPE = {"cracks": [{"fronts": [FRONT]}], "energy": {}, "energy_balance": {}, "forces_at_start": {}, "cells": {}, "propagation": {"initiation": {}}, "equilibrium": {}, "references": [{}],
          "warnings": [], "answers": [], "effects": []}
 
 
@@ -112,13 +111,32 @@ def grown_by(front):
 
 
 def residual_line(summary, residual, supplied):
-    """The error of the energy balance as the program's answer has it, so that page and terminal have the same digits and the same basis."""
-    for line in summary.get("answers") or []:
-        said = re.search(r"; residual (\S+ \S+) \(([^()]*)\)", str(line)) if str(line).startswith("energy balance: ") else None
-        if said:
-            return f"{said[1]} ({said[2].replace('of the largest of these', 'of the largest energy in it')})"
+    """The error of the energy balance with the digits and the basis of the terminal, from the numbers of the summary. supplied: the largest energy
+    supplied [J], for runs of older versions"""
+    balance = summary.get("energy_balance") or {}
+    fraction, basis = balance.get("fraction"), balance.get("compared_with")
+    if is_number(fraction) and isinstance(basis, str):
+        supply = f" {readable(balance['energy'], 'J')}" if basis.startswith("energy supplied") and is_number(balance.get("energy")) else ""
+        return f"{readable(residual, 'J')} ({100 * fraction:.4g} % of the {basis}{supply})"
     part = f" ({100 * abs(residual) / supplied:.4g} % of the energy supplied)" if is_number(supplied) and supplied > 0 else ""
     return readable(residual, "J") + part
+
+
+def growth_line(summary):
+    """How many increments fronts made, how far they came, and what that left open in the energy balance; None where none grew."""
+    grown = [front for _, _, front in all_fronts(summary) if is_number(front.get("increments")) and front["increments"] > 0]
+    if not grown:
+        return None
+    count = round(sum(front["increments"] for front in grown))
+    lengths = [length for length in map(grown_by, grown) if length is not None]
+    nodes = " of front nodes" if any("front_nodes" in front for front in grown) else ""
+    text = f"{count} increment{'' if count == 1 else 's'}{nodes}"
+    if lengths:
+        text += f", extension {readable(max(lengths), 'm')}" + (" (the largest of the fronts)" if len(grown) > 1 else "")
+    left = (summary.get("propagation") or {}).get("residual_fraction")
+    if is_number(left):
+        text += f"; residual {100 * abs(left):.3g} % of the fracture energy{' since cracks grew' if 'equilibrium' in summary else ''}"
+    return text
 
 
 def certainty(summary):
@@ -138,6 +156,8 @@ def certainty(summary):
     residual, supplied = (summary.get("energy") or {}).get("residual"), summary.get("largest_energy_supplied")
     if is_number(residual):
         found.append(("Error of the energy balance", residual_line(summary, residual, supplied)))
+    if growth_line(summary):
+        found.append(("Growth", growth_line(summary)))
     change = summary.get("may_still_change")
     moves = f"energy release rates may still change by at most {100 * change:.2g} %" if is_number(change) else ""
     if summary.get("ended_before_settled"):

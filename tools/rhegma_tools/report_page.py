@@ -162,7 +162,9 @@ def answer_part(run):
     if decided:
         parts.append(element("p", decided, class_="verdict"))
     extremes = extreme_rows(summary, run.history, run.run)
-    parts.append(element("ul", [element("li", answer) for answer in answers_without_peak(summary, extremes)]))
+    lines = answers_without_peak(summary, extremes)
+    as_list = element("ul", [element("li", answer) for answer in lines])
+    parts.append(as_list if not decided else folded("What the program printed at its end, in SI units", as_list) if lines else None)
     if extremes:
         parts += [element("h3", "Largest and smallest values"), table(HEAD, extremes, [1, 2])]
     certain = facts.certainty(summary)

@@ -10,6 +10,7 @@ from .growth_panels import areas, first_growth, grown_in_equilibrium, growth
 from .inner_nodes import inner_mean, leaves_out
 from .reached_toughness import not_stopped, when_reached
 from .report_facts import all_fronts, grown_by, largest_release, readable, short
+from .verdict_details import force_text, intensity_text, shear_text
 from .whole_folder import went_to_its_end
 
 NAMED = 4  # fronts named in a line
@@ -164,6 +165,7 @@ def of_no_growth(summary, fronts):
         return (f"By the largest hoop stress yes, by G no: K of the largest hoop stress reached {short(max(hoop), 3)} times the toughness, G at most "
                 f"{short(max(release, default=0.0), 3)} of it. With shear the crack starts at the lower of both loads.")
     reached = f"; G reached at most {max(release):.3g} of the initiation toughness" if release else ""
+    reached += intensity_text(summary.get("propagation"), max(release, default=None))
     if max(hoop, default=0.0) * HOOP > max([0.0, *release]) ** 0.5:
         reached += f", and K of the largest hoop stress {max(hoop):.3g} of that of the toughness"
     for _, _, front in fronts:
@@ -231,11 +233,12 @@ def of_comparison(summary, fronts, history=None):
     what, mean = what_reached(first, toughness)
     early = not went_to_its_end(summary)
     decided += EARLY if early else ""
-    text = f"{decided}: {what} reached {short(release)} of the toughness of {readable(toughness, 'J/m²')}{mean}{how}."
+    text = f"{decided}: {what} reached {short(release)} of the toughness of {readable(toughness, 'J/m²')}{intensity_text(start, release)}{mean}{how}."
     text += when_reached(history, first, toughness) if release >= 1.0 else ""
     if is_number(start.get("load_factor")):
         estimate = "" if error is None else f" ± {50.0 * error:.2g} %"
         text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of the scene."
+    text += force_text(summary) + shear_text(first[2])
     return text + at_surface(start, fronts, reached < 1.0)
 
 
@@ -268,13 +271,16 @@ def verdict(summary, history=None):
     grown = [entry for entry in fronts if is_number(entry[2].get("initiated"))]
     start = ((summary.get("propagation") or {}).get("initiation") or {}).get("load_factor")
     if is_number(start):
-        text = of_load_factor(fronts, start, grown)
+        text = of_load_factor(fronts, start, grown) + force_text(summary)
     elif "start_of_growth" in summary:
         text = of_comparison(summary, fronts, history)
     elif grown:
         text = f"Yes: {growth_of(grown, len(fronts), summary)}.{unstable(summary)}{not_stopped(summary, grown)}"
+    elif "propagation" in summary:
+        most = max((front for _, _, front in fronts), key=lambda front: largest_release(front) or 0.0)
+        text = of_no_growth(summary, fronts) + shear_text(most)
     else:
-        text = of_no_growth(summary, fronts) if "propagation" in summary else of_no_toughness(fronts)
+        text = of_no_toughness(fronts)
     stopped = [entry for entry in fronts if entry[2].get("stopped")]
     return text + (f" Stopped for a numerical reason, not by the material: {listed(stopped)}." if stopped else "")
 

@@ -13,6 +13,7 @@ TINTS = ["#DCE8F2", "#F7E2D3", "#DCEFE6", "#F1E1EC", "#E8E8E8", "#FBEFD2"]  # of
 COLOUR = {LOAD: "#0072B2", SUPPORT: "#00795A", HEAT: "#D55E00", MOTION: "#8E4585", TOOL: "#7A4B1E"}
 ARROW = 0.09  # length of an arrow, of the largest extent of the bodies
 FINEST = 2.5  # points on paper: cells that are drawn smaller than this have no lines
+ROUNDING = 1.0e-3  # of a spacing: coordinates that differ by less are the same
 MOST_NODES = 60  # symbols of supports along each direction of a picture
 MARKERS = {"x": ">", "y": "^", "z": "D"}
 
@@ -154,10 +155,15 @@ def viewer_side(view):
 
 
 def thinned(points, spacing):
-    """At most one point in each square of the picture of this edge."""
+    """Points (k, 2) of a grid, at most one in each square of about this edge. The edge is a multiple of the smallest distance of grid lines, and
+    squares begin at them, so that no line of a grid is left out while its neighbours are drawn."""
     if not len(points):
         return points
-    _, kept = np.unique(np.floor(points / spacing).astype(np.int64), axis=0, return_index=True)
+    gaps = np.concatenate([np.diff(np.unique(points[:, axis])) for axis in range(2)])
+    gaps = gaps[gaps > ROUNDING * spacing]
+    step = gaps.min() if len(gaps) else spacing
+    edge = step * max(round(spacing / step), 1)
+    _, kept = np.unique(np.floor((points - points.min(axis=0) + 0.25 * step) / edge).astype(np.int64), axis=0, return_index=True)
     return points[kept]
 
 
@@ -220,16 +226,23 @@ def draw_symbols(panel, symbols):
 
 
 def part_labels(panels, figure):
-    """Moves labels that would cover the vertical axis with its numbers to the right, and those that would cover one another, up or down."""
+    """Moves labels that would cover the vertical axis with its numbers to the right, those that would reach into the next axes or beyond the figure to
+    the left, and those that would cover one another, up or down."""
     figure.canvas.draw()
     figure.set_layout_engine("none")
     renderer = figure.canvas.get_renderer()
     for panel in panels:
         done = []
-        left = panel.axes.get_window_extent(renderer).x0
+        own = panel.axes.get_window_extent(renderer)
+        left = own.x0
+        beside = [box.x0 for box in (axes.get_tightbbox(renderer) for axes in figure.axes if axes is not panel.axes) if box is not None
+                  and box.x0 > 0.5 * (own.x0 + own.x1) and box.y0 < own.y1 and box.y1 > own.y0]
+        right = min([figure.bbox.x1, *beside])
         for text in panel.labels:
             x, y = text.get_position()
-            x += max(left + 2.0 - text.get_window_extent(renderer).x0, 0.0) * 72.0 / figure.dpi
+            extent = text.get_window_extent(renderer)
+            x -= max(extent.x1 - (right - 2.0), 0.0) * 72.0 / figure.dpi
+            x += max(left + 2.0 - (extent.x0 - max(extent.x1 - (right - 2.0), 0.0)), 0.0) * 72.0 / figure.dpi
             text.set_position((x, y))
             box = text.get_window_extent(renderer)
             points = box.height * 72.0 / figure.dpi

@@ -2,6 +2,8 @@
 """Warnings of plates with an edge crack, in 2D and as plates of some thickness in 3D: what is said of wrong ones, and that nothing
 is said of right ones."""
 
+import json
+import math
 import os
 import re
 import sys
@@ -117,6 +119,32 @@ class CrackedPlates(ProgramTest):
         scene = cracked(thickness=0.004).set("Materials > Polymer > Model", "J2 Plastic")
         self.assertRegex(self.said(scene.set("Materials > Polymer > Yield Stress", 1.2e6)),
                          "Yield Stress is 1200000 Pa, .* ahead of a crack of 20 mm yield .*, more than a fifth of the crack")
+
+    def test_a_run_judges_the_zone_by_its_own_k(self):
+        """An edge crack of half of the width: K is 2.8 times sigma sqrt(pi a) (Tada, Paris and Irwin, 2.11), its zone 8 times that of the guess, which says
+        nothing. With K = sqrt(E G) of the run, in plane stress, twice Irwin's radius is a fifth of the crack at the yield stress of the bound."""
+        scene = cracked().set("Time", {"Analysis": "Static", "Final Time": 1.0, "Rigid Modes": "Remove"}).remove("Damping")
+        scene.remove("Output > History Interval").set("Materials > Polymer > Yield Stress", 1e8)
+        summaries = {}
+        for name, stress in (("weak", None), ("strong", 1e8)):
+            if stress is None:
+                release = self.summary_of(scene, "first")["cracks"][0]["fronts"][0]["G_J"]
+                bound = (3e9 * release / (math.pi * 0.2 * 0.02)) ** 0.5
+                self.assertEqual(self.said(scene.set("Materials > Polymer > Yield Stress", 0.98 * bound)), "")
+            scene.set("Materials > Polymer > Yield Stress", 0.98 * bound if stress is None else 1.02 * bound)
+            summaries[name] = self.summary_of(scene, name)
+        zone = summaries["weak"]["cracks"][0]["fronts"][0]["plastic_zone"]
+        self.assertAlmostEqual(zone / (0.2 * 0.02 / 0.98**2), 1.0, delta=1e-6)
+        said = [warning for warning in summaries["weak"]["warnings"] if "ahead of it yield" in warning]
+        self.assertEqual(len(said), 1, summaries["weak"]["warnings"])
+        self.assertRegex(said[0], r"crack Notch, front 0: with K = .*\(twice Irwin's radius in plane stress.* more than a fifth of the crack's 20 mm")
+        self.assertFalse(any("ahead of it yield" in warning for warning in summaries["strong"]["warnings"]))
+
+    def summary_of(self, scene, name):
+        answer = rhegma(self.write(name + ".xml", scene.text()), "--quiet", "--output", self.path(name))
+        self.assertEqual(answer.status, 0, answer)
+        with open(self.path(name, "summary.json"), encoding="utf-8") as file:
+            return json.load(file)
 
     def test_the_toughness_that_is_said_is_named(self):
         path = os.path.join(SOURCE, "xml_inputs", "verification", "dcb_arrest.xml")

@@ -4,6 +4,7 @@
 import json
 import os
 import random
+import re
 import sys
 import unittest
 
@@ -52,6 +53,29 @@ class CriticalIntensity(ProgramTest):
                 given = [s["start_of_growth"]["toughness"] for s in (by_energy, by_intensity)]
                 self.assertAlmostEqual(given[1] / toughness, 1.0, delta=1e-12)
                 self.assertEqual(given[0], toughness)
+
+    def test_the_answer_has_intensities_and_forces(self):
+        """K of G over K_Ic is the root of G over the toughness. Forces at the start of growth are those of the loads, by the length of the edges and the
+        thickness of 1 m, times the factor. The mode ratio is that of the entries."""
+        K = random.Random(SEED).uniform(1e4, 1e6)
+        summary = self.run_scene(self.held("Strain", ("K_Ic", K)), "answer")
+        front, start = summary["cracks"][0]["fronts"][0], summary["start_of_growth"]
+        self.assertEqual(start["K_Ic"], K)
+        said = next(line for line in summary["answers"] if "of the toughness" in line)
+        self.assertAlmostEqual(float(re.search(r"\(K of G = [\d.e+-]+ [MkPa]+ m\^0\.5, ([\d.e+-]+) of K_Ic", said)[1]) / front["closest_to_initiation"] ** 0.5, 1.0,
+                               delta=1e-3)
+        ratio = front["K_II"] / front["K_I"]
+        self.assertAlmostEqual(front["K_II_over_K_I"], ratio, delta=1e-12)
+        self.assertGreater(abs(ratio), 0.05)  # the crack is inclined
+        self.assertIn(f"K_II is {round(100.0 * abs(ratio), 1):.4g} % of K_I", said)
+        force = 1e5 * start["load_factor"]
+        for name, sign in (("Pull", 1.0), ("Back", -1.0)):
+            found = summary["forces_at_start"][name]
+            self.assertAlmostEqual(found[0] / (sign * force), 1.0, delta=1e-9)
+        self.assertTrue(any(line.startswith("forces as the first crack starts: ") for line in summary["answers"]), summary["answers"])
+        balance = summary["energy_balance"]
+        self.assertAlmostEqual(balance["fraction"], abs(balance["residual"]) / balance["energy"], delta=1e-15)
+        self.assertEqual(balance["residual"], summary["energy"]["residual"])
 
     def test_growth(self):
         """The crack of a strip that runs: the same length at the same times."""

@@ -111,6 +111,20 @@ class SurfaceLoads(SurfaceScenes):
         scene.remove("Boundaries > Load > Pressure").set("Boundaries > Load > Stress", [0.0, 1e5])
         self.assertIn("steps of its voxels", self.area(scene)[1])
 
+    def test_flat_faces_of_voxels_are_as_large_as_they_are(self):
+        """Of a box and of one with a step of ten voxels, in 2D and 3D, in cells of five voxels and of half of one; no face is a staircase."""
+        for size, shape in ((2e-4, (40, 30)), (2e-3, (12, 10)), (2e-4, (21, 13, 12))):
+            for stepped in (False, True):
+                box = numpy.ones(shape, dtype="uint8")
+                if stepped:
+                    box[tuple(slice(length // 2, None) for length in shape)] = 0
+                numpy.save(self.path("box.npy"), box)
+                body = {"Shape": "Voxels", "File": "box.npy", "Value": 1, "Voxel Size": size, "Corner": self.middle(1e-3, len(shape))}
+                scene = scene_of(body, 0.03, 1e-3, len(shape)).remove("Boundaries > Load > Pressure")
+                scene.set("Boundaries > Load > Stress", [0.0, 1e5, 0.0][:len(shape)])
+                with self.subTest(size=size, shape=shape, stepped=stepped):
+                    self.assertNotIn("steps of its voxels", self.area(scene)[1])
+
     def test_choices_that_say_nothing(self):
         body = {"Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.01, 0.01],
                 "Operations": {"Base": {"Operation": "Cut", "Shape": "Ball", "Centre": [0.005, 0.005], "Radius": 0.002}}}

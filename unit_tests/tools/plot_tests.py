@@ -16,7 +16,7 @@ from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.crack_fronts import crossings
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.colour_scales import GREY, add_bar, colour_scale, scale_of
-from rhegma_tools.field_picture import choose_view, close_up, crack_segments, drawn_fronts, in_slice, moved_inside
+from rhegma_tools.field_picture import choose_view, clear_of_faces, close_up, crack_segments, drawn_fronts, in_slice, moved_inside
 from rhegma_tools.field_picture import read_slice, stop_after, stopped_nodes
 from rhegma_tools.style import plt
 from rhegma.fields import Crack, far_frame, read_fields
@@ -349,6 +349,27 @@ class FieldPicture(ToolTest):
         # 0.0125 from the diameter of a polygon of 24 corners, whose outermost edges there turn by 15 degrees.
         chord = 2.0 * (0.3 - 0.0125 * np.tan(np.radians(7.5)))
         self.assertAlmostEqual(np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1).sum(), chord)
+
+    def test_slices_do_not_lie_on_faces_of_split_particles(self):
+        """The middle of a layer of whole particles, where those of a split one have faces: the slice is a quarter of the way to a face of theirs at
+        least, and in the layer. Without split ones it stays in the middle."""
+        made_up_run.penny(self.folder)
+        fields = read_fields(self.folder)
+        self.assertEqual(clear_of_faces(fields, 1, 0.0125), 0.0125)
+        split = np.abs(fields.position[:, 1] - 0.0125) < 1e-9
+        split[np.flatnonzero(split)[::2]] = False  # half of them stay whole
+
+        class Mixed:
+            position = np.concatenate([fields.position[~split], fields.position[split] - [0.0, 0.00625, 0.0], fields.position[split] + [0.0, 0.00625, 0.0]])
+
+            def boxes(self):
+                edge = np.full(len(self.position), 0.025)
+                edge[int(np.sum(~split)):] = 0.0125
+                return edge[:, None, None] * np.eye(3)
+
+        found = clear_of_faces(Mixed(), 1, 0.0125)
+        self.assertGreater(abs(found - 0.0125), 0.00125)
+        self.assertLess(abs(found - 0.0125), 0.0125 - 0.00125)
 
     def test_slice_that_is_asked_for(self):
         """Of 40 layers of 25 mm about 0, z = 0.3 lies on the face between two, of which the upper is shown; an axis alone

@@ -375,6 +375,30 @@ class SceneValues(ToolTest):
         self.assertFalse(any(one.overlaps(other) for i, one in enumerate(found) for other in found[:i]))
         style.plt.close(figure)
 
+    def test_labels_stay_out_of_the_next_axes(self):
+        figure, (axes, after) = style.plt.subplots(1, 2, figsize=(8, 4))
+        panel = scene_panel.Panel(axes, View([0, 1]), 1.0, 1.0)
+        panel.label("End: 11.79 MPa, a label right of the last arrow", np.array([0.98, 0.5, 0.0]), style.INK, (1.0, 0.0))
+        scene_panel.part_labels([panel], figure)
+        box = panel.labels[0].get_window_extent()
+        self.assertLess(box.x1, after.get_tightbbox().x0)
+        self.assertGreater(box.x0, axes.get_window_extent().x0)
+        style.plt.close(figure)
+
+    def test_symbols_of_a_grid_leave_out_no_single_line(self):
+        """Lines 2 apart, in squares of 2.17: all are drawn. Lines 0.5 apart: every fourth, at even distances. Two sizes of cells: one point in each square."""
+        def lines(step, shift, edge):
+            x = shift + step * np.arange(33)
+            drawn = scene_panel.thinned(np.stack(np.meshgrid(x, x), -1).reshape(-1, 2), edge)
+            return np.unique(np.round(drawn[:, 0], 9)), len(drawn)
+
+        for shift in (0.0, -7.3, 1.0 / 3.0):
+            found, count = lines(2.0, shift, 2.17)
+            self.assertEqual((len(found), count), (33, 33 * 33))
+            found, count = lines(0.5, shift, 2.17)
+            np.testing.assert_allclose(np.diff(found), 2.0, atol=1e-8)
+            self.assertEqual((len(found), count), (9, 81))
+
     def test_histories(self):
         self.assertEqual(peak({}), (1.0, ""))
         self.assertEqual(peak({"History": "0:0, 1:3, 2:-5"}), (-5.0, " at most"))

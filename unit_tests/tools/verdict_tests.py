@@ -74,6 +74,21 @@ class Verdict(ToolTest):
         self.assertIn("A, front 0: G = 500 J/m² ± 2 % at the end, 643 J/m² at most.", text)
         self.assertIn("A, front 0: G = 10 J/m² at the end.", verdict(summary_of({"G_J": 10.0})))
 
+    def test_intensities_and_forces(self):
+        """K where the scene gives K_Ic, the modes of shear, and the forces at which the crack starts."""
+        start = {"toughness": 120.0, "load_factor": 1.25, "K_Ic": 2e6}
+        text = verdict(summary_of({"closest_to_initiation": 0.64, "K_II_over_K_I": -0.23}, start_of_growth=start,
+                                  forces_at_start={"Grip": [None, 1500.0], "Guide": [1e-3, None]}))
+        self.assertEqual(text, "No: G of A, front 0 reached 0.64 of the toughness of 120 J/m² (K of G = 1.6 MPa √m, 0.8 of K_Ic = 2 MPa √m). Cracks start at "
+                               "1.25 times the loads and prescribed displacements of the scene. Forces at that load: Grip 1.5 kN. At the end K_II is 23 % of K_I.")
+        spatial = {"closest_to_initiation": 0.64, "K_II_over_K_I": 0.01, "K_III_over_K_I": 0.3}
+        self.assertTrue(verdict(summary_of(spatial, start_of_growth=start)).endswith(
+            " At the end K_III is 30 % of K_I; in 3D only G is compared with the toughness."))
+        self.assertNotIn("only G", verdict(summary_of(dict(spatial, K_III_over_K_I=0.07), start_of_growth=start)))
+        self.assertIn("toughness (K of G = 1.6 MPa √m, 0.8 of K_Ic = 2 MPa √m).", verdict(summary_of({"closest_to_initiation": 0.64}, propagation={"K_Ic": 2e6})))
+        self.assertIn("these loads. Forces at that load: Top 228 kN, Base 10 kN.", verdict(
+            summary_of({"G_J": 1.0}, propagation={"initiation": {"load_factor": 1.9}}, forces_at_start={"Base": [0.0, 1e4], "Top": [2.28e5, 0.0]})))
+
     def test_comparison_with_a_toughness(self):
         """Of cracks that do not grow: G, shear and the error of G decide."""
         def of(release, factor=None, **front):
@@ -328,10 +343,26 @@ class Facts(ToolTest):
         self.assertEqual(pairs[2][1], "500 mJ (0.5 % of the energy supplied)")
 
     def test_the_page_has_the_percentage_of_the_terminal(self):
-        line = "energy balance: external work 184.3 mJ, strain 184.1 mJ; residual -61.59 uJ (0.03343 % of the largest of these); this is a note (of 2 %)"
-        pairs = certainty(summary_of({}, energy={"residual": -61.594e-6}, largest_energy_supplied=0.1843, answers=["x", line]))
-        self.assertEqual(dict(pairs)["Error of the energy balance"], "-61.59 uJ (0.03343 % of the largest energy in it)")
+        def of(**balance):
+            line = "energy balance: external work 1 J; residual 1 J (100 % of the largest of these)"  # is not read
+            pairs = certainty(summary_of({}, energy={"residual": -61.594e-6}, largest_energy_supplied=0.1843, answers=["x", line], energy_balance=balance))
+            return dict(pairs)["Error of the energy balance"]
+
+        self.assertEqual(of(fraction=3.3430e-4, compared_with="largest energy", energy=0.18425), "-61.59 µJ (0.03343 % of the largest energy)")
+        self.assertEqual(of(fraction=3.3430e-4, compared_with="energy supplied at most", energy=0.18425),
+                         "-61.59 µJ (0.03343 % of the energy supplied at most 184.2 mJ)")
+        self.assertEqual(of(fraction=None), "-61.59 µJ (0.03342 % of the energy supplied)")
         self.assertIn("not static", certainty({"ended_before_settled": True})[0][1])
+
+    def test_growth(self):
+        """Increments, extension, and what growth left open in the balance, of the fracture energy."""
+        front = {"increments": 19, "runs": [{"length": 5.9e-3}], "initiated": 0.1}
+        pairs = dict(certainty(summary_of(front, {"increments": 0}, propagation={"residual_fraction": -0.0019}, equilibrium={})))
+        self.assertEqual(pairs["Growth"], "19 increments, extension 5.9 mm; residual 0.19 % of the fracture energy since cracks grew")
+        spatial = {"increments": 30, "mean_advance": 1e-3, "front_nodes": {"G_J": []}}
+        self.assertEqual(dict(certainty(summary_of(spatial, dict(spatial, mean_advance=2e-3))))["Growth"],
+                         "60 increments of front nodes, extension 2 mm (the largest of the fronts)")
+        self.assertNotIn("Growth", dict(certainty(summary_of({"increments": 0}))))
 
     def test_references(self):
         entries = [{"name": "J", "quantity": "cracks.A.fronts.0.G_J", "value": 0.126, "reference": 0.12873, "relative_error": 0.0214, "tolerance": 0.04,

@@ -119,6 +119,33 @@ TEST(Progress, SaysHowFarALoadStepIs)
                 std::string(29, ' ') + "\n");
 }
 
+/// Of a run with one load step nothing is said of its number.
+TEST(Progress, NamesNoLoadStepWhereThereIsOne)
+{
+  std::ostringstream out;
+  Hand hand;
+  Progress progress(&out, 1.0, true, hand.clock());
+  hand.now += 3.0;
+  progress.iteration(0, 4, 1e-4);
+  EXPECT_EQ(out.str(), "\riteration 5, residual 1.0e-04");
+}
+
+/// Lengths of cracks in 2D and areas in 3D, where they are asked for; the length of a front in 3D is none.
+TEST(Progress, ShowsHowFarCracksHaveCome)
+{
+  std::ostringstream out;
+  Progress progress(&out, 2.0, false);
+  const Progress::Row flat = {{"A.0.G_J", 6.0}, {"A.0.length", 0.0125}, {"A.1.length", 0.003}};
+  progress.sample(1.0, flat);
+  EXPECT_EQ(progress.text(false).find("crack"), std::string::npos);
+  progress.showExtents();
+  progress.sample(1.0, flat);
+  EXPECT_NE(progress.text(false).find(", G 6 J/m2, crack 12.5 mm, 3 mm"), std::string::npos)
+      << progress.text(false);
+  progress.sample(1.0, {{"A.area", 2.5e-5}, {"A.0.length", 0.0125}});
+  EXPECT_NE(progress.text(false).find(", crack area 25 mm2"), std::string::npos) << progress.text(false);
+}
+
 /// A run that is not watched says after two seconds how long it takes, not only after a tenth of its time.
 TEST(Progress, SaysEarlyHowLongItTakes)
 {
