@@ -169,7 +169,7 @@ def material(model):
         soft.update({"Relaxation Times": [1e-5, 1e-3], "Shear Fractions": [0.3, 0.2]})
     elif model == "ViscoSCRAM":
         soft.update({"Relaxation Times": [1e-5, 1e-3], "Shear Fractions": [0.3, 0.2], "Initial Crack Radius": 3e-5, "Crack Length Scale": 1e-4,
-                     "Crack Toughness": 3e4, "Crack Friction": 0.3, "Crack Growth Exponent": 10.0, "Maximum Crack Speed": 200.0})
+                     "Crack Toughness": 3e4, "Crack Friction": 0.3, "Crack Growth Exponent": 10.0, "Maximum Crack Speed": 0.5})  # small cracks grow by a tenth in a millisecond
     elif model == "High-Rate Solid":
         soft.update({"Johnson-Cook A": 1e7, "Johnson-Cook B": 1e7, "Johnson-Cook n": 0.3, "Johnson-Cook C": 0.02})
     return soft

@@ -155,8 +155,8 @@ inline void addMaterial(Teuchos::ParameterList& scene, const std::string& model,
   if (model == "Ogden")
   {
     // mu = (0.4 x 1.5 + 0.04 x 2) / 2 = 0.34, as of Mooney-Rivlin.
-    material.set("Moduli", Teuchos::Array<double>({0.4, -0.04}));
-    material.set("Exponents", Teuchos::Array<double>({1.5, -2.0}));
+    material.set("Moduli", Teuchos::Array<double>(Teuchos::tuple<double>(0.4, -0.04)));
+    material.set("Exponents", Teuchos::Array<double>(Teuchos::tuple<double>(1.5, -2.0)));
     material.set("Bulk Modulus", 3.3);
     return;
   }
