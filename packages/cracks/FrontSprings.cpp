@@ -144,8 +144,8 @@ private:
   }
 };
 
-/// Of each front, the part of G that its new faces dissipate: all but where it started under more than their
-/// toughness.
+/// Of each front, the part of G that its new faces dissipate: in 2D less than one where it started under more
+/// than their toughness; one in 3D.
 template <int D>
 View<double*> spentParts(const State<D>& state, bool grows)
 {
@@ -154,9 +154,12 @@ View<double*> spentParts(const State<D>& state, bool grows)
   const auto host = Kokkos::create_mirror_view(spent);
   for (std::size_t f = 0; f < host.extent(0); ++f)
   {
-    const double release = fronts[f].nodes.empty() ? 0.0 : fronts[f].nodes[0].driving.release,
-                 toughness = D == 2 ? fronts[f].budget.toughness : release;
-    host(f) = release > toughness ? toughness / release : 1.0;
+    host(f) = 1.0;
+    if constexpr (D == 2)
+    {
+      const double release = fronts[f].nodes[0].driving.release, toughness = fronts[f].budget.toughness;
+      host(f) = release > toughness ? toughness / release : 1.0;
+    }
   }
   Kokkos::deep_copy(spent, host);
   return spent;

@@ -190,9 +190,10 @@ std::vector<double> releaseEnergy(const State<D>& state, CrackFront<D>& front, c
     // of new face by the toughness of the last advance; by G, which may be far above that, it would
     // dissipate too much.
     const double ofCell = toughness[0] * state.method.thickness * cell, pending = front.budget.pending;
-    // What is pending beyond a cell was required while springs softened and no node was passed.
+    // What is pending beyond a cell where no node was passed before was required while springs softened.
+    const bool first = !(front.budget.released > front.budget.carriedOver);
     const double most =
-        std::max(springs::carriedOverFraction, pending > ofCell ? 1.0 - ofCell / pending : 0.0);
+        std::max(springs::carriedOverFraction, first && pending > ofCell ? 1.0 - ofCell / pending : 0.0);
     if (sums[0].force > 0.0)
       energy[0] = front.budget.releaseAll(ofCell, most, springs::deductedFraction);
     return energy;

@@ -30,11 +30,11 @@ struct Surroundings
   int stamp = 0;
   int generation = 0; ///< of the nodes
   /// That of FrontCell.hpp is not where faces touch in motion, nor where heat cannot pass between the fields
-  /// of a node.
+  /// of a node, nor where fronts are held until a time in motion.
   FrontLaw law;
   /// New faces cohere (CohesiveLaw.hpp). In 2D a node then opens by the other law once its front has grown,
-  /// when the front has passed it: as that of FrontCell.hpp opens it half a cell earlier, the force that
-  /// holds it is smaller, and new faces would cohere over twice the length.
+  /// when the front has passed it: as that of FrontCell.hpp opens it a quarter of a cell ahead of the front,
+  /// the force that holds it is smaller, and new faces would cohere over twice the length.
   bool releases = false;
 };
 

@@ -55,7 +55,8 @@ constexpr double softeningStretch = 1.0;
 /// node that is held exactly is in an unstable equilibrium, which only noise would end.
 constexpr double initialFraction = 0.95;
 
-/// Largest part of the energy of a release that goes to softened springs instead of new faces [-]. Chosen.
+/// Largest part of the energy of a release that goes to softened springs instead of new faces [-]; at the
+/// first release all that is more than a cell requires. Chosen.
 constexpr double carriedOverFraction = 0.25;
 
 /// Part of its energy by which a node may dissipate more than required without deduction [-]: where the

@@ -77,6 +77,24 @@ bool meet(const Geometry::Bounds<D>& one, const Geometry::Bounds<D>& other, doub
 
 } // namespace
 
+namespace
+{
+
+/// Whether another body may conduct into a piece, as bodies within two cells share nodes.
+template <int D>
+bool touchesAnother(const std::vector<BodyMeasure<D>>& bodies, const BodyMeasure<D>& body,
+                    const Piece<D>& piece, double cell)
+{
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [&](const BodyMeasure<D>& other)
+                     {
+                       return other.name != body.name &&
+                              meet(Geometry::Bounds<D>{other.lower, other.upper}, piece.bounds, 2.0 * cell);
+                     });
+}
+
+} // namespace
+
 template <int D>
 void judgeCutPieces(const Teuchos::ParameterList& scene, const Conduction<D>& conduction, State<D>& state)
 {
@@ -100,7 +118,8 @@ void judgeCutPieces(const Teuchos::ParameterList& scene, const Conduction<D>& co
                        {
                          return (reach.body.empty() || reach.body == body.name) &&
                                 meet(reach.bounds, piece.bounds, state.mesh.grid.spacing);
-                       }))
+                       }) &&
+          !touchesAnother(bodies, body, piece, state.mesh.grid.spacing))
         state.warnings.push_back(
             pathsOfCracks(cutters, state) + ": its faces insulate a piece of Bodies > " + body.name + ", " +
             formatShort(piece.mass) + " kg of " + formatShort(body.mass) + " kg, such as at " +

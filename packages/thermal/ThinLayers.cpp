@@ -14,16 +14,20 @@ void refuseThinLayers(const Teuchos::ParameterList& materials, const State<D>& s
 {
   const char* const name = "Conductivity Ratios";
   const double cell = state.mesh.grid.spacing;
+  constexpr double rows = 1.5;
   for (const BodyMeasure<D>& body : measureBodies(state))
   {
     const Teuchos::ParameterList& material = materials.sublist(body.material);
     if (!material.isType<Teuchos::Array<double>>(name))
       continue;
     const auto& ratio = material.get<Teuchos::Array<double>>(name);
-    for (int d = 0; d < D; ++d)
+    for (int d = 0; d < D && material.isParameter("Conductivity"); ++d)
       for (int e = 0; e < D; ++e)
       {
-        const double length = body.ownUpper[e] - body.ownLower[e];
+        const double length = body.ownUpper[e] - body.ownLower[e],
+                     width = body.ownUpper[d] - body.ownLower[d];
+        if (width < rows * cell) // there are no rows next to one another
+          continue;
         const double least = ratio[e] * cell * cell / (length * length);
         if (e == d || !(ratio[d] < least) || !(ratio[d] < ratio[e]))
           continue;
@@ -35,7 +39,7 @@ void refuseThinLayers(const Teuchos::ParameterList& materials, const State<D>& s
             "least " +
             formatShort(least) + ", which is " + formatShort(ratio[e]) +
             " (h / L)^2 with the cells h = " + readableLength(cell) +
-            " and its length L = " + readableLength(length) + ", or use smaller cells");
+            " and its length L = " + readableLength(length) + ", or use a smaller Domain > Cell Size");
       }
   }
 }

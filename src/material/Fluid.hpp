@@ -100,12 +100,12 @@ struct Fluid : LawDefaults
     return history[energyIndex<D>] - history[heatIndex<D>];
   }
 
-  /// That of the last stress.
+  /// That of the last stress; before the first one that of the undeformed fluid.
   template <int D, Plane P>
   KOKKOS_INLINE_FUNCTION static double waveSpeed(const Properties& m, const double*, const double* history)
   {
     const double now = history[speedIndex<D>];
-    return now > 0.0 ? now : speedOf(m.bulk, m.density);
+    return now > 0.0 ? now : speed<D>(m, 1.0, m.bulk, 0.0);
   }
 
 private:

@@ -31,10 +31,10 @@ void describeFluid(Section& s)
       .positive()
       .optional()
       .meaning("At J = 1. Required with Tait; 2.2e9 of water.");
-  s.real("Tait Exponent").above(1.0).byDefault(7.15).meaning("n of Tait.");
+  s.real("Tait Exponent").above(1.0).optional("7.15").meaning("n of Tait.");
   s.real("Cut-Off Pressure")
       .unit("Pa")
-      .optional("none: the liquid bears tension up to Bulk Modulus / n")
+      .optional("none: the liquid bears tension up to Bulk Modulus / n - Initial Pressure")
       .meaning(
           "Least pressure of Tait, at which voids open in the liquid and close again; 0, or that of vapour.");
   s.real("Viscosity").unit("Pa s").notNegative().byDefault(0.0).meaning("Newton's viscosity; 1e-3 of water.");
@@ -64,7 +64,7 @@ template <class Reader>
 void readIdealGas(const Reader& reader, Properties& m)
 {
   using namespace FluidNumber;
-  refuseOthers(reader, "Ideal Gas", {"Bulk Modulus", "Cut-Off Pressure"});
+  refuseOthers(reader, "Ideal Gas", {"Bulk Modulus", "Tait Exponent", "Cut-Off Pressure"});
   m.own[state] = static_cast<double>(FluidState::idealGas);
   const bool byConstant = reader.has("Specific Gas Constant");
   if (byConstant && reader.has("Initial Pressure"))

@@ -16,8 +16,8 @@ namespace Rhegma
 /// (1972) 567; Holzapfel, Nonlinear Solid Mechanics, eq. 6.119 with the isochoric split of section 6.4. With
 /// alpha = 2 and -2 it is Mooney-Rivlin, C10 = mu_1 / 2 and C01 = -mu_2 / 2.
 ///
-/// Wants mu_p alpha_p > 0 in each term: then stress rises with stretch along every path (Drucker) and the
-/// larger stress lies along the larger stretch (Baker and Ericksen).
+/// Wants mu_p alpha_p > 0 in each term: then, at constant volume, the Kirchhoff stress rises with the
+/// logarithmic strain (Hill) and the larger stress lies along the larger stretch (Baker and Ericksen).
 struct Ogden : LawDefaults
 {
   static constexpr const char* name = "Ogden";

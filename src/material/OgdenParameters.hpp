@@ -51,12 +51,11 @@ void checkOgdenTerm(const Reader& reader, int p, double modulus, double exponent
   if (exponent == 0.0)
     reader.refuse("Exponents", "has 0 in " + term + ", which stores no energy; remove the term.");
   if (!(modulus * exponent > 0.0))
-    reader.refuse("Moduli",
-                  "has " + Reader::text(modulus) + " Pa in " + term + ", with the exponent " +
-                      Reader::text(exponent) + ": mu_p alpha_p > 0 fails, " +
-                      Reader::text(modulus * exponent) +
-                      " <= 0, and rubber would lose strength as it is stretched; give a modulus of the "
-                      "sign of the exponent.");
+    reader.refuse("Moduli", "has " + Reader::text(modulus) + " Pa in " + term + ", with the exponent " +
+                                Reader::text(exponent) + ": mu_p alpha_p > 0 fails, " +
+                                Reader::text(modulus * exponent) +
+                                " <= 0, and its stress would fall with strain; give a modulus of the "
+                                "sign of the exponent.");
 }
 
 } // namespace detail

@@ -212,7 +212,7 @@ bool hasSteps(const std::vector<Geometry::SurfacePoint<D>>& points, double edge)
       first = end;
     }
   }
-  return steps > noticeable * all;
+  return steps > noticeable * all / (D - 1); // in 3D each place is met along two axes
 }
 
 /// What acts by area on faces of voxels, which go up and down in steps. Of a pressure the steps cancel.

@@ -259,6 +259,10 @@ nlohmann::json reportBefore(const Simulation& simulation, const Teuchos::Paramet
                             std::size_t mostBodies)
 {
   nlohmann::json summary = simulation.report(mostBodies);
+  for (const auto& estimate : summary.value("warnings_of_a_check", nlohmann::json::array()))
+    summary["warnings"].push_back(
+        estimate); // of what a run computes: it has not begun, or its first step fails
+  summary.erase("warnings_of_a_check");
   if (const RunOptions declared = declaredOptions(scene); declared.loadFactor && isEquilibrium(scene))
     if (const std::string warning = warningOfReferences(references(scene)); !warning.empty())
       summary["warnings"].push_back(warning);
@@ -276,9 +280,7 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   const double setup = processorSeconds();
   const std::string failure = warnOfUnbalancedLoads(simulation, *scene);
   nlohmann::json& summary = keepToTheEnd(new nlohmann::json(reportBefore(simulation, *scene, bodiesInText)));
-  for (const auto& estimate : summary.value("warnings_of_a_check", nlohmann::json::array()))
-    summary["warnings"].push_back(estimate); // of what a run computes
-  if (!failure.empty() && options.quiet)     // else the forecast reports it
+  if (!failure.empty() && options.quiet) // else the forecast reports it
     summary["warnings"].push_back("the first load step fails: " + failure);
   std::set<std::string> printed;
   if (!mayRun(options, summary, printed, err))

@@ -257,6 +257,18 @@ void addRulesOfTime(Section& s)
            "Time > Initial State = Unloaded");
 }
 
+void addRulesOfOrthotropicBodies(Section& s)
+{
+  const Condition orthotropic = when::is("Materials > *", "Model", {Orthotropic::name});
+  s.refuse(
+      {orthotropic, when::present("Thermal")},
+      "the law Orthotropic has no thermal expansion, which differs from axis to axis; use Linear Elastic, "
+      "or remove the section Thermal");
+  s.refuse({orthotropic, when::isNot("Propagation", "Direction", {"Straight"})},
+           "the rules for turning cracks are those of isotropic bodies; write Propagation > Direction = "
+           "Straight, for a crack that keeps its direction, such as along fibres");
+}
+
 /// A fluid has no stiffness in shear, and no length but that of its cells.
 void addRulesOfFluids(Section& s)
 {
@@ -273,13 +285,10 @@ void addRulesOfFluids(Section& s)
       {fluid, when::present("Thermal")},
       "a fluid is adiabatic and has an internal energy of its own, which heat would not reach; remove the "
       "section Thermal");
-  s.refuse({fluid, when::present("Cracks")}, "a fluid has no crack faces, and no strength that a crack would "
-                                             "reduce; remove the section Cracks, or give "
-                                             "the body a solid law");
+  s.refuse({fluid, when::present("Cracks")},
+           "cracks and fluids are not available in one scene; remove the section Cracks, or the fluid");
   s.refuse({fluid, when::present("Adaptivity")},
            "its viscosities are those of cells of one size; remove one of the two");
-  s.refuse({fluid, when::is("Domain", "Plane", {"Stress"})},
-           "a fluid is no plate; write Domain > Plane = Strain");
 }
 
 /// A static analysis has no time: what relaxes or flows would depend on the length of the run.
@@ -312,6 +321,7 @@ Section materials()
   s.namedByUser(material);
   addRulesOfTime(s);
   addRulesOfStatic(s);
+  addRulesOfOrthotropicBodies(s);
   addRulesOfFluids(s);
   return s;
 }

@@ -295,6 +295,8 @@ def add_crack(scene, drawn, at, random, three):
         scene.set("Energy Release", {} if three else {"Crack Closure": drawn["Energy Release"] != "J"})
     if drawn["Propagation"] != "none":
         scene.set("Propagation", {"Toughness": "1", "Direction": drawn["Propagation"], "On Stop": "Continue"})
+        if drawn["Model"] == "Orthotropic" and drawn["Analysis"] == "Dynamic":
+            scene.set("Propagation > Speed Limit", 800.0)  # its Rayleigh waves have no one speed
         if drawn["Analysis"] != "Dynamic":
             scene.set("Propagation > Load Control", drawn["Load Control"])
     if drawn["Face Pressure"] != "none":

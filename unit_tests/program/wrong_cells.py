@@ -124,7 +124,7 @@ ADAPTIVITY = [
      one("Sub-Cycling > Levels", "from 1 to 6")),
     ("projected_velocities_of_corrected_broken_cells",
      plate().set("Mass Matrix", {"Type": "Lumped", "Velocity Update": "PIC"}).set("Cracks > Formulation", "Corrected Broken Cell"),
-     one("Velocity Update = FLIP", "negative")),
+     one("Cracks > Formulation", "negative", "Velocity Update = FLIP")),
     ("adaptivity_of_corrected_broken_cells",
      plate().set("Adaptivity", {}).set("Cracks > Formulation", "Corrected Broken Cell"),
      one("Adaptivity", "Corrected Broken Cell", "cells of one size")),

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,25 @@ inline Properties hookean(const std::string& model, Plane plane, double young, d
   list.set("Young Modulus", young);
   list.set("Poisson Ratio", poisson);
   return makeProperties(list, "Test", plane);
+}
+
+/// The message with which a material is refused; empty if it is not.
+inline std::string refusalOf(const char* name, const Teuchos::ParameterList& list, Plane plane = Plane::Solid)
+{
+  try
+  {
+    makeProperties(list, name, plane);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+inline void expectIn(const std::string& text, const char* part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
 inline Properties mooneyRivlin(Plane plane, double c10, double c01, double bulk)
