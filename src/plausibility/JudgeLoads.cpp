@@ -167,9 +167,9 @@ double voxelEdge(const Teuchos::ParameterList& body)
 
 /// Whether a noticeable part of a surface of voxels are steps: flat pieces that are less than three voxels
 /// wide along some axis, between edges of the surface. A face along the axes, which has none, is as large as
-/// it is meant. \param edge of a voxel [m]
+/// it is meant. \param edge of a voxel \param cell the largest cell, within which a face has a point [m]
 template <int D>
-bool hasSteps(const std::vector<Geometry::SurfacePoint<D>>& points, double edge)
+bool hasSteps(const std::vector<Geometry::SurfacePoint<D>>& points, double edge, double cell)
 {
   constexpr double noticeable = 0.02;
   // Rows of points along an axis of a flat piece: its normal, the axis, and the voxel in all other
@@ -199,11 +199,9 @@ bool hasSteps(const std::vector<Geometry::SurfacePoint<D>>& points, double edge)
     {
       std::size_t end = first + 1;
       double area = places[first].second;
-      // Pieces of large faces are longer than a voxel.
+      // Pieces of large faces are as long as a cell, and at the edge of a body narrower.
       const auto length = [](double size) { return D == 2 ? size : std::sqrt(size); };
-      for (; end < places.size() &&
-             places[end].first - places[end - 1].first <
-                 2.0 * std::max(edge, length(std::max(places[end].second, places[end - 1].second)));
+      for (; end < places.size() && places[end].first - places[end - 1].first < 2.0 * std::max(edge, cell);
            ++end)
         area += places[end].second;
       all += area;
@@ -230,7 +228,8 @@ void judgeVoxelFaces(const JudgedScene<D>& judged, Messages& messages)
         !hasVoxels(judged.scene.sublist("Bodies").sublist(list.get<std::string>("Body"))))
       continue;
     const double edge = voxelEdge(judged.scene.sublist("Bodies").sublist(list.get<std::string>("Body")));
-    if (!(edge > 0.0) || !hasSteps(chosenSurface<D>(judged.scene, list, "Boundaries > " + name), edge))
+    if (!(edge > 0.0) || !hasSteps(chosenSurface<D>(judged.scene, list, "Boundaries > " + name), edge,
+                                   judged.state.mesh.grid.spacing))
       continue;
     messages.push_back("Boundaries > " + name +
                        " acts on the steps of its voxels: on faces that are not along " +

@@ -184,7 +184,7 @@ def fast_bodies(scene, rng):
 def touching_twin(scene, rng):
     """a second body touches the first"""
     names = scene.boxes()
-    if not names or not scene.cell or not scene.moves():
+    if not names or not scene.cell or not scene.moves() or scene.has("Body Contact"):  # with which they share no motion
         return None
     name = rng.choice(names)
     scene.enlarge(14)

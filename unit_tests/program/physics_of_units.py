@@ -148,7 +148,7 @@ def toughness_in_megapascal(scene, rng):
     """K_Ic in MPa m^0.5 instead of the toughness"""
     Gc = toughness(scene)
     E = scene.get(f"Materials > {scene.lists('Materials')[0]} > Young Modulus")
-    if Gc is None or not isinstance(E, float):
+    if Gc is None or not isinstance(E, float) or scene.has("Propagation > Initiation Toughness"):  # which is that of the start
         return None
     scene.set("Propagation > Toughness", repr(1e-6 * math.sqrt(E * Gc)))
     return where("Propagation", "Toughness")

@@ -122,9 +122,9 @@ class Combinations(OnRanks):
         one = self.run_on(1, path, with_fields=False)
         self.assertTrue(finite(one[0]["energy"]) and finite(one[0]["bodies"]) and finite(one[0]["cracks"] if "cracks" in one[0] else {}))
         residual = self.energies_of(one[0], one[1], drawn)
-        # docs/explanation/total-lagrangian.md: 1.5e-7 was measured.
+        # docs/explanation/total-lagrangian.md: 1e-7 was measured for energies, 1e-5 for the residual.
         differs = drawn["Formulation"] == "Total Lagrangian" and drawn["Cracks"] == "Corrected Broken Cell" and drawn["Combustion"] != "none"
-        self.assert_goes_on(path, one, 1e-5 if differs else 0.0)
+        self.assert_goes_on(path, one, 1e-4 if differs else 0.0)
         if drawn[GROWTH] == "none" and drawn["Body Contact"] == "none":  # contact of bodies is for one rank
             two = self.run_on(2, path, with_fields=False)
             self.compare(one, two, within=1e3 * ROUND_OFF)
