@@ -13,8 +13,8 @@ namespace Rhegma::propagation
 
 /// Adds to the entry of a front G over the initiation toughness of its first advance (`start_release`), the
 /// stress intensities of that time (`start_K_I`, `start_K_II`, in 3D `start_K_III`), null where it has not
-/// advanced; the
-/// largest G over the initiation toughness before `Propagation > Start Time` of the samples that there were
+/// advanced; the largest G over the initiation toughness before `Propagation > Start Time` of the samples
+/// that there were
 /// (`release_before_start_time`), null where there was none; and `held_until_start_time`: whether G had
 /// reached the toughness before that time and the front advanced as soon as it let it.
 template <int D>

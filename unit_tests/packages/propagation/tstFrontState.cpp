@@ -110,10 +110,11 @@ TEST(FrontState, StartsWithTheLargestRelease)
 {
   FirstAdvance first;
   for (const FirstAdvance& node :
-       {FirstAdvance{1.1, 2.0, 3.0, false}, {1.6, 4.0, 5.0, true}, {1.3, 6.0, 7.0, false}})
+       {FirstAdvance{1.1, 2.0, 3.0, 0.1, false}, {1.6, 4.0, 5.0, 0.2, true}, {1.3, 6.0, 7.0, 0.3, false}})
     first.include(node);
   EXPECT_EQ(first.release, 1.6);
   EXPECT_EQ(first.modeI, 4.0);
+  EXPECT_EQ(first.modeIII, 0.2);
   EXPECT_TRUE(first.held);
 }
 
