@@ -124,7 +124,7 @@ class RefusedScenes(ProgramTest):
 
     def test_growth(self):
         scene = self.orthotropic(plate(), "Polymer").set("Propagation", {"Toughness": "100"})
-        self.refused(scene, "Propagation > Direction", "Materials > Polymer is anisotropic", "write Straight")
+        self.refused(scene, "Materials > Polymer > Model", "isotropic bodies", "Propagation > Direction = Straight")
         scene.set("Propagation > Direction", "Straight")
         self.refused(scene, "Propagation > Speed Limit", "is missing", "Rayleigh waves depends on direction")
         scene.set("Propagation > Speed Limit", 1000.0)
