@@ -14,11 +14,13 @@ SMALL = 1.0e-9  # of the largest value of a kind: rounding, printed as 0
 
 class Column:
     """heading: without unit; unit: with room for a prefix; values: a number or None of each front; errors: the same, of the
-    estimates; ranges: (lowest, highest) along a front, or None; largest: of all columns with which this one is compared."""
+    estimates; ranges: (lowest, highest) along a front, or None; range_errors: the estimates of their errors; largest: of all columns
+    with which this one is compared."""
 
-    def __init__(self, heading, unit, values, errors=None, ranges=None, largest=None):
+    def __init__(self, heading, unit, values, errors=None, ranges=None, largest=None, range_errors=None):
         self.heading, self.values = heading, values
-        self.errors, self.ranges = errors or [None] * len(values), ranges or [None] * len(values)
+        unknown = [None] * len(values)
+        self.errors, self.ranges, self.range_errors = errors or unknown, ranges or unknown, range_errors or unknown
         self.largest = largest_of(values) if largest is None else largest
         root = " √m" if unit.endswith("√m") else ""
         self.factor, scaled = style.scale(self.largest, unit.replace(" √m", "")) if unit not in ("m/s", "") else (1.0, unit)
@@ -35,7 +37,11 @@ class Column:
         return "0" if abs(value) <= SMALL * self.largest else short(value * self.factor)
 
     def cell(self, i):
-        """A front's value; its range along the front in a line below."""
+        """A front's value; its range along the front in a line below. The mean of a mode that changes its sign along the front is near
+        zero and says nothing: the range alone is written."""
+        if changes_sign(self.ranges[i]):
+            text = f"{self.text(self.ranges[i][0])} to {self.text(self.ranges[i][1])}"
+            return text + (f" ± {self.range_errors[i] * self.factor:.2g}" if is_number(self.range_errors[i]) else "")
         if not is_number(self.values[i]):
             return "-"
         text = self.text(self.values[i])
@@ -44,6 +50,10 @@ class Column:
         if self.ranges[i] is None:
             return text
         return [text, element("br"), f"({self.text(self.ranges[i][0])} to {self.text(self.ranges[i][1])})"]
+
+
+def changes_sign(pair):
+    return pair is not None and pair[0] < 0.0 < pair[1]
 
 
 def largest_of(*lists):
@@ -86,13 +96,15 @@ def columns_of(fronts, in_equilibrium):
         return [pair if is_number(pair[0]) and is_number(pair[1]) else None for pair in pairs]
 
     releases, most = values("G_J"), [largest_release(front) for front in entries]
-    largest, largest_k = largest_of(releases, most), largest_of(*(values(mode) for mode in MODES))
+    largest, largest_k = largest_of(releases, most), largest_of(*(values(mode) for mode in MODES), *(pair or () for mode in MODES for pair in ranges(mode)))
     along = any(is_number(front.get("G_J_max")) for _, _, front in fronts)  # in 3D, where the mean along a front and its largest node differ
     inner = any(leaves_out(front) for _, _, front in fronts)
     mean, node = ("mean ", " of an inner node" if inner else " of a front node") if along else ("", "")
     columns = [Column(f"{mean}G", "J/m²", releases, values("G_J_error_estimate"), ranges("G_J"), largest),
                Column(f"largest {mean}G", "J/m²", most, largest=largest)]
-    columns += [Column(mean + mode, "Pa √m", values(mode), values(f"{mode}_error_estimate"), ranges(mode), largest_k) for mode in MODES]
+    for mode in MODES:
+        heading = mode + " along the front" if all(changes_sign(pair) for pair in ranges(mode)) else mean + mode
+        columns.append(Column(heading, "Pa √m", values(mode), values(f"{mode}_error_estimate"), ranges(mode), largest_k, values("K_extremes_error_estimate")))
     columns.append(Column(f"largest G{node} / toughness", "", values("closest_to_initiation")))
     if inner:
         columns.append(Column("largest G of a node at the surface / toughness", "", values("closest_at_surface")))

@@ -423,6 +423,10 @@ class FrontTable(ToolTest):
     def test_in_3d_the_range_and_no_position(self):
         text = verdict(summary_of({"G_J": 77.0, "G_J_error_estimate": 7.7, "largest_G_J": 77.0, "G_J_min": 73.0, "G_J_max": 83.0}))
         self.assertIn("G = 77 J/m² ± 10 % in the mean along the front and 83 J/m² at most, at the end.", text)
+        # The mean of a mode that changes its sign along the front says nothing.
+        tilted = {"K_II": -150.0, "K_II_min": -44.0e3, "K_II_max": 45.0e3, "K_II_error_estimate": 1.0e3, "K_extremes_error_estimate": 2.0e3}
+        head, rows, _ = front_table(summary_of(dict(tilted, G_J=3.0, G_J_max=3.0, position=[0.0, 0.0, 0.0])))
+        self.assertEqual([head[-1], rows[0][-1]], ["K_II along the front [kPa √m]", "-44 to 45 ± 2"])
         head, rows, _ = front_table(summary_of({"G_J": 77.0, "G_J_min": 73.0, "G_J_max": 83.0, "position": [0.0, 0.0, 0.0]}))
         self.assertEqual(head, ["crack and front", "state", "mean G [J/m²]", "largest mean G [J/m²]"])
         self.assertEqual("".join(rows[0][2]), "77<br>(73 to 83)")
