@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "base/ReadList.hpp"
 #include "body_contact/ContactRecord.hpp"
+#include "body_contact/HeatOfContact.hpp"
 #include "body_contact/InterfacePoints.hpp"
 #include "body_contact/PressedPairs.hpp"
 #include "scene/FrictionSection.hpp"
@@ -56,9 +57,12 @@ void refuseCombinations(Section& s)
            "springs of an interface do not see the two sides of a crack; join the bodies with Bonded To, or "
            "remove "
            "one of the two");
-  s.refuse(
-      {self, when::present("Thermal")},
-      "heat through touching faces and heat by friction are not computed; remove one of the two sections");
+  s.refuse({self, when::is("Thermal", "Mechanics", {"false"})},
+           "bodies that do not move do not press on each other, so no heat would pass between them; write "
+           "Thermal > Mechanics = true or remove this section");
+  s.refuse({when::satisfies("Body Contact", "with Conductance", hasConductance),
+            when::unprovided(capability::heat)},
+           "faces conduct where bodies have temperatures; add the section Thermal, or remove Conductance", 0);
 }
 
 Section section()
@@ -68,11 +72,13 @@ Section section()
             "and press and slide on each other where they touch. Without this section, bodies less "
             "than one to two cells apart share one motion.");
   addFrictionLaw(s);
+  addConductance(s, false);
   Section pair("pair of bodies",
                "A pair of bodies with a law of its own; its forces are columns of the history.");
   pair.text("Bodies").notEmpty().meaning(
       "Names of the two bodies, with a comma between them. The law also holds for bodies bonded to them.");
   addInterfaceLawOfList(pair);
+  addConductance(pair, true);
   s.namedByUser(pair);
   refuseCombinations(s);
   return s;
@@ -88,6 +94,7 @@ struct Parts
   NodalPairs<D> pairs;
   PairLaws laws;
   InterfacePoints<D> interfaces;
+  HeatOfContact<D> heat;
   std::unique_ptr<ContactRecord<D>> record;
   std::size_t editor = 0; ///< index of its stencil editor
 
@@ -121,7 +128,9 @@ void start(const std::shared_ptr<Parts<D>>& parts, State<D>& state)
   const BondedGroups groups = bondedGroups(parts->bodies, names);
   const std::vector<NamedPair> named = namedPairs(parts->section, groups, names);
   parts->laws = readLaws(parts->section, named, groups.count());
-  parts->record = std::make_unique<ContactRecord<D>>(named, groups);
+  parts->heat.used = state.particles.has(fields::temperature);
+  parts->heat.conductance = readConductances(parts->section, named, groups.count());
+  parts->record = std::make_unique<ContactRecord<D>>(named, groups, parts->heat.used);
   setBodyGroups(groups, state);
   parts->interfaces = placeInterfaces(parts->scene, named, groups, state);
   StencilEditor<D> editor;
@@ -186,6 +195,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                 {
                   joinProjection(s, parts->shared, parts->pairs);
                   keepPressedPairs(s, parts->laws.groups, parts->shared, parts->pairs);
+                  if (parts->heat.used)
+                    passHeat(s, parts->shared, parts->pairs, parts->heat);
                   moveInterfaces(s, parts->pairs, parts->interfaces);
                 }
                 parts->record->add(s, parts->pairs, parts->interfaces);
@@ -199,7 +210,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (parts->interfaces.count > 0)
       serialize(parts->interfaces, archive);
   };
-  effect.report = [parts](const State<D>&, nlohmann::json& summary) { parts->record->report(summary); };
+  effect.report = [parts](const State<D>&, nlohmann::json& summary)
+  {
+    parts->record->report(summary);
+    if (parts->heat.used && !hasConductance(parts->section))
+      parts->record->warnOfInsulation(summary);
+  };
   return effect;
 }
 

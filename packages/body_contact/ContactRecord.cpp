@@ -1,6 +1,7 @@
 #include "body_contact/ContactRecord.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
 
 #include <algorithm>
 
@@ -16,7 +17,8 @@ constexpr int fewGroups = 4;
 } // namespace
 
 template <int D>
-ContactRecord<D>::ContactRecord(const std::vector<NamedPair>& named, const BondedGroups& groups)
+ContactRecord<D>::ContactRecord(const std::vector<NamedPair>& named, const BondedGroups& groups, bool heats)
+    : heats_(heats)
 {
   const auto add = [&](const std::string& name, int one, int other, bool inverted, bool interface)
   {
@@ -60,6 +62,8 @@ void ContactRecord<D>::add(State<D>& state, const NodalPairs<D>& pairs, const In
       pair.dissipated = first.dissipated;
       pair.stored = first.stored;
       pair.friction = first.friction;
+      pair.heated = first.heated;
+      pair.passed = first.passed;
       pair.overlap = first.overlap;
       pair.closed = first.closed;
       pair.impulse = first.impulse;
@@ -72,12 +76,14 @@ void ContactRecord<D>::add(State<D>& state, const NodalPairs<D>& pairs, const In
     const double lost = sums.dissipated - (pair.stored - before);
     pair.dissipated += lost;
     pair.friction += sums.friction;
+    pair.heated += sums.heated;
+    pair.passed += sums.passed;
     pair.overlap = std::max(pair.overlap, sums.overlap);
     if (sums.closed > 0 && pair.firstTouch < 0.0)
       pair.firstTouch = state.clock.time;
     if (pair.one >= 0)
       continue;
-    state.energy.contact += lost;
+    state.energy.contact += lost - sums.heated;
     if (pair.interface)
       state.energy.springs = pair.stored;
   }
@@ -100,6 +106,11 @@ void ContactRecord<D>::sample(State<D>& state)
     for (int d = 0; d < D; ++d)
       state.sample.row.emplace_back(pair.name + columns[d], pair.force[d]);
     state.sample.row.emplace_back(pair.name + ".friction", pair.friction);
+    if (heats_)
+    {
+      state.sample.row.emplace_back(pair.name + ".friction_heat", pair.heated);
+      state.sample.row.emplace_back(pair.name + ".heat_passed", pair.sign * pair.passed);
+    }
   }
 }
 
@@ -128,7 +139,23 @@ void ContactRecord<D>::report(nlohmann::json& summary) const
          {"largest_overlap", pair.overlap}});
     if (pair.interface)
       summary["body_contact"].back()["stored"] = pair.stored;
+    if (heats_)
+    {
+      summary["body_contact"].back()["friction_heat"] = pair.heated;
+      summary["body_contact"].back()["heat_passed"] = pair.sign * pair.passed;
+    }
   }
+}
+
+template <int D>
+void ContactRecord<D>::warnOfInsulation(nlohmann::json& summary) const
+{
+  for (const ReportedPair<D>& pair : pairs_)
+    if (pair.one >= 0 && pair.firstTouch >= 0.0)
+      summary["warnings"].push_back("Body Contact: " + pair.bodies[0] + " and " + pair.bodies[1] +
+                                    " touch from " + readableTime(pair.firstTouch) +
+                                    " on, and no heat passes between them; give Conductance, or write 0 if "
+                                    "that is meant");
 }
 
 template <int D>
@@ -141,6 +168,11 @@ void ContactRecord<D>::serialize(Archive& archive)
     archive("first_touch", pair.firstTouch);
     archive("dissipated", pair.dissipated);
     archive("friction", pair.friction);
+    if (heats_)
+    {
+      archive("friction_heat", pair.heated);
+      archive("heat_passed", pair.passed);
+    }
     if (pair.interface)
       archive("stored", pair.stored);
     archive("overlap", pair.overlap);

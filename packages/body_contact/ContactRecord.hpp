@@ -27,6 +27,8 @@ struct ReportedPair
   double firstTouch = -1.0; ///< when they first pressed on each other [s]; below 0: not yet
   double dissipated = 0.0;  ///< kinetic energy that contact took [J]
   double friction = 0.0;    ///< the part of it along the faces [J]
+  double heated = 0.0;      ///< the part of that which became heat of the bodies [J]
+  double passed = 0.0;      ///< heat from the first group to the second [J]
   bool interface = false;   ///< whether an interface joins them
   double stored = 0.0;      ///< elastic energy of their interface now [J]
   double overlap = 0.0;     ///< largest so far [m]
@@ -42,18 +44,21 @@ template <int D>
 class ContactRecord
 {
 public:
-  /// \param named pairs with a list of their own \param groups of bodies
-  ContactRecord(const std::vector<NamedPair>& named, const BondedGroups& groups);
+  /// \param named pairs with a list of their own \param groups of bodies \param heats whether particles have
+  /// temperatures
+  ContactRecord(const std::vector<NamedPair>& named, const BondedGroups& groups, bool heats);
 
   /// Adds what pairs have exchanged in this step, and the energy to the balance.
   void add(State<D>& state, const NodalPairs<D>& pairs, const InterfacePoints<D>& interfaces);
   /// Adds the forces since the last sample to the history.
   void sample(State<D>& state);
-  void report(nlohmann::json& summary) const; ///< writes the summary's entries
-  void serialize(Archive& archive);           ///< saves or loads it
+  void report(nlohmann::json& summary) const;           ///< writes the summary's entries
+  void warnOfInsulation(nlohmann::json& summary) const; ///< names pairs that touched and pass no heat
+  void serialize(Archive& archive);                     ///< saves or loads it
 
 private:
   std::vector<ReportedPair<D>> pairs_; ///< the first is of all pairs together
+  bool heats_;
 };
 
 } // namespace Rhegma::body_contact

@@ -38,7 +38,10 @@ struct NodalPairs
   View<double* [D]> aim; ///< relative velocity that the impulse aims at; zero in contact [m/s]
   NodalSprings<D> springs;
   View<double* [2]> taken; ///< energy that contact takes in this step, and the part of it along the faces [J]
-  int count = 0;           ///< number of pairs
+  /// Heat by friction, and heat that passes from the first to the second, in this step [J]; empty where
+  /// particles have no temperature.
+  View<double* [2]> heat;
+  int count = 0; ///< number of pairs
 };
 
 /// What a pair of groups has exchanged in a step.
@@ -48,6 +51,8 @@ struct PairSums
   Vector<D> impulse{};     ///< on the second group [N s]
   double dissipated = 0.0; ///< kinetic energy that contact took [J]
   double friction = 0.0;   ///< the part of it along the faces [J]
+  double heated = 0.0;     ///< the part of that which became heat of the bodies [J]
+  double passed = 0.0;     ///< heat that passed from the first to the second [J]
   double overlap = 0.0;    ///< largest, of domains that press on each other [m]
   int closed = 0;          ///< nodes at which the two press on each other
 };

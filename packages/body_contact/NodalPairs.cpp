@@ -87,7 +87,8 @@ void listPairs(const SharedNodes<D>& shared, NodalPairs<D>& pairs)
 namespace
 {
 
-/// Sums over pairs: impulse, energy taken, the part of it along the faces, number of pairs that press.
+/// Sums over pairs: impulse, energy taken, the part of it along the faces, heat by friction and heat passed,
+/// number of pairs that press.
 template <int D>
 struct AddPairs
 {
@@ -95,7 +96,7 @@ struct AddPairs
   using size_type = int;
   using execution_space = ExecSpace;
 
-  static constexpr int size = D + 3;
+  static constexpr int size = D + 5;
   int value_count = size;
   NodalPairs<D> pairs;
   int one, other; ///< groups; below 0: all
@@ -116,7 +117,9 @@ struct AddPairs
       sum[d] += pairs.impulse(q, d);
     sum[D] += pairs.taken(q, 0);
     sum[D + 1] += pairs.taken(q, 1);
-    sum[D + 2] += 1.0;
+    for (int k = 0; k < 2 && pairs.heat.extent(0) > 0; ++k)
+      sum[D + 2 + k] += pairs.heat(q, k);
+    sum[D + 4] += 1.0;
   }
 };
 
@@ -136,7 +139,9 @@ PairSums<D> sumPairs(const NodalPairs<D>& pairs, int one, int other)
     sums.impulse[d] = sum[d];
   sums.dissipated = sum[D];
   sums.friction = sum[D + 1];
-  sums.closed = static_cast<int>(sum[D + 2]);
+  sums.heated = sum[D + 2];
+  sums.passed = sum[D + 3];
+  sums.closed = static_cast<int>(sum[D + 4]);
   Kokkos::parallel_reduce(
       "rhegma::largestOverlap", Kokkos::RangePolicy<ExecSpace>(0, pairs.count),
       KOKKOS_LAMBDA(const int q, double& most) {

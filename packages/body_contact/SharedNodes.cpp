@@ -14,10 +14,6 @@ using GroupRange = View<int** [2]>;
 
 constexpr int noGroup = 1 << 30;
 
-/// Particles with a smaller weight at a node do not count for the gap there: rounding decides whether they
-/// touch it.
-constexpr double leastWeight = 1e-9;
-
 /// \return blocks of the lattice along each axis that is cut
 template <int D>
 GroupRange groupsOfBlocks(const State<D>& state)

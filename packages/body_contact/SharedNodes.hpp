@@ -11,6 +11,10 @@ namespace Rhegma::body_contact
 /// Groups that may touch a node.
 constexpr int mostGroups = 4;
 
+/// Particles with a smaller weight at a node do not count for the gap there: rounding decides whether they
+/// touch it.
+constexpr double leastWeight = 1e-9;
+
 /// Number of pairs of so many groups.
 KOKKOS_INLINE_FUNCTION constexpr int pairsOf(int groups) { return groups * (groups - 1) / 2; }
 
