@@ -2,6 +2,8 @@
 
 import io
 
+import numpy as np
+
 from rhegma.fields import read_fields
 from rhegma.fronts import read_series
 from rhegma.problem import Problem
@@ -106,6 +108,12 @@ def field_pictures(folder, summary, title):
         return flat_pictures(folder, fields, summary, title, view) + spatial_pictures(drawing, fields, title, view)
 
 
+def differ(values):
+    """Whether a picture of them shows something: not where all are zero, or a temperature that is the same everywhere."""
+    known = values[np.isfinite(values)]
+    return known.size > 0 and np.ptp(known) > 1e-9 * np.abs(known).max()
+
+
 def flat_pictures(folder, fields, summary, title, view):
     """Pictures of the plane, or of a section, and of refined cells."""
     found = [body_picture(fields, summary, title, "principal", view)]
@@ -114,7 +122,7 @@ def flat_pictures(folder, fields, summary, title, view):
     if "damage" in fields.names:
         found.append(body_picture(read_fields(folder, None, "damage"), summary, title, "damage", view))
     first = read_fields(folder, fields.written[0]) if len(fields.written) > 1 else None
-    if first is not None and first.values("principal").any():  # a picture of zeros shows nothing
+    if first is not None and differ(first.values("principal")):
         found.append(body_picture(first, summary, title, "principal", view))
     if fields.leaves is not None and fields.leaves.refined:
         target = io.BytesIO()

@@ -20,6 +20,7 @@ from rhegma_tools import film_frames, zoom_data
 from spatial_tests import DRAWS
 from rhegma_tools.html_text import element, markup
 from rhegma_tools.report_page import chosen_columns
+from rhegma_tools.report_pictures import differ
 from rhegma_tools.report_verdict import so_far
 from rhegma.history import History, read_history
 from rhegma_tools.style import plt
@@ -56,6 +57,11 @@ class Report(ToolTest):
         # The script finds elements by id only where a figure names the id.
         self.assertEqual(set(re.findall(r"getElementById\(([^)]*)\)", page.pieces["script"][-1])), {"figure.dataset.source"})
         return page
+
+    def test_first_fields_without_differences_have_no_picture(self):
+        for values, expected in (([0.0, 0.0], False), ([293.0, 293.0], False), ([293.0, 294.0], True), ([0.0, 1.0], True), ([], False),
+                                 ([np.nan, 293.0], False)):
+            self.assertEqual(differ(np.array(values)), expected, values)
 
     def test_page_of_a_beam(self):
         made_up_run.beam(self.folder)
