@@ -40,11 +40,31 @@ BurnRate BurnRate::table(const std::string& text)
   return law;
 }
 
+BurnRate BurnRate::wardSonBrewster(const WardSonBrewster& solid)
+{
+  constexpr int perDecade = 64, decades = 12;
+  BurnRate law;
+  law.logarithmic_ = true;
+  for (int k = 0; k <= perDecade * decades; ++k)
+  {
+    const double at = std::log(10.0) * k / perDecade;
+    law.points_.emplace_back(at, std::log(burningSurface(solid, std::exp(at)).rate));
+  }
+  return law;
+}
+
 double BurnRate::operator()(double pressure) const
 {
+  if (logarithmic_)
+    return std::exp(between(std::log(std::max(pressure, 1.0))));
   const double p = std::max(pressure, 0.0);
   if (points_.empty())
     return exponent_ == 0.0 ? coefficient_ : coefficient_ * std::pow(p, exponent_);
+  return between(p);
+}
+
+double BurnRate::between(double p) const
+{
   const auto above = std::upper_bound(points_.begin(), points_.end(), p,
                                       [](double x, const auto& point) { return x < point.first; });
   if (above == points_.begin())

@@ -42,10 +42,10 @@ template <int D>
 void prepareFaces(const State<D>& state, const BurnState<D>& burn, const Burning<D>& b, double most)
 {
   if (b.flows)
-    return prepareFlow(state, burn.points, b, burn.fire.lit(), most, burn.depth, burn.heating);
+    return prepareFlow(state, burn.points, b, burn.fire.burning(), most, burn.depth, burn.heating);
   const double middle = std::max(b.pressure + 0.5 * state.clock.dt * b.slope, 0.0);
   const double depth = std::min(b.density * b.rate(middle) * state.clock.dt, most);
-  const View<int*> of = burn.points.crack, lit = burn.fire.lit();
+  const View<int*> of = burn.points.crack, alight = burn.fire.burning();
   const View<double*> depths = burn.depth;
   const FaceHeating heating = burn.heating;
   const int crack = b.crack;
@@ -60,7 +60,7 @@ void prepareFaces(const State<D>& state, const BurnState<D>& burn, const Burning
       KOKKOS_LAMBDA(const int k) {
         if (of(k) != crack)
           return;
-        depths(k) = burns && lit(k) != 0 ? depth : 0.0;
+        depths(k) = burns && alight(k) != 0 ? depth : 0.0;
         heating.given(k) = 0.0;
         heating.conductance(k) = conductance;
         heating.gasTemperature(k) = temperature;
@@ -108,6 +108,19 @@ void heatFaces(State<D>& state, BurnState<D>& burn, Burning<D>& b, double fracti
   b.gas.heatWalls(all);
 }
 
+/// Finds the faces that burn in this step. The flame spreads at the speed of the pressure in the crack.
+template <int D>
+void light(const State<D>& state, const BurnState<D>& burn, Burning<D>& b)
+{
+  const double time = state.clock.time, since = std::max(b.flameTime, b.ignition.time);
+  if (time > since)
+    b.flameReach += b.ignition.speedAt(b.pressure) * (time - since);
+  b.flameTime = time;
+  burn.fire.spread(state, burn.points, b.crack, b.ignition, b.flameReach, burn.heat.temperature());
+  burn.fire.quench(burn.points, b.crack, b.quenching, b.gap, b.flows ? b.outside : b.pressure,
+                   b.flows ? burn.pressure : View<double*>());
+}
+
 template <int D>
 void warnOfLastFuel(State<D>& state, int crack, double widest)
 {
@@ -131,8 +144,8 @@ void burnStep(State<D>& state, BurnState<D>& burn, Burning<D>& b)
     burn.heat.measure(state, burn.points);
   if (heated)
     b.hottestFace = hottest(burn.points, b.crack, burn.heat.temperature());
-  burn.fire.spread(state, burn.points, b.crack, b.ignition, burn.heat.temperature());
-  const Cavity cavity = measureCavity(state, burn.points, b.crack, burn.fire.lit());
+  light(state, burn, b);
+  const Cavity cavity = measureCavity(state, burn.points, b.crack, burn.fire.burning());
   b.burningArea = b.spent ? 0.0 : cavity.burning;
   // The limit of the step does not foresee a first step, or a flame that reaches many faces at once.
   const double most = 2.0 * largestChange * b.gas.mass() / std::max(b.burningArea, 1e-300);

@@ -26,6 +26,8 @@ void Burning<D>::serialize(Archive& archive)
   archive("mass_rate", massRate);
   archive("volume_rate", volumeRate);
   archive("hottest_face", hottestFace);
+  archive("flame_reach", flameReach);
+  archive("flame_time", flameTime);
   if (flows)
   {
     const Archive::Group group(archive, "flow");
@@ -57,6 +59,8 @@ Ignition<D> readIgnition(const State<D>& state, int crack, const Teuchos::Parame
     ignition.temperature = list.get<double>("Ignition Temperature");
   if (list.isParameter("Flame Speed"))
     ignition.flameSpeed = list.get<double>("Flame Speed");
+  ignition.speedPressure = list.get<double>("Flame Speed Pressure");
+  ignition.speedExponent = list.get<double>("Flame Speed Exponent");
   const bool point = list.isParameter("Ignition Point");
   ignition.inBox = point || list.isParameter("Ignition Lower Corner");
   ignition.everywhere = !ignition.inBox && !ignition.byTemperature();
@@ -72,6 +76,30 @@ Ignition<D> readIgnition(const State<D>& state, int crack, const Teuchos::Parame
   return ignition;
 }
 
+/// \param density of the solid [kg/m3] \param temperature of it [K]
+BurnRate readRate(const Teuchos::ParameterList& list, double density, double temperature)
+{
+  const auto law = list.get<std::string>("Burn Law");
+  if (law == "Table")
+    return BurnRate::table(list.get<std::string>("Burn Table"));
+  if (law == "Vieille")
+    return BurnRate::vieille(list.get<double>("Burn Coefficient"), list.get<double>("Burn Exponent"));
+  WardSonBrewster solid;
+  solid.prefactor = list.get<double>("Solid Prefactor");
+  solid.activation = list.get<double>("Solid Activation Energy");
+  solid.gasPrefactor = list.get<double>("Gas Prefactor");
+  solid.heatOfSolid = list.get<double>("Solid Heat Release");
+  solid.heatOfGas = list.get<double>("Gas Heat Release");
+  solid.solidConductivity = list.get<double>("Solid Conductivity");
+  solid.gasConductivity = list.get<double>("Gas Conductivity");
+  solid.capacity = list.get<double>("Specific Heat");
+  solid.molarMass = list.get<double>("Molar Mass");
+  solid.temperature =
+      list.isParameter("Solid Temperature") ? list.get<double>("Solid Temperature") : temperature;
+  solid.density = density;
+  return BurnRate::wardSonBrewster(solid);
+}
+
 } // namespace
 
 template <int D>
@@ -82,9 +110,6 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
   const std::string path = "Combustion > " + name;
   Burning<D> b;
   b.crack = findCrack(state.cracks, name);
-  b.rate = list.get<std::string>("Burn Law") == "Table"
-               ? BurnRate::table(list.get<std::string>("Burn Table"))
-               : BurnRate::vieille(list.get<double>("Burn Coefficient"), list.get<double>("Burn Exponent"));
   const GasLaw law = readGas(list);
   b.gas = Gas(law);
   b.density = list.isParameter("Solid Density") ? list.get<double>("Solid Density")
@@ -97,6 +122,8 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
       law.constantTemperature ? law.flameTemperature : list.get<double>("Initial Temperature");
   b.wallFraction = list.get<double>("Wall Heat Fraction");
   b.transfer = list.get<double>("Heat Transfer Coefficient");
+  constexpr double room = 293.0;
+  b.rate = readRate(list, b.density, options.initialTemperature.value_or(room));
   b.solidTemperature = options.initialTemperature.value_or(b.solidTemperature);
   if (options.heat() && list.isParameter("Ignition Temperature") &&
       list.get<double>("Ignition Temperature") <= b.solidTemperature)
@@ -104,6 +131,8 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
                                 " > Ignition Temperature: is not above Thermal > Initial Temperature, so "
                                 "all faces ignite at once; leave it out if this is intended");
   b.ignition = readIgnition<D>(state, b.crack, list, path);
+  if (list.isParameter("Quenching Coefficient"))
+    b.quenching = {list.get<double>("Quenching Coefficient"), list.get<double>("Quenching Exponent")};
   b.mirrors = mirrorPlanes(scene);
   b.flows = list.get<std::string>("Gas Model") == "Flow";
   b.flow = CrackFlow<D>(law, {list.get<double>("Viscosity"), list.get<double>("Friction Factor")},

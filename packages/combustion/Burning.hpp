@@ -25,6 +25,7 @@ struct Burning
   BurnRate rate;
   Gas gas;
   Ignition<D> ignition;
+  Quenching quenching;
   double density = 0.0, gap = 0.0, cavity = 0.0;
   double startPressure = 0.0, startTemperature = 0.0, outside = 0.0;
   double wallFraction = 0.0;        ///< of the flame's heat that goes into the faces that burn
@@ -47,6 +48,8 @@ struct Burning
   double volumeRate = 0.0; ///< that the faces sweep [m3/s]
 
   double hottestFace = 0.0; ///< at the start of the step [K]
+  double flameReach = 0.0;  ///< from where it started [m]
+  double flameTime = 0.0;   ///< at which it had come so far [s]
 
   bool heatsFaces() const { return wallFraction > 0.0 || transfer > 0.0; }
   bool usesFaces() const { return heatsFaces() || ignition.byTemperature(); }

@@ -47,6 +47,8 @@ void checkIgnition(const Teuchos::ParameterList& list, const std::string& path,
         {path, "both Ignition Point and a box (Ignition Lower Corner) are given; remove one of them"});
   if (point && !list.isParameter("Flame Speed"))
     errors.push_back({path, "it needs a Flame Speed; write one"});
+  if (!list.isParameter("Flame Speed") && realOf(list, "Flame Speed Exponent", 0.0) > 0.0)
+    errors.push_back({path + " > Flame Speed Exponent", "it needs a Flame Speed; write one"});
   if (!point && !box && list.isParameter("Flame Speed"))
     errors.push_back({path, "it needs a start; write an Ignition Point or a box (Ignition Lower Corner, "
                             "Ignition Upper Corner)"});

@@ -6,6 +6,36 @@ namespace Rhegma::combustion
 namespace
 {
 
+Section wardSonBrewsterSection()
+{
+  Section s("Ward-Son-Brewster",
+            "Burn rate of a solid whose surface decomposes and is heated by the reaction of its gas.");
+  s.real("Solid Prefactor").unit("1/s").positive().meaning("Prefactor of the decomposition of the solid.");
+  s.real("Solid Activation Energy")
+      .unit("J/mol")
+      .positive()
+      .meaning("Activation energy of the decomposition of the solid.");
+  s.real("Gas Prefactor")
+      .unit("m3/(kg s K2)")
+      .positive()
+      .meaning("Prefactor of the reaction in the gas, whose activation energy is zero.");
+  s.real("Solid Heat Release")
+      .unit("J/kg")
+      .notNegative()
+      .meaning("Heat that the decomposing solid releases.");
+  s.real("Gas Heat Release").unit("J/kg").positive().meaning("Heat that the reacting gas releases.");
+  s.real("Solid Conductivity").unit("W/(m K)").positive().meaning("Thermal conductivity of the solid.");
+  s.real("Gas Conductivity").unit("W/(m K)").positive().meaning("Thermal conductivity of the gas.");
+  s.real("Specific Heat").unit("J/(kg K)").positive().meaning("Specific heat capacity of solid and gas.");
+  s.real("Molar Mass").unit("kg/mol").positive().meaning("Molar mass of the gas.");
+  s.real("Solid Temperature")
+      .unit("K")
+      .positive()
+      .optional("Thermal > Initial Temperature, or 293")
+      .meaning("Temperature of the solid away from its faces.");
+  return s;
+}
+
 void addBurnLaw(Section& crack)
 {
   crack.chosenBy("Burn Law")
@@ -22,6 +52,7 @@ void addBurnLaw(Section& crack)
       .notEmpty()
       .meaning("Table of pressure:rate, such as \"1e5:1e-3, 1e6:5e-3\". Constant beyond both ends.");
   crack.variant(table);
+  crack.variant(wardSonBrewsterSection());
 }
 
 void addGas(Section& crack)
@@ -131,6 +162,26 @@ void addIgnition(Section& crack)
       .positive()
       .optional("burning does not spread")
       .meaning("Speed at which burning spreads from the ignition point or box, in a straight line.");
+  crack.real("Flame Speed Exponent")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Exponent n of a flame speed that depends on the pressure p in the crack: Flame Speed times "
+               "(p / Flame Speed Pressure)^n.");
+  crack.real("Flame Speed Pressure")
+      .unit("Pa")
+      .positive()
+      .byDefault(1e5)
+      .meaning("Pressure at which Flame Speed is given.");
+  crack.real("Quenching Coefficient")
+      .unit("m2 Pa^n")
+      .positive()
+      .optional("faces burn at any opening")
+      .meaning("Coefficient C of the least opening sqrt(C / p^n), at a gas pressure p, at which faces burn.");
+  crack.real("Quenching Exponent")
+      .notNegative()
+      .optional("faces burn at any opening")
+      .meaning("Exponent n of the pressure in the least opening.");
+  crack.allOrNoneOf({"Quenching Coefficient", "Quenching Exponent"});
 }
 
 void addLosses(Section& crack)

@@ -36,7 +36,7 @@ template <int D>
 void pushByGas(State<D>& state, const BurnState<D>& burn, Burning<D>& b)
 {
   const FacePoints<D>& points = burn.points;
-  const Cavity capacity = measureCavity(state, points, b.crack, burn.fire.lit());
+  const Cavity capacity = measureCavity(state, points, b.crack, burn.fire.burning());
   const std::string& name = state.cracks.cracks[b.crack].name;
   b.faces = 2.0 * capacity.felt;
   b.felt = b.felt || capacity.felt > 0.0;

@@ -12,11 +12,12 @@ void Fire<D>::update(const FacePoints<D>& points, bool anew)
   if (!anew && static_cast<int>(lit_.extent(0)) == points.count())
     return;
   lit_ = inOrder(lit_, points.before);
+  burning_ = View<int*>("rhegma::combustion::burning", lit_.extent(0));
 }
 
 template <int D>
 void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int crack,
-                     const Ignition<D>& ignition, const View<double* [2]>& temperature) const
+                     const Ignition<D>& ignition, double reach, const View<double* [2]>& temperature) const
 {
   if (state.clock.time < ignition.time)
     return;
@@ -24,7 +25,6 @@ void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int cra
   const View<double* [D]> position = points.position;
   const Ignition<D> what = ignition;
   const View<int*> lit = lit_;
-  const double radius = ignition.flameSpeed * (state.clock.time - ignition.time);
   const bool hot = ignition.byTemperature() && temperature.extent(0) > 0;
   Kokkos::parallel_for(
       "rhegma::combustion::spread", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
@@ -34,10 +34,28 @@ void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int cra
         Vector<D> x;
         for (int d = 0; d < D; ++d)
           x[d] = position(k, d);
-        const bool reached = what.everywhere || (what.inBox && what.distance(x) <= radius);
+        const bool reached = what.everywhere || (what.inBox && what.distance(x) <= reach);
         const bool heated =
             hot && (temperature(k, 0) >= what.temperature || temperature(k, 1) >= what.temperature);
         lit(k) = reached || heated ? 1 : 0;
+      });
+}
+
+template <int D>
+void Fire<D>::quench(const FacePoints<D>& points, int crack, const Quenching& law, double gap,
+                     double pressure, const View<double*>& ofPoints) const
+{
+  const FacePoints<D> p = points;
+  const View<int*> lit = lit_, burning = burning_;
+  const bool each = ofPoints.extent(0) > 0;
+  Kokkos::parallel_for(
+      "rhegma::combustion::quench", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) == crack)
+          burning(k) = lit(k) != 0 && !law.quenches(std::fmax(p.separation(k), 0.0) + gap,
+                                                    pressure + (each ? ofPoints(k) : 0.0))
+                           ? 1
+                           : 0;
       });
 }
 

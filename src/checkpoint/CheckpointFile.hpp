@@ -10,7 +10,7 @@ namespace Rhegma
 
 /// Number of the layout of a checkpoint; another number is refused. It is raised with every change of the
 /// names or types of what a checkpoint holds, which unit_tests/restart/checkpoint_names.txt lists.
-constexpr int checkpointSchema = 22;
+constexpr int checkpointSchema = 23;
 
 /// Writes a record as an HDF5 file: tables as datasets in groups, single numbers as attributes of their
 /// groups.

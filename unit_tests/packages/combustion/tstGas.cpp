@@ -1,12 +1,15 @@
 /// The gas alone: its state, its flow, and the law of burning.
 
+#include "Seed.hpp"
 #include "combustion/BurnRate.hpp"
 #include "combustion/Gas.hpp"
+#include "combustion/Ignition.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 namespace Rhegma::combustion
@@ -183,6 +186,73 @@ TEST(BurnRate, IsVieillesOrATable)
   EXPECT_EQ(table(3e6), 1e-2);
   for (const char* wrong : {"", "1e5", "1e5:1e-3, 1e5:2e-3", "1e5:-1", "1e5:1e-3 2", "a:b"})
     EXPECT_THROW(BurnRate::table(wrong), std::invalid_argument) << wrong;
+}
+
+/// PBX 9501 with the constants of Ward, Son and Brewster.
+WardSonBrewster explosive()
+{
+  return {1.637e15, 1.76e5, 1.6e-3, 4e5, 3.018e6, 0.2, 0.07, 1400.0, 0.0342, 298.0, 1840.0};
+}
+
+TEST(BurnRate, OfWardSonAndBrewster)
+{
+  // Solved independently and printed with three digits: half of the last one is 0.5 % at most.
+  const double known[][2] = {{0.1e6, 0.335e-3}, {0.5e6, 1.21e-3}, {1e6, 2.15e-3},  {2e6, 3.87e-3},
+                             {5e6, 8.44e-3},    {6.9e6, 11.1e-3}, {10e6, 15.3e-3}, {20e6, 27.8e-3},
+                             {50e6, 61.1e-3},   {100e6, 110.6e-3}};
+  const BurnRate rate = BurnRate::wardSonBrewster(explosive());
+  for (const auto& [pressure, value] : known)
+    EXPECT_NEAR(rate(pressure), value, 5e-3 * value) << pressure;
+  EXPECT_NEAR(burningSurface(explosive(), 0.1e6).temperature, 655.0, 0.5);
+  EXPECT_NEAR(burningSurface(explosive(), 100e6).temperature, 1028.0, 0.5);
+}
+
+TEST(BurnRate, TableOfWardSonAndBrewsterIsGoodToTenThousandths)
+{
+  const BurnRate rate = BurnRate::wardSonBrewster(explosive());
+  std::mt19937 random(Rhegma::Test::seed());
+  for (int k = 0; k < 200; ++k)
+  {
+    const double pressure = std::pow(10.0, std::uniform_real_distribution<double>(3.0, 10.0)(random));
+    const double exact = burningSurface(explosive(), pressure).rate;
+    EXPECT_NEAR(rate(pressure), exact, 1e-4 * exact) << pressure;
+  }
+}
+
+TEST(BurnRate, SurfaceOfWardSonAndBrewsterSolvesItsEquations)
+{
+  const WardSonBrewster s = explosive();
+  for (const double pressure : {1e4, 1e6, 1e9})
+  {
+    const BurningSurface surface = burningSurface(s, pressure);
+    const double m = surface.rate * s.density, R = 8.314462618, T = surface.temperature;
+    // The flame stands at a distance x at which the heat of its gas is conducted back to the surface.
+    const double x =
+        2.0 * s.gasConductivity /
+        (std::sqrt(m * m * s.capacity * s.capacity + 4.0 * s.gasConductivity * s.gasPrefactor * s.capacity *
+                                                         std::pow(s.molarMass * pressure / R, 2)) -
+         m * s.capacity);
+    EXPECT_NEAR(T - s.temperature - s.heatOfSolid / s.capacity,
+                s.heatOfGas / s.capacity / (1.0 + x * m * s.capacity / s.gasConductivity), 1e-6 * T)
+        << pressure;
+  }
+}
+
+TEST(Flame, SpreadsWithThePressureAndIsQuenchedInNarrowGaps)
+{
+  Ignition<2> ignition;
+  ignition.flameSpeed = 0.259e-2;
+  EXPECT_EQ(ignition.speedAt(5e7), 0.259e-2);
+  ignition.speedExponent = 0.538;
+  EXPECT_NEAR(ignition.speedAt(1e6), 0.259e-2 * std::pow(10.0, 0.538), 1e-12);
+  const Quenching law{8e8, 2.84};
+  for (const auto& [pressure, opening] :
+       {std::pair{1e6, 85.4e-6}, std::pair{1e7, 3.25e-6}, std::pair{1e8, 0.1234e-6}})
+  {
+    EXPECT_TRUE(law.quenches(0.995 * opening, pressure)) << pressure;
+    EXPECT_FALSE(law.quenches(1.005 * opening, pressure)) << pressure;
+  }
+  EXPECT_FALSE(Quenching{}.quenches(0.0, 1e5));
 }
 
 } // namespace
