@@ -1,6 +1,7 @@
 #include "propagation/AdvanceFronts.hpp"
 
 #include "material/StartOfGrowth.hpp"
+#include "propagation/Aim.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/HoopStress.hpp"
 #include "propagation/MaterialsAhead.hpp"
@@ -110,11 +111,12 @@ std::vector<double> turningAngles(const CrackFront<D>& front, const Options& opt
   std::vector<double> angle(front.nodes.size(), 0.0);
   for (std::size_t k = 0; k < angle.size(); ++k)
     if (front.nodes[k].advances && !(states.at(front.nodes[k].name).straightLength > 0.0))
-      angle[k] = turningAngle(front.nodes[k].driving, options.direction);
+      angle[k] = options.ratio ? states.at(front.nodes[k].name).aim.angle
+                               : turningAngle(front.nodes[k].driving, options.direction);
   return smoothedAlong(front, angle);
 }
 
-/// The toughness that a front node reaches when it advances in equilibrium [J/m2].
+/// The toughness of Propagation > Toughness that a front node reaches when it advances in equilibrium [J/m2].
 template <int D>
 double toughnessAtRest(const FrontNode<D>& node, const FrontNodeState& own, const Options& options)
 {
@@ -133,7 +135,7 @@ std::vector<double> drivesAlong(const CrackFront<D>& front, const std::map<int, 
   std::vector<double> release(front.nodes.size(), 0.0);
   for (std::size_t k = 0; k < release.size(); ++k)
     if (front.nodes[k].advances)
-      release[k] = openingRelease(front.nodes[k].driving, modes);
+      release[k] = states.at(front.nodes[k].name).aim.drive * openingRelease(front.nodes[k].driving, modes);
   std::vector<double> drive = smoothedAlong(front, release);
   for (std::size_t k = 0; k < drive.size(); ++k)
     if (const FrontNode<D>& node = front.nodes[k]; node.advances)
@@ -163,18 +165,19 @@ std::pair<Advance, double> advanceAtRest(const State<D>& state, const Options& o
   const double fraction = advanceFraction<D>(drive, state.cracks.growth.drive);
   if (!(fraction > 0.0))
     return {Advance{}, 0.0};
-  own.history.advanceInEquilibrium(state.clock.time, node.driving.release, fraction * own.increment);
+  own.history.advanceInEquilibrium(state.clock.time, own.aim.drive * node.driving.release,
+                                   fraction * own.increment);
   // What it spends from now on is the toughness, whatever it took to initiate.
   return {Advance{1, toughnessAtRest(node, own, options)}, fraction};
 }
 
 /// The energy release rate that would advance a front node at rest [J/m2]; in time infinite before the start
 /// time. In equilibrium no front advances before it.
-double resistanceAtRest(double now, bool equilibrium, const AdvanceRule& rule, const FrontHistory& history)
+double resistanceAtRest(double now, bool equilibrium, const AdvanceRule& rule, const FrontNodeState& own)
 {
   if (now < rule.startTime && !equilibrium)
     return std::numeric_limits<double>::infinity();
-  return history.running() ? rule.arrest : rule.initiation;
+  return (own.history.running() ? rule.arrest : rule.initiation) / own.aim.drive;
 }
 
 /// The advance of a selected node; zero where the opening part of the energy release rate does not reach the
@@ -187,7 +190,7 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
 {
   FrontNodeState& own = front.nodes.at(node.name);
   const AdvanceRule rule = ruleAt(node.temperature, options);
-  const double release = openingRelease(node.driving, modes);
+  const double release = own.aim.drive * openingRelease(node.driving, modes);
   const bool held = !options.equilibrium && own.history.wasHeld(rule, state.clock.time, release);
   Advance made;
   double fraction = 1.0;
@@ -197,15 +200,15 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
     made = own.history.advance(rule, state.clock.time, release, own.increment, own.speedLimit);
   node.speed = own.history.speed(state.clock.time);
   FrontNodeAdvance<D> advance{node.direction, 0.0,
-                              resistanceAtRest(state.clock.time, options.equilibrium, rule, own.history)};
+                              resistanceAtRest(state.clock.time, options.equilibrium, rule, own)};
   if (made.increments == 0)
     return advance;
   if (starts)
-    front.first.include({node.driving.release / rule.initiation, node.driving.modeI, node.driving.modeII,
-                         node.driving.modeIII, held});
+    front.first.include({own.aim.drive * node.driving.release / rule.initiation, node.driving.modeI,
+                         node.driving.modeII, node.driving.modeIII, held});
   front.count(own.history, made.increments);
   advance.length = made.increments * fraction * own.increment;
-  advance.toughness = made.toughness;
+  advance.toughness = made.toughness * (options.ratio ? own.aim.weight : 1.0);
   if (!(own.straightLength > 0.0))
     advance.direction = turned(node.direction, node.normal, angle);
   own.straightLength -= advance.length;
@@ -304,24 +307,27 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
         state.failure = failureOfWeak(node.temperature);
         return;
       }
+      if (!(own.aim.weight > 0.0)) // no stress intensities are known yet
+        aimFronts(state, options, fronts);
+      const double release = own.aim.drive * node.driving.release; // as Toughness compares with
       if (options.equilibrium)
-        own.history.recordAtRest(rule, now, node.driving.release);
+        own.history.recordAtRest(rule, now, release);
       const bool ran = own.history.running();
-      node.advances = options.equilibrium || mayAdvance(rule, now, node.driving.release, own);
+      node.advances = options.equilibrium || mayAdvance(rule, now, release, own);
       node.speed = own.history.speed(now);
       // Next to the ends of a front the surface cuts its tube, and it lags behind: negative G is no fault
       // there.
       const bool atEnd = fromEnds[k] < cutTube * spacingAt(state, node.position);
-      if (ran && !options.equilibrium && !atEnd &&
-          isArrestedByNegative(rule, node.driving.release, own.history))
+      if (ran && !options.equilibrium && !atEnd && isArrestedByNegative(rule, release, own.history))
         stopLost(state, now, rule, negativeRelease, front, node, own.history);
     }
   }
 }
 
 template <int D>
-void measureDrive(State<D>& state, const Options& options, const std::vector<FrontState<D>>& fronts)
+void measureDrive(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts)
 {
+  aimFronts(state, options, fronts);
   double largest = 0.0, release = 0.0;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
@@ -375,7 +381,7 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
         advance.nodes.push_back(
             {node.direction, 0.0,
              resistanceAtRest(state.clock.time, options.equilibrium, ruleAt(node.temperature, options),
-                              fronts[f].nodes.at(node.name).history)});
+                              fronts[f].nodes.at(node.name))});
       node.advances = false;
       any = any || advance.nodes.back().length > 0.0;
     }
@@ -391,8 +397,8 @@ template void markDue(State<2>&, const Options&, std::vector<FrontState<2>>&);
 template void markDue(State<3>&, const Options&, std::vector<FrontState<3>>&);
 template void selectAdvancing(State<2>&, const Options&, std::vector<FrontState<2>>&);
 template void selectAdvancing(State<3>&, const Options&, std::vector<FrontState<3>>&);
-template void measureDrive(State<2>&, const Options&, const std::vector<FrontState<2>>&);
-template void measureDrive(State<3>&, const Options&, const std::vector<FrontState<3>>&);
+template void measureDrive(State<2>&, const Options&, std::vector<FrontState<2>>&);
+template void measureDrive(State<3>&, const Options&, std::vector<FrontState<3>>&);
 template void advanceSelected(State<2>&, const Options&, std::vector<FrontState<2>>&);
 template void advanceSelected(State<3>&, const Options&, std::vector<FrontState<3>>&);
 

@@ -26,7 +26,7 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
 /// In equilibrium: finds the largest G/Gc of the marked nodes (EquilibriumGrowth::drive), of the opening part
 /// of G. Needs their stress intensities.
 template <int D>
-void measureDrive(State<D>& state, const Options& options, const std::vector<FrontState<D>>& fronts);
+void measureDrive(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts);
 
 /// Advances the selected front nodes (CrackSet::advances) where the opening part of J reaches Gc(v, T), in
 /// the direction of Options::direction. In equilibrium, if EquilibriumGrowth::advance is set, those advance

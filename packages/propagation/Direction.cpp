@@ -11,7 +11,8 @@ namespace
 
 const double pi = 4.0 * std::atan(1.0);
 
-/// k_I^2 + k_II^2 of a short kink.
+} // namespace
+
 double kinkedRelease(double angle, double modeI, double modeII)
 {
   const double m = angle / pi, m2 = m * m, p2 = pi * pi;
@@ -42,30 +43,12 @@ double kinkedRelease(double angle, double modeI, double modeII)
   return kI * kI + kII * kII;
 }
 
-} // namespace
-
 double energyReleaseAngle(double modeI, double modeII)
 {
-  const double most = 80.0 * pi / 180.0, coarse = pi / 180.0, tolerance = 1e-9;
   // The kink turns to the side where sliding opens it.
   const double sign = modeII > 0.0 ? -1.0 : 1.0;
-  double best = 0.0, value = kinkedRelease(0.0, modeI, modeII);
-  for (double angle = coarse; angle <= most; angle += coarse)
-    if (const double now = kinkedRelease(sign * angle, modeI, modeII); now > value)
-    {
-      best = angle;
-      value = now;
-    }
-  double low = std::max(best - coarse, 0.0), high = std::min(best + coarse, most);
-  while (high - low > tolerance)
-  {
-    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
-    if (kinkedRelease(sign * a, modeI, modeII) < kinkedRelease(sign * b, modeI, modeII))
-      low = a;
-    else
-      high = b;
-  }
-  return sign * 0.5 * (low + high);
+  return sign *
+         largestIn(0.0, mostTurn, [&](double angle) { return kinkedRelease(sign * angle, modeI, modeII); });
 }
 
 double turningAngle(const DrivingForce& driving, DirectionRule rule)

@@ -24,6 +24,39 @@ enum class DirectionRule
 /// degrees.
 double energyReleaseAngle(double modeI, double modeII);
 
+/// Square of the stress intensities of a kink at an angle, k_I^2 + k_II^2, in proportion to its energy
+/// release rate.
+double kinkedRelease(double angle, double modeI, double modeII);
+
+/// Largest angle by which a front turns [rad].
+constexpr double mostTurn = 80.0 * 3.14159265358979323846 / 180.0;
+
+/// Where a function of an angle is largest in an interval, to 1e-9 [rad]: the best of points a degree apart,
+/// from `first` on, and between its neighbours by thirds.
+template <class Function>
+double largestIn(double first, double last, const Function& function)
+{
+  constexpr double coarse = 3.14159265358979323846 / 180.0, tolerance = 1e-9;
+  double best = first, value = function(first);
+  for (double angle = first + coarse; angle <= last; angle += coarse)
+    if (const double now = function(angle); now > value)
+    {
+      best = angle;
+      value = now;
+    }
+  double low = best - coarse > first ? best - coarse : first,
+         high = best + coarse < last ? best + coarse : last;
+  while (high - low > tolerance)
+  {
+    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+    if (function(a) < function(b))
+      low = a;
+    else
+      high = b;
+  }
+  return 0.5 * (low + high);
+}
+
 /// Angle by which a front turns, from its direction towards its normal [rad]. Mode III does not turn the
 /// front: it would twist it, which a smooth surface can't follow.
 double turningAngle(const DrivingForce& driving, DirectionRule rule);

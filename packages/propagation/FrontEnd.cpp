@@ -23,12 +23,13 @@ FrontEnd<D>::FrontEnd(const State<D>& state, const Options& options, const Crack
       // A node that runs goes on at the toughness of a front without speed, whatever it took to initiate.
       const auto past = own.nodes.find(node.name);
       const bool runs = past != own.nodes.end() && past->second.history.running();
-      const double needed = runs ? rule.toughness(0.0, rule.temperature) : rule.initiation;
+      const double drive = past != own.nodes.end() ? past->second.aim.drive : 1.0;
+      const double needed = (runs ? rule.toughness(0.0, rule.temperature) : rule.initiation) / drive;
       if (!any || opens * toughness > release * needed)
       {
         release = opens;
         toughness = needed;
-        arrest = rule.arrest;
+        arrest = rule.arrest / drive;
       }
       any = true;
     }

@@ -173,6 +173,12 @@ void FrontState<D>::serialize(Archive& archive)
     archive("speed_limit", node.speedLimit);
     archive("increment", node.increment);
     archive("straight_length", node.straightLength);
+    if constexpr (D == 2)
+    {
+      archive("aim_angle", node.aim.angle);
+      archive("aim_drive", node.aim.drive);
+      archive("aim_weight", node.aim.weight);
+    }
   }
 }
 

@@ -12,6 +12,15 @@
 namespace Rhegma::propagation
 {
 
+/// Where a front node grows whose toughness depends on direction.
+struct Aim
+{
+  double angle = 0.0; ///< by which it turns [rad]
+  double drive =
+      1.0; ///< largest G of a kink over the toughness there, over G of the straight extension over Toughness
+  double weight = 0.0; ///< toughness in that direction over Toughness; 0: not known yet
+};
+
 /// Of one front node.
 struct FrontNodeState
 {
@@ -19,6 +28,7 @@ struct FrontNodeState
   double speedLimit = 0.0;     ///< [m/s]; 0: not known yet
   double increment = 0.0;      ///< its next advance [m]; 0: not known yet
   double straightLength = 0.0; ///< still to advance straight after a sharp kink [m]
+  Aim aim;                     ///< if its toughness depends on direction
 };
 
 /// An advance of a front with one node.

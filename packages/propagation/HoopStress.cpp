@@ -88,6 +88,11 @@ void markMeasured(State<2>& state, const Options& options, const std::vector<Fro
   {
     CrackFront<2>& front = state.cracks.fronts[f];
     front.measured = false;
+    if (options.ratio) // the direction decides on the start
+    {
+      front.measured = front.due && !front.ended && !front.nodes.empty() && !front.nodes[0].stopped;
+      continue;
+    }
     if (options.equilibrium || options.direction == DirectionRule::Straight || !front.due ||
         !isAtRest(front, fronts[f]) || front.advances() || now < options.rule.startTime)
       continue;
@@ -110,7 +115,7 @@ void recordHoopStart(const State<2>& state, const Options& options, std::vector<
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     const CrackFront<2>& front = state.cracks.fronts[f];
-    if (!isAtRest(front, fronts[f]) || !(front.measured || front.advances()))
+    if (options.ratio || !isAtRest(front, fronts[f]) || !(front.measured || front.advances()))
       continue;
     const FrontNode<2>& node = front.nodes[0];
     const ModeRelease modes = modeReleaseAt(state, front);

@@ -136,6 +136,29 @@ void addToughness(Section& s)
                "Toughness.");
 }
 
+void addToughnessRatio(Section& s)
+{
+  s.text("Toughness Ratio")
+      .onlyIn(2)
+      .notEmpty()
+      .optional("1")
+      .meaning(
+          "Toughness in a direction over Toughness, for a toughness that depends on the direction of growth: "
+          "an expression of its angle a [rad] from the x axis, such as \"1 + 0.5*sin(a - 30*pi/180)^2\". "
+          "Cracks grow where G of a short kink over the toughness in its direction is largest.");
+  Condition other = when::given("Propagation", "Toughness Ratio");
+  other.text = " with a Direction other than Maximum Energy Release";
+  other.holds = [](const Teuchos::ParameterList& list)
+  {
+    return list.isParameter("Toughness Ratio") &&
+           !(list.isType<std::string>("Direction") &&
+             list.get<std::string>("Direction") == "Maximum Energy Release");
+  };
+  s.refuse({other},
+           "the direction is that of the largest G of a short kink over its toughness; write Direction = "
+           "Maximum Energy Release");
+}
+
 void addLoadControlAndStart(Section& s)
 {
   s.choice("Load Control", {"Load Factor", "Functions of Time"})
@@ -169,6 +192,7 @@ Section propagationSection()
   Section s("Propagation",
             "Crack propagation: fronts advance when the energy release rate reaches the toughness.");
   addToughness(s);
+  addToughnessRatio(s);
   s.choice("Direction", {"Maximum Hoop Stress", "Maximum Energy Release", "Straight"})
       .byDefault("Maximum Hoop Stress")
       .meaning("Direction of growth: of maximum hoop stress, of maximum energy release rate of a short kink, "
@@ -238,6 +262,15 @@ void checkPropagation(const Teuchos::ParameterList& scene, std::vector<SceneErro
     {
       errors.push_back({"Propagation > Toughness", error.what()});
     }
+  if (list.isType<std::string>("Toughness Ratio"))
+    try
+    {
+      ToughnessRatio::parse(list.get<std::string>("Toughness Ratio"));
+    }
+    catch (const std::invalid_argument& error)
+    {
+      errors.push_back({"Propagation > Toughness Ratio", error.what()});
+    }
 }
 
 namespace
@@ -306,6 +339,8 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
                   isEquilibrium(scene),
                   !list.isParameter("On Stop") || list.get<std::string>("On Stop") == "Stop"};
   options.contours = run.contours;
+  if (list.isType<std::string>("Toughness Ratio"))
+    options.ratio = ToughnessRatio::parse(list.get<std::string>("Toughness Ratio"));
   options.criticalIntensity = list.isType<double>("K_Ic") ? list.get<double>("K_Ic") : 0.0;
   return options;
 }

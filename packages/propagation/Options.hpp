@@ -5,6 +5,9 @@
 #include "plan/Effect.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
+#include "propagation/ToughnessRatio.hpp"
+
+#include <optional>
 
 #include <string>
 #include <vector>
@@ -20,10 +23,11 @@ struct Options
   double speedLimit;  ///< [m/s]; 0: that of Rayleigh waves
   double temperature; ///< at the start [K]
   DrivingContours contours;
-  double samplingCells = 0.0;     ///< cells that a Rayleigh wave travels between two evaluations of G
-  double waveSpeed = 0.0;         ///< of the fastest Rayleigh wave of all materials, set at the start [m/s]
-  bool equilibrium = false;       ///< fronts advance in equilibrium instead of in time
-  bool endsAtStops = true;        ///< the run ends where a front node stops for a numerical reason
+  double samplingCells = 0.0; ///< cells that a Rayleigh wave travels between two evaluations of G
+  double waveSpeed = 0.0;     ///< of the fastest Rayleigh wave of all materials, set at the start [m/s]
+  bool equilibrium = false;   ///< fronts advance in equilibrium instead of in time
+  bool endsAtStops = true;    ///< the run ends where a front node stops for a numerical reason
+  std::optional<ToughnessRatio> ratio{}; ///< if the toughness depends on the direction of growth
   double criticalIntensity = 0.0; ///< K_Ic that Toughness is from [Pa m^0.5]; 0: the scene does not give it
 };
 

@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "plan/LastStage.hpp"
 #include "propagation/AdvanceFronts.hpp"
+#include "propagation/Aim.hpp"
 #include "propagation/FrontEnd.hpp"
 #include "propagation/HoopStress.hpp"
 #include "propagation/JudgeToughness.hpp"
@@ -131,7 +132,11 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
               });
   effect.call(lastStage(scene), "largest hoop stress at fronts at rest",
               {quantity::stressIntensities, quantity::advancingFronts}, {}, {},
-              [run](State<D>& state) { recordHoopStart(state, run->options, run->fronts); });
+              [run](State<D>& state)
+              {
+                recordHoopStart(state, run->options, run->fronts);
+                aimFronts(state, run->options, run->fronts);
+              });
   if (run->options.equilibrium)
     addCallsOfEquilibrium(scene, run, effect);
   effect.call(Stage::BetweenSteps, "advances of fronts",

@@ -3,6 +3,7 @@
 #include "Pi.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/RayleighSpeed.hpp"
+#include "propagation/Aim.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
 #include "propagation/Options.hpp"
@@ -298,6 +299,37 @@ TEST(Direction, LargestEnergyReleaseOfAKink)
   EXPECT_NEAR(energyReleaseAngle(1.0, 0.0), 0.0, 1e-6);
   // For small sliding every criterion has the angle -2 K_II / K_I.
   EXPECT_NEAR(energyReleaseAngle(1.0, 0.01), -0.02, 2e-4);
+}
+
+/// Small turns in pure mode I: G falls by 1 - t^2 / 2 (Cotterell and Rice 1980) and the ratio is quadratic,
+/// so that both optima are known. The frame of the front may be turned and mirrored.
+TEST(Direction, AimsAtTheLargestReleaseOverTheToughness)
+{
+  const double strength = 1.3, weak = 2.0 * degree;
+  for (const double ahead : {0.0, 40.0 * degree, -130.0 * degree})
+    for (const double normal : {1.0, -1.0})
+    {
+      const ToughnessRatio ratio = ToughnessRatio::parse("1 + 1.3*(a - " + std::to_string(ahead) + " - " +
+                                                         std::to_string(normal * weak) + ")^2");
+      const Aim aim = aimOf(3e6, 0.0, ahead, normal, ratio, false);
+      const double expected = strength / (strength + 0.5) * weak;
+      EXPECT_NEAR(aim.angle, expected, 0.01 * weak);
+      EXPECT_NEAR(aim.weight, 1.0 + strength * std::pow(expected - weak, 2), 1e-5);
+      EXPECT_NEAR(aim.drive * aim.weight, 1.0 - 0.5 * expected * expected, 1e-5);
+      const Aim straight = aimOf(3e6, 0.0, ahead, normal, ratio, true);
+      EXPECT_EQ(straight.angle, 0.0);
+      EXPECT_NEAR(straight.drive * straight.weight, 1.0, 1e-14);
+    }
+  // Without preference the direction is that of the largest G alone.
+  const ToughnessRatio even = ToughnessRatio::parse("2");
+  for (const double sliding : {-0.7, 0.2, 3.0})
+  {
+    const Aim aim = aimOf(1.0, sliding, 0.3, 1.0, even, false);
+    EXPECT_NEAR(aim.angle, energyReleaseAngle(1.0, sliding), 1e-6);
+    EXPECT_GT(2.0 * aim.drive, 1.0);
+  }
+  for (const char* wrong : {"", "b", "cos(a)", "0", "1, 2", "a = 1"})
+    EXPECT_THROW(ToughnessRatio::parse(wrong), std::invalid_argument) << wrong;
 }
 
 TEST(Direction, TurnsInTheFrameOfTheFront)
