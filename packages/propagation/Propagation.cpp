@@ -107,6 +107,14 @@ void startMotion(State<D>& state, Run<D>& run)
     front.startMotion();
 }
 
+/// What the stress intensities of a step say of the start and the direction of fronts.
+template <int D>
+void useIntensities(const State<D>& state, Run<D>& run)
+{
+  recordHoopStart(state, run.options, run.fronts);
+  aimFronts(state, run.options, run.fronts);
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
@@ -132,11 +140,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
               });
   effect.call(lastStage(scene), "largest hoop stress at fronts at rest",
               {quantity::stressIntensities, quantity::advancingFronts}, {}, {},
-              [run](State<D>& state)
-              {
-                recordHoopStart(state, run->options, run->fronts);
-                aimFronts(state, run->options, run->fronts);
-              });
+              [run](State<D>& state) { useIntensities(state, *run); });
   if (run->options.equilibrium)
     addCallsOfEquilibrium(scene, run, effect);
   effect.call(Stage::BetweenSteps, "advances of fronts",
