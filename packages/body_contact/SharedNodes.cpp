@@ -9,74 +9,6 @@ namespace Rhegma::body_contact
 namespace
 {
 
-/// Lowest and highest group in each block of the lattice, particles or not.
-using GroupRange = View<int** [2]>;
-
-constexpr int noGroup = 1 << 30;
-
-/// \return blocks of the lattice along each axis that is cut
-template <int D>
-GroupRange groupsOfBlocks(const State<D>& state)
-{
-  const Grid<D>& grid = state.mesh.grid;
-  const Blocks<D> blocks = state.mesh.blocks;
-  GroupRange range("rhegma::groupsOfBlocks", grid.cells[grid.axisOrder[0]] / Blocks<D>::edge + 1,
-                   grid.cells[grid.axisOrder[1]] / Blocks<D>::edge + 1);
-  Kokkos::parallel_for(
-      "rhegma::clearGroupsOfBlocks", Kokkos::RangePolicy<ExecSpace>(0, range.extent(0)),
-      KOKKOS_LAMBDA(const int i) {
-        for (int j = 0; j < static_cast<int>(range.extent(1)); ++j)
-        {
-          range(i, j, 0) = noGroup;
-          range(i, j, 1) = -1;
-        }
-      });
-  const auto bodyGroup = state.particles.integer(fields::bodyGroup);
-  Kokkos::parallel_for(
-      "rhegma::groupsOfBlocks", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
-      KOKKOS_LAMBDA(const int b) {
-        int lowest = noGroup, highest = -1;
-        for (int p = blocks.first(b); p < blocks.first(b + 1); ++p)
-        {
-          const int group = bodyGroup(p);
-          lowest = group < lowest ? group : lowest;
-          highest = group > highest ? group : highest;
-        }
-        const int i = blocks.corner(b, 0) / Blocks<D>::edge, j = blocks.corner(b, 1) / Blocks<D>::edge;
-        range(i, j, 0) = lowest;
-        range(i, j, 1) = highest;
-      });
-  return range;
-}
-
-/// Marks the blocks that have more than one group in them and their neighbours: a particle is at most a cell
-/// outside of its block and touches nodes at most three cells from its own.
-template <int D>
-int markNearBlocks(const Blocks<D>& blocks, const GroupRange& range, const View<char*>& nearBlock)
-{
-  int count = 0;
-  Kokkos::parallel_reduce(
-      "rhegma::markNearBlocks", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
-      KOKKOS_LAMBDA(const int b, int& sum) {
-        const int i = blocks.corner(b, 0) / Blocks<D>::edge, j = blocks.corner(b, 1) / Blocks<D>::edge;
-        int lowest = noGroup, highest = -1;
-        for (int k = -1; k <= 1; ++k)
-          for (int l = -1; l <= 1; ++l)
-          {
-            const int at = i + k, next = j + l;
-            if (at < 0 || next < 0 || at >= static_cast<int>(range.extent(0)) ||
-                next >= static_cast<int>(range.extent(1)))
-              continue;
-            lowest = range(at, next, 0) < lowest ? range(at, next, 0) : lowest;
-            highest = range(at, next, 1) > highest ? range(at, next, 1) : highest;
-          }
-        nearBlock(b) = lowest < highest ? 1 : 0;
-        sum += nearBlock(b);
-      },
-      count);
-  return count;
-}
-
 /// Adds the group of a particle to the nodes that it touches.
 template <int D, class Connect>
 struct ListGroups
@@ -357,31 +289,7 @@ void clearNodeMarks(const State<D>& state, SharedNodes<D>& shared)
       });
 }
 
-/// The group of a point: as given, or that of the bodies which the crack next to it cuts; 0: not known.
-struct GroupOfPoint
-{
-  View<int*> group, side, ofCrack;
-
-  KOKKOS_INLINE_FUNCTION int operator()(int r) const
-  {
-    const int given = group.extent(0) > 0 ? group(r) : 0, name = side(r) > 0 ? side(r) : -side(r);
-    return given != 0 || name == 0 || ofCrack.extent(0) == 0 ? given : ofCrack(name - 1);
-  }
-};
-
 } // namespace
-
-template <int D>
-bool areApart(const State<D>& state, SharedNodes<D>& shared)
-{
-  if (shared.sorts == state.particles.sorts)
-    return !shared.anyNear;
-  shared.sorts = state.particles.sorts;
-  const Blocks<D>& blocks = state.mesh.blocks;
-  shared.nearBlock = View<char*>("rhegma::blocksNearGroups", blocks.numBlocks);
-  shared.anyNear = markNearBlocks(blocks, groupsOfBlocks(state), shared.nearBlock) > 0;
-  return !shared.anyNear;
-}
 
 template <int D>
 void clearSharedNodes(SharedNodes<D>& shared)
@@ -413,71 +321,9 @@ void findSharedNodes(State<D>& state, SharedNodes<D>& shared, const View<int*>& 
   listParticles(state, shared, row);
 }
 
-template <int D>
-void findFieldsNextToCracks(const State<D>& state, const SharedNodes<D>& shared)
-{
-  if (state.cracks.bodyGroupOf.extent(0) == 0)
-    return;
-  const SharedNodes<D> at = shared;
-  const StencilTable<D> table = state.stored.table;
-  const View<int*> row = state.stored.row;
-  parallelForSmall(
-      "rhegma::findFieldsNextToCracks", shared.count, KOKKOS_LAMBDA(const int s) {
-        const int second = at.second(s);
-        for (int k = at.firstParticle(s); second >= 0 && k < at.firstParticle(s + 1); ++k)
-        {
-          const int r = at.field(k) == at.node(s) ? row(at.particle(k)) : -1,
-                    count = r < 0 ? 0 : table.count(r);
-          for (int e = 0; e < count; ++e)
-            if (table.node(r, e) == second)
-              at.field(k) = second;
-        }
-      });
-}
-
-template <int D>
-void useFieldsOfGroups(const State<D>& state, const SharedNodes<D>& shared, const ObservedPoints<D>& points,
-                       const StencilTable<D>& table)
-{
-  if (shared.indexOf.extent(0) == 0 || shared.count == 0)
-    return;
-  const SharedNodes<D> at = shared;
-  const int lattice = state.mesh.nodes.numLattice;
-  const GroupOfPoint groupOf{points.group, points.side, state.cracks.bodyGroupOf};
-  parallelForSmall(
-      "rhegma::useFieldsOfGroups", points.count, KOKKOS_LAMBDA(const int r) {
-        const int group = groupOf(r), count = group != 0 ? table.count(r) : 0;
-        for (int k = 0; k < count; ++k)
-        {
-          const int n = table.node(r, k);
-          if (n >= lattice || at.groups(n, 0) == 0 || at.groups(n, 0) == group)
-            continue;
-          int field = 1;
-          while (field < mostGroups && at.groups(n, field) != group)
-            ++field;
-          if (field < mostGroups)
-          {
-            table.node(r, k) = at.row(at.indexOf(n)) + field - 1;
-            continue;
-          }
-          table.weight(r, k) = 0.0;
-          for (int d = 0; d < D; ++d)
-            table.slope(r, k, d) = 0.0;
-        }
-      });
-}
-
-template bool areApart(const State<2>&, SharedNodes<2>&);
-template bool areApart(const State<3>&, SharedNodes<3>&);
 template void clearSharedNodes(SharedNodes<2>&);
 template void clearSharedNodes(SharedNodes<3>&);
-template void findFieldsNextToCracks(const State<2>&, const SharedNodes<2>&);
-template void findFieldsNextToCracks(const State<3>&, const SharedNodes<3>&);
 template void findSharedNodes(State<2>&, SharedNodes<2>&, const View<int*>&);
 template void findSharedNodes(State<3>&, SharedNodes<3>&, const View<int*>&);
-template void useFieldsOfGroups(const State<2>&, const SharedNodes<2>&, const ObservedPoints<2>&,
-                                const StencilTable<2>&);
-template void useFieldsOfGroups(const State<3>&, const SharedNodes<3>&, const ObservedPoints<3>&,
-                                const StencilTable<3>&);
 
 } // namespace Rhegma::body_contact
