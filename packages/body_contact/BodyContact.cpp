@@ -57,6 +57,11 @@ void refuseCombinations(Section& s)
            "springs of an interface do not see the two sides of a crack; join the bodies with Bonded To, or "
            "remove "
            "one of the two");
+  s.refuse({when::satisfies("Body Contact", "with a pair of Law = Interface", hasInterfaces),
+            when::is("Domain", "Shape Functions", {"Linear"})},
+           "springs act on nodes with hardly any material where a particle has just come over a row of "
+           "nodes, and runs "
+           "become unstable; write Domain > Shape Functions = GIMP");
   s.refuse({self, when::is("Thermal", "Mechanics", {"false"})},
            "bodies that do not move do not press on each other, so no heat would pass between them; write "
            "Thermal > Mechanics = true or remove this section");
