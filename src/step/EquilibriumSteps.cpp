@@ -121,6 +121,21 @@ void EquilibriumSteps<D>::inspect(const Teuchos::ParameterList& scene, Plan<D>& 
 }
 
 template <int D>
+void EquilibriumSteps<D>::warnOfShortSteps(State<D>& state)
+{
+  constexpr double part = 1.0 / 64.0; // six halvings: a load step takes as long as all of a usual run
+  if (warnedOfShortSteps_ || !(steps_.next <= part * steps_.largest))
+    return;
+  warnedOfShortSteps_ = true;
+  state.warnings.push_back(
+      "load steps have become as short as 1/" + formatReal(std::round(steps_.largest / steps_.next)) +
+      " of Time > Final Time over Load Steps at t = " + readableTime(state.clock.time) +
+      ", as longer ones have no equilibrium: at this length each load step takes that many solutions. A body "
+      "that "
+      "softens or comes to its limit load does so; see its fields here, or give more Load Steps");
+}
+
+template <int D>
 void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
 {
   last_->bentMotion = 0.0;
@@ -132,6 +147,7 @@ void EquilibriumSteps<D>::solve(Plan<D>& plan, State<D>& state, double left)
     {
       const bool grows = last_->iterations <= LoadSteps<D>::easy && !(last_->bentMotion > 0.0);
       steps_.next = std::min(grows ? std::max(2.0 * dt, steps_.next) : dt, steps_.largest);
+      warnOfShortSteps(state);
       return;
     }
     if (!last_->unsolvable.empty())

@@ -64,6 +64,8 @@ private:
   void takeWhole(Plan<D>& plan, State<D>& state, double until);
   /// Solves for an increment of at most the remaining time, a shorter one where that fails.
   void solve(Plan<D>& plan, State<D>& state, double left);
+  /// Warns once where steps have become so short that the run may seem to stand still.
+  void warnOfShortSteps(State<D>& state);
   /// EquilibriumCalls::settle.
   bool settleWhereNeeded(Plan<D>& plan, State<D>& state);
   /// Solves once more without a new load, from the configuration that the last step has led to, so that the
@@ -73,8 +75,9 @@ private:
   void withoutNewLoads(State<D>& state, const std::function<void()>& solve);
 
   LoadSteps<D> steps_;
-  double largestEnergy_ = 0.0;    ///< strain energy and work of loads, of this part of the run [J]
-  bool warnedOfSettling_ = false; ///< not stored: a run that continues says it again
+  double largestEnergy_ = 0.0;      ///< strain energy and work of loads, of this part of the run [J]
+  bool warnedOfSettling_ = false;   ///< not stored: a run that continues says it again
+  bool warnedOfShortSteps_ = false; ///< as before
   std::shared_ptr<equilibrium::LastStep> last_ = std::make_shared<equilibrium::LastStep>();
 };
 

@@ -6,6 +6,7 @@ RHEGMA_SEED in the environment chooses the moments of the signals; each failure 
 
 import csv
 import json
+import math
 import os
 import random
 import re
@@ -19,6 +20,7 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
 from program import PATIENCE, PROGRAM, SOURCE, ProgramTest, environment, rhegma  # noqa: E402
+from scenes import Scene  # noqa: E402
 
 SEED = int(os.environ.get("RHEGMA_SEED", random.randrange(10**6)))
 VERIFICATION = os.path.join(SOURCE, "xml_inputs", "verification")
@@ -29,6 +31,33 @@ SEVERAL = ("--set", "Time:Analysis=Quasi-Static", "--set", "Time:Load Steps=5", 
 
 # A step gives up within an iteration of its linear solution [s]; a busy machine takes several times as long.
 SOON = 20.0
+
+
+class LimitLoad(ProgramTest):
+    def test_short_load_steps_are_warned_of(self):
+        """A bar in plane strain without hardening, pulled beyond 2 / sqrt(3) times its yield stress: load steps become shorter and shorter up to
+        the limit load, and the run stops there. The last step that is tried is 1/4096 of a load step; the bar is held at one end, which
+        makes it a little stronger."""
+        chance = random.Random(f"{SEED} {self.id()}")
+        stress, over = 10.0 ** chance.uniform(7.5, 9.0), chance.uniform(1.2, 2.5)
+        limit = 2.0 / math.sqrt(3.0) * stress
+        scene = Scene({
+            "Domain": {"Dimension": 2, "Plane": "Strain", "Lower Corner": [-0.003, -0.003], "Upper Corner": [0.025, 0.013], "Cell Size": 1e-3},
+            "Time": {"Analysis": "Quasi-Static", "Final Time": 1.0, "Load Steps": 10},
+            "Materials": {"Metal": {"Model": "J2 Plastic", "Density": 7800.0, "Young Modulus": 700.0 * stress, "Poisson Ratio": 0.3,
+                                    "Yield Stress": stress}},
+            "Bodies": {"Bar": {"Material": "Metal", "Shape": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.02, 0.01]}},
+            "Boundaries": {"Foot": {"Type": "Velocity", "Value": [0.0, 0.0], "Lower Corner": [-1.0, -1.0], "Upper Corner": [1e-4, 1.0]},
+                           "Pull": {"Type": "Traction", "Surface": "Body", "Body": "Bar", "Facing": [1.0, 0.0], "Stress": [over * limit, 0.0],
+                                    "History": "t"}},
+            "Output": {"Fields": False, "Checkpoints": False},
+        })
+        answer = rhegma(self.write("scene.xml", scene.text()), "--output", self.path("out"))
+        self.assertEqual(answer.status, 2, answer)
+        with open(self.path("out", "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        self.assertTrue(any("load steps have become as short as 1/" in warning for warning in summary["warnings"]), (SEED, summary["warnings"]))
+        self.assertLess(abs(summary["time"] * over - 1.0), 0.02, SEED)
 
 
 class StoppedLoadSteps(ProgramTest):
