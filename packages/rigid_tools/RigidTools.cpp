@@ -7,6 +7,7 @@
 #include "rigid_tools/ContactParts.hpp"
 #include "rigid_tools/Outline.hpp"
 #include "rigid_tools/StartOverlap.hpp"
+#include "rigid_tools/ToolHeat.hpp"
 #include "rigid_tools/ToolRecord.hpp"
 #include "rigid_tools/ToolSection.hpp"
 #include "transfer/PressedNodes.hpp"
@@ -38,7 +39,8 @@ struct ToolInRun
   ParticleGaps<D> gaps;
   ToolContacts<D> contacts;
   ToolRecord<D> record;
-  ToolOutline<D> outline; ///< where the scene has the tool
+  ToolOutline<D> outline;    ///< where the scene has the tool
+  double heatFraction = 0.0; ///< of friction, that heats bodies
 };
 
 /// What the calls of the effect have in common.
@@ -47,6 +49,7 @@ struct Tools
 {
   Teuchos::ParameterList section, bodies; ///< of the scene
   std::vector<ToolInRun<D>> all;
+  View<double* [2]> heatOfRows; ///< of heatByFriction
   int unsettled = 0;       ///< steps in which impulses of tools that touch the same fields did not settle
   double lastChange = 0.0; ///< largest change of an impulse in the last sweep of these steps, as a fraction
 };
@@ -89,6 +92,9 @@ void start(Tools<D>& tools, State<D>& state)
       one.touches.push_back(
           named.empty() || std::find(named.begin(), named.end(), body.name) != named.end() ? 1 : 0);
     one.outline = outlineOf(one.tool.shape());
+    const auto* const fraction = valueIf<double>(tools.section.sublist(name), "Friction Heat Fraction");
+    if (state.particles.has(fields::temperature))
+      one.heatFraction = fraction != nullptr ? *fraction : 1.0;
     attempts.attempt([&] { refuseOverlap(state, one.tool, one.touches, tools.bodies); });
   }
   attempts.throwIfAny();
@@ -193,7 +199,11 @@ void move(Tools<D>& tools, State<D>& state)
   {
     const ToolSums<D> sums = sumContacts(one.contacts);
     one.record.add(state, sums);
-    state.energy.contact += sums.dissipated;
+    const double heat = one.heatFraction > 0.0 ? heatByFriction(state, one.contacts, one.near,
+                                                                one.heatFraction, tools.heatOfRows)
+                                               : 0.0;
+    one.record.addHeat(heat);
+    state.energy.contact += sums.dissipated - heat;
     if (!one.tool.hasMass())
       state.energy.externalWork += sums.work;
     state.energy.externalWork += one.tool.endStep(state.clock.dt);

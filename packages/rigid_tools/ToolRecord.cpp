@@ -59,6 +59,7 @@ nlohmann::json ToolRecord<D>::report(const Tool<D>& tool) const
           {"work", work_},
           {"dissipated", dissipated_},
           {"friction", friction_},
+          {"friction_heat", heated_},
           {"largest_overlap", overlap_},
           {"steps_with_less_friction", cutSteps_}};
 }
@@ -81,6 +82,7 @@ void ToolRecord<D>::serialize(Archive& archive)
   archive("first_touch", firstTouch_);
   archive("dissipated", dissipated_);
   archive("friction", friction_);
+  archive("friction_heat", heated_);
   archive("work", work_);
   archive("overlap", overlap_);
   archive("largest_force", largestForce_);

@@ -31,12 +31,14 @@ public:
   std::string warning(const Tool<D>& tool) const;
   void serialize(Archive& archive); ///< saves or loads it
 
-  double friction() const { return friction_; } ///< energy lost along the faces [J]
+  double friction() const { return friction_; }  ///< energy lost along the faces [J]
+  void addHeat(double heat) { heated_ += heat; } ///< adds heat by friction in the bodies [J]
 
 private:
   double firstTouch_ = -1.0;  ///< when it first pressed on a body [s]; below 0: not yet
   double dissipated_ = 0.0;   ///< kinetic energy that contact took [J]
   double friction_ = 0.0;     ///< the part of it along the faces [J]
+  double heated_ = 0.0;       ///< the part of that which became heat of bodies [J]
   double work_ = 0.0;         ///< on bodies [J]
   double overlap_ = 0.0;      ///< largest so far [m]
   double largestForce_ = 0.0; ///< largest mean force of an interval of the history [N]

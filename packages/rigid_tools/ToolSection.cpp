@@ -54,9 +54,11 @@ void refuseCombinations(Section& s)
   s.refuse({self, when::present("Combustion")},
            "gas that leaves a crack does not see a tool that covers its open end; remove one of the two "
            "sections");
-  s.refuse({self, when::present("Thermal")},
-           "heat through touching faces and heat by friction are not computed; remove one of the two "
-           "sections");
+  s.refuse({self, when::is("Thermal", "Mechanics", {"false"})},
+           "bodies that do not move do not press on tools; write Thermal > Mechanics = true or remove this "
+           "section");
+  s.refuse({when::given("Rigid Tools > *", "Friction Heat Fraction"), when::unprovided(capability::heat)},
+           "bodies have no temperature; add the section Thermal, or leave it out");
 }
 
 void addMotion(Section& tool)
@@ -116,6 +118,11 @@ Section toolSection()
       .optional("all bodies")
       .meaning("Names, separated by commas, of the bodies that it touches; others pass through it.");
   addFrictionLaw(tool);
+  tool.real("Friction Heat Fraction")
+      .range(0.0, 1.0)
+      .optional("1")
+      .meaning("Fraction of the energy of friction that heats the bodies, with the section Thermal; the tool "
+               "takes the rest.");
   s.namedByUser(tool);
   refuseCombinations(s);
   return s;

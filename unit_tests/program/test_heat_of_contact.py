@@ -181,6 +181,36 @@ class HeatOfContact(DrawnScenes):
                 self.assertLess(abs(gained[1] / sum(gained) - effusivity[1] / sum(effusivity)), 1e-9)
                 self.assertLess(abs(history["Plate - Block.friction_heat"][-1] / pair["friction"] - 1.0), 1e-9)
 
+    def test_friction_on_tools_heats_bodies(self):
+        """A block that slides on a wall without particles: of the energy of friction the given fraction becomes its heat, and the balance closes."""
+        for dimension in (2, 3):
+            cell, side = 1e-3, dimension - 1
+            at = [self.rng.uniform(0.0, cell) for _ in range(dimension)]
+            fraction = self.rng.choice((None, self.rng.uniform(0.1, 0.9)))
+            upper = [at[0] + 6.0 * cell, at[1] + 4.0 * cell, *[x + 3.0 * cell for x in at[2:]]]
+            scene = Scene({
+                "Domain": {"Dimension": dimension, "Cell Size": cell, "Lower Corner": [-3e-3] * dimension, "Upper Corner": [0.02, 0.012] + [8e-3] * (dimension - 2)},
+                "Time": {"Final Time": 2e-4},
+                "Materials": {"One": self.material(1e-3)},
+                "Bodies": {"Block": {"Material": "One", "Shape": "Box", "Lower Corner": at, "Upper Corner": upper, "Velocity": [20.0] + [0.0] * side}},
+                "Rigid Tools": {"Wall": {"Shape": "Box", "Lower Corner": [-0.1] * dimension, "Upper Corner": [0.1, at[1]] + [0.1] * (dimension - 2), "Law": "Coulomb",
+                                         "Friction Coefficient": 0.3, **({} if fraction is None else {"Friction Heat Fraction": fraction})}},
+                "Thermal": {"Initial Temperature": COLD},
+                "Boundaries": {"Down": {"Type": "Gravity", "Acceleration": [0.0, -1e6] + [0.0] * (dimension - 2)}},
+                "Output": {"Checkpoints": False, "History Interval": 1e-5},
+            })
+            summary, _ = self.run_scene(scene)
+            tool = summary["rigid_tools"][0]
+            _, temperature, mass = self.temperatures()
+            gained = (mass * scene["Materials > One > Specific Heat"] * (temperature - COLD)).sum()
+            print(f"{dimension}D: friction {tool['friction']:.4g} J, heat {tool['friction_heat']:.4g} J, gained {gained:.4g} J, residual "
+                  f"{summary['energy']['residual'] / tool['friction']:.2%}")
+            with self.subTest(dimension=dimension):
+                self.assertGreater(tool["friction"], 0.0)
+                self.assertLess(abs(tool["friction_heat"] / tool["friction"] - (1.0 if fraction is None else fraction)), 1e-9)
+                self.assertLess(abs(gained / tool["friction_heat"] - 1.0), 1e-9)
+                self.assertLess(abs(summary["energy"]["residual"]), 0.03 * tool["friction"])
+
     def test_wrong_input(self):
         scene, *_ = self.slabs(4, 1e3, 1e-6)
         scene.remove("Thermal").remove("Bodies > Warm > Temperature").remove("Bodies > Cold > Temperature")
