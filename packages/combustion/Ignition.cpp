@@ -9,10 +9,10 @@ namespace Rhegma::combustion
 template <int D>
 void Fire<D>::update(const FacePoints<D>& points, bool anew)
 {
-  if (!anew && static_cast<int>(lit_.extent(0)) == points.count())
-    return;
-  lit_ = inOrder(lit_, points.before);
-  burning_ = View<int*>("rhegma::combustion::burning", lit_.extent(0));
+  if (anew || static_cast<int>(lit_.extent(0)) != points.count())
+    lit_ = inOrder(lit_, points.before);
+  if (burning_.extent(0) != lit_.extent(0)) // also after a restart, with the marks of the checkpoint
+    burning_ = View<int*>("rhegma::combustion::burning", lit_.extent(0));
 }
 
 template <int D>

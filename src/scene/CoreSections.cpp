@@ -289,6 +289,8 @@ void addRulesOfFluids(Section& s)
            "cracks and fluids are not available in one scene; remove the section Cracks, or the fluid");
   s.refuse({fluid, when::present("Adaptivity")},
            "its viscosities are those of cells of one size; remove one of the two");
+  s.refuse({fluid, when::is("Domain", "Plane", {"Stress"})},
+           "a fluid is no plate in plane stress; write Domain > Plane = Strain", 0, 2);
 }
 
 /// A static analysis has no time: what relaxes or flows would depend on the length of the run.
