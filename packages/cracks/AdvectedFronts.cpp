@@ -91,8 +91,9 @@ void AdvectedFronts<D>::report(const State<D>& state, nlohmann::json& summary) c
     if (cells > springs::advectionLimit)
       summary["warnings"].push_back(
           "Cracks > " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number) +
-          ": the body moved it through " + formatReal(std::round(10.0 * cells) / 10.0) +
-          " cells; its front springs were disabled after half a cell, so G is that of a crack up to half a "
+          ": the body moved it by " + formatReal(std::round(10.0 * cells) / 10.0) +
+          " of a cell's edge; its front springs were disabled after half a cell, so G is that of a crack up "
+          "to half a "
           "cell longer or shorter. " +
           (state.method.equilibrium()
                ? "Use cells that are small compared with the crack (Domain > Cell Size), or loads that move "

@@ -107,6 +107,7 @@ void reportCracks(const State<D>& state, const std::vector<OverlapRecord>& overl
     std::string warning = touching ? "" : warningOfOverlap(state, crack, startsInEquilibrium);
     if (warning.empty() && !touching)
       warning = warningOfRecord(state, crack, past, adviceAgainstOverlap(state, crack, startsInEquilibrium));
+    entry["faces_overlap"] = !warning.empty();
     entry["largest_overlap"] = past.ever.overlap;
     entry["time_of_largest_overlap"] = past.ever.time;
     if (!warning.empty())

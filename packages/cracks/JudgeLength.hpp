@@ -17,14 +17,15 @@ namespace Rhegma::cracks
 template <int D>
 void judgeLengths(double cellAtFronts, State<D>& state)
 {
-  constexpr double fewest = 3.0;
+  constexpr double fewest = 3.0,
+                   polygon = 0.01; // round parts from files are polygons inside of their circles
   std::vector<double> cells(state.cracks.cracks.size(), 0.0); // the largest at a front of each crack
   for (const CrackFront<D>& front : state.cracks.fronts)
     cells[front.crack] =
         std::max(cells[front.crack], std::min(cellAtFronts, spacingAt(state, front.position)));
   for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     if (const double length = extentOf(state, static_cast<int>(c)), cell = cells[c];
-        length < (fewest - 1e-6) * cell)
+        length < (fewest - polygon) * cell)
       state.warnings.push_back(
           "Cracks > " + state.cracks.cracks[c].name + ": it extends over " + readableLength(length) +
           " inside the bodies, " + formatShort(length / cell) + " cells of " + readableLength(cell) +

@@ -207,7 +207,13 @@ void judgeLigaments(const CrackedBodies<D>& bodies, const MirroredSides& mirrore
     const std::string where = "Cracks > " + state.cracks.cracks[c].name;
     const SceneBodies<D>& shapes = bodies.of(state.cracks.cracks[c].bodyGroup);
     const Closest<D> toSurface = Ligaments<D>(shapes, mirrored, meshes[c], state).closest();
-    if (toSurface.distance < infinity)
+    constexpr double inSurface = 1e-3; // of a cell
+    if (toSurface.distance < inSurface * toSurface.cell)
+      messages.push_back(
+          where + ": a part of it lies in a surface of the body, as at " + formatPoint(toSurface.at) +
+          ", with no material on one side; its opening and G are wrong there: move it by two cells "
+          "of material, or let it end where the body does");
+    else if (toSurface.distance < infinity)
       messages.push_back(
           where + ": a surface of the body is " + toSurface.text(" away from it at ") +
           "; fewer than two cells of material neither bend nor strain, so its opening and G can be "

@@ -259,6 +259,7 @@ template <int D>
 void start(State<D>& state, const Options& options, const RunOptions& run, Samples<D>& samples)
 {
   checkTubes(state, options, run.growth ? &run.contours : nullptr);
+  samples.reached.assumeIntensity(state.materials.properties);
   for (const CrackFront<D>& front : state.cracks.fronts)
   {
     FrontSample<D> s(front, notYet);

@@ -84,7 +84,11 @@ void reportPlasticZones(const State<D>& state, const std::vector<FrontSample<D>>
   {
     const CrackFront<D>& front = sample.front;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-    const double release = largestRelease(entry);
+    // Of the nodes that are compared with the toughness, where there is one.
+    const double closest = numberIn(entry, "closest_to_initiation", -1.0);
+    const double release = closest > 0.0 && start.toughness > 0.0
+                               ? std::min(largestRelease(entry), closest * start.toughness)
+                               : largestRelease(entry);
     const int m = materialAt(state, front.position);
     const double yield = firstYield(all[m]);
     if (!(yield > 0.0))

@@ -101,6 +101,22 @@ StartTime StartTime::of(const double* row)
   return start;
 }
 
+void ToughnessReached::assumeIntensity(const std::vector<Properties>& materials)
+{
+  constexpr double rounding = 1e-9;
+  double modulus = 0.0;
+  bool one = toughness_ > 0.0 && !(criticalIntensity_ > 0.0);
+  for (const Properties& material : materials)
+  {
+    const double own = elasticity(material).effectiveModulus;
+    one = one && own > 0.0 && !isAnisotropic(material) &&
+          (modulus == 0.0 || std::fabs(own - modulus) <= rounding * modulus);
+    modulus = own;
+  }
+  if (one && modulus > 0.0)
+    criticalIntensity_ = std::sqrt(modulus * toughness_);
+}
+
 /// How close a front came to its start, as text.
 std::string ToughnessReached::reachedAsText(const Reached& reached) const
 {
@@ -187,7 +203,7 @@ ToughnessReached::Factors ToughnessReached::report(const State<D>& state, const 
   if (criticalIntensity_ > 0.0)
     summary["start_of_growth"]["K_Ic"] = criticalIntensity_;
   if (!scales)
-    return {};
+    return {1.0, 1.0, toughness_};
   if (D == 3)
     summary["start_of_growth"]["load_factor_at_surface"] =
         mostAtSurface > 0.0 ? part / mostAtSurface : FrontSample<D>::notYet;
@@ -198,7 +214,7 @@ ToughnessReached::Factors ToughnessReached::report(const State<D>& state, const 
                                                 " times them by the nodes at the surface, which are left out)"
                                           : "") +
       (part < 1.0 ? ", of which it applied " + formatShort(100.0 * part) + " %" : ""));
-  return {1.0 / most, part / most};
+  return {1.0 / most, part / most, toughness_};
 }
 
 void ToughnessReached::serialize(Archive& archive)

@@ -68,13 +68,18 @@ public:
   /// has G.
   struct Factors
   {
-    double ofNow = 1.0;   ///< on what acts at the end of the run
-    double ofScene = 1.0; ///< on the loads of the scene: a static run that ends early has a part of them
+    double ofNow = 1.0;     ///< on what acts at the end of the run
+    double ofScene = 1.0;   ///< on the loads of the scene: a static run that ends early has a part of them
+    double toughness = 0.0; ///< with which G is compared [J/m2]; 0: none
   };
+
+  /// Takes K_Ic = sqrt(E' Gc) where the scene gives the toughness, and all its materials have one E' at small
+  /// strain and no preferred direction.
+  void assumeIntensity(const std::vector<Properties>& materials);
 
   /// Adds `closest_to_initiation` and `time_of_toughness` to the entries of fronts, in 2D also
   /// `closest_by_hoop_stress`, in 3D `closest_at_surface`, an answer for each front, and the entry
-  /// `start_of_growth`, its `load_factor` without nodes at the surface, and `K_Ic` where the scene gave it.
+  /// `start_of_growth`, its `load_factor` without nodes at the surface, and `K_Ic` where it is known.
   template <int D>
   Factors report(const State<D>& state, const RunOptions& run, nlohmann::json& summary) const;
 

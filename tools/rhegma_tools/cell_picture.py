@@ -84,7 +84,8 @@ def draw_cells(fields, title, path, stress="principal", asked=None):
     edge_factor, edge_unit = style.scale(max(edges.values()), "m")
     patches = [Patch(facecolor=SHADES[min(l, len(SHADES) - 1)], edgecolor=style.QUIET,
                      label=f"level {l}: {edge * edge_factor:.4g} {edge_unit}") for l, edge in sorted(edges.items())]
-    if extent[1] > 0.6 * extent[0] or len(patches) > 4:  # above a wide body there is space for a few
+    # Above a wide body there is space for a few, next to the time alone.
+    if extent[1] > 0.6 * extent[0] or len(patches) > (4 if view.normal is None else 2):
         whole.legend(handles=patches, loc="upper left", bbox_to_anchor=(1.03, 1.0), borderaxespad=0.0)
     else:
         whole.legend(handles=patches, loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(patches),

@@ -95,5 +95,5 @@ def add_bar(figure, mappable, axes, label, extend="both", **look):
         bar.ax.set_yticklabels(["unknown" if number == UNKNOWN else str(number) for number in numbers])
         bar.ax.tick_params(length=0)
     note = getattr(mappable.norm, "note", "")
-    bar.set_label(label + (f"\n{note}" if note else ""))
+    bar.set_label(label + (f"\n{note}" if note else ""), labelpad=8.0)
     return bar

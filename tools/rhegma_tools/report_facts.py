@@ -67,8 +67,9 @@ def cells_of(summary):
     largest, smallest = cells.get("largest"), cells.get("smallest")
     if not is_number(largest):
         return None
-    text = readable(largest, "m") + (" at the end" if "Adaptivity" in (summary.get("effects") or []) else "")
-    return text if not is_number(smallest) or smallest >= largest * (1 - 1e-9) else f"{text}, refined to {readable(smallest, 'm')}"
+    changes = "Adaptivity" in (summary.get("effects") or []) and "equilibrium" not in summary
+    same = not is_number(smallest) or smallest >= largest * (1 - 1e-9)
+    return readable(largest, "m") + ("" if same else f", refined to {readable(smallest, 'm')}") + (" at the end" if changes else "")
 
 
 def run_facts(summary, dimension):

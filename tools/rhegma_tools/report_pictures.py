@@ -61,7 +61,7 @@ def body_picture(fields, summary, title, quantity, view):
     what = f"{name[0].upper()}{name[1:]}{f' [{unit}]' if unit else ''} at t = {seconds(fields.time)}{section_of(view)}; {magnified(factor)}."
     cracks = "" if fields.crack is None else " Lines are crack faces; a white dot is a crack front, a red one a front that stopped numerically."
     zero = not fields.values(quantity).any()
-    scale = f" The {name} is zero everywhere." if zero else " The most extreme half percent of the values has the colours at the ends of the scale."
+    scale = f" The {name} is zero everywhere." if zero else " Values beyond the scale have the colours at its ends; how many they are is beside it."
     return Shown("png", target.getvalue(), f"{title}: the body, coloured by the {name}{f' in {unit}' if unit else ''}, at t = "
                  f"{seconds(fields.time)}, {magnified(factor)}", what + cracks + (scale if name != "temperature" else ""))
 

@@ -195,9 +195,17 @@ def at_surface(start, fronts, below):
     if surface <= inside / HOOP**2:
         return text + (f": they reached {short(surface)}." if surface > 0.0 else ".")
     text += f": they reached {short(surface)}"
-    if is_number(start.get("load_factor_at_surface")):
-        text += f", which is {short(start['load_factor_at_surface'])} times the loads"
     return text + ("; by them the crack grows: smaller cells decide." if below and surface >= 1.0 else ".")
+
+
+def start_at(start, estimate):
+    """A sentence on the factor of the loads at which cracks start. Where nodes at the surface give a lower one, both: the truth lies between them."""
+    inner, surface = start["load_factor"], start.get("load_factor_at_surface")
+    of_scene = "times the loads and prescribed displacements of the scene"
+    if not (is_number(surface) and surface < HOOP * inner):
+        return f"Cracks start at {short(inner)}{estimate} {of_scene}."
+    return (f"Cracks start between {short(surface)} and {short(inner)}{estimate} {of_scene}: by nodes at the surface, where G depends on the cells, and by inner "
+            "nodes.")
 
 
 def what_reached(entry, toughness):
@@ -237,8 +245,8 @@ def of_comparison(summary, fronts, history=None):
     text += when_reached(history, first, toughness) if release >= 1.0 else ""
     if is_number(start.get("load_factor")):
         estimate = "" if error is None else f" ± {50.0 * error:.2g} %"
-        text += f" Cracks start at {short(start['load_factor'])}{estimate} times the loads and prescribed displacements of the scene."
-    text += force_text(summary) + shear_text(first[2])
+        text += f" {start_at(start, estimate)}"
+    text += force_text(summary, start.get("load_factor")) + shear_text(first[2])
     return text + at_surface(start, fronts, reached < 1.0)
 
 
@@ -281,6 +289,9 @@ def verdict(summary, history=None):
         text = of_no_growth(summary, fronts) + shear_text(most)
     else:
         text = of_no_toughness(fronts)
+    crossed = [str(crack.get("name")) for crack in summary.get("cracks") or [] if isinstance(crack, dict) and crack.get("faces_overlap") is True]
+    if crossed and not text.startswith("Not decided"):
+        text = f"Not certain: the faces of {', '.join(crossed[:NAMED])} overlap, so that G and K are wrong; see the warnings. Without regard to that: {text}"
     stopped = [entry for entry in fronts if entry[2].get("stopped")]
     return text + (f" Stopped for a numerical reason, not by the material: {listed(stopped)}." if stopped else "")
 

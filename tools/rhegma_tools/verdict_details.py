@@ -30,12 +30,13 @@ def size_of(force):
     return sum(x * x for x in force if is_number(x)) ** 0.5 if isinstance(force, list) else 0.0
 
 
-def force_text(summary):
-    """A sentence on the forces of loads and supports as the first crack starts; empty where they are not known."""
+def force_text(summary, factor=None):
+    """A sentence on the forces of loads and supports as the first crack starts; empty where they are not known. factor: of the loads then"""
     sizes = sorted(((size_of(force), str(name)) for name, force in (summary.get("forces_at_start") or {}).items()), key=lambda pair: -pair[0])
     sizes = [(size, name) for size, name in sizes if size > LEAST_FORCE * sizes[0][0]]
     if not sizes:
         return ""
     more = f" and {len(sizes) - NAMED} more" if len(sizes) > NAMED else ""
     named = ", ".join(f"{name} {readable(size, 'N')}" for size, name in sizes[:NAMED])
-    return f" Forces at that load: {named}{more}."
+    at = f"{short(factor)} times the loads" if is_number(factor) else "that load"
+    return f" Forces at {at}: {named}{more}."

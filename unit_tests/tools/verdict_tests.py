@@ -80,7 +80,7 @@ class Verdict(ToolTest):
         text = verdict(summary_of({"closest_to_initiation": 0.64, "K_II_over_K_I": -0.23}, start_of_growth=start,
                                   forces_at_start={"Grip": [None, 1500.0], "Guide": [1e-3, None]}))
         self.assertEqual(text, "No: G of A, front 0 reached 0.64 of the toughness of 120 J/m² (K of G = 1.6 MPa √m, 0.8 of K_Ic = 2 MPa √m). Cracks start at "
-                               "1.25 times the loads and prescribed displacements of the scene. Forces at that load: Grip 1.5 kN. At the end K_II is 23 % of K_I.")
+                               "1.25 times the loads and prescribed displacements of the scene. Forces at 1.25 times the loads: Grip 1.5 kN. At the end K_II is 23 % of K_I.")
         spatial = {"closest_to_initiation": 0.64, "K_II_over_K_I": 0.01, "K_III_over_K_I": 0.3}
         self.assertTrue(verdict(summary_of(spatial, start_of_growth=start)).endswith(
             " At the end K_III is 30 % of K_I; in 3D only G is compared with the toughness."))
@@ -135,12 +135,20 @@ class Verdict(ToolTest):
                                         "or more from the surface; at the others G depends on the cells: they reached 0.6.")
         self.assertNotIn("surface", of(0.64, 0.0))
         self.assertEqual(of(0.64, 0.81, 1.25, 1.111),
-                         "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Cracks start at 1.25 times the "
-                         "loads and prescribed displacements of the scene. Inner nodes are two cells or more from the surface; at the others G depends on the "
-                         "cells: they reached 0.81, which is 1.111 times the loads.")
+                         "No: the largest G of the inner nodes of A, front 0 reached 0.64 of the toughness of 100 J/m². Cracks start between 1.111 "
+                         "and 1.25 times the loads and prescribed displacements of the scene: by nodes at the surface, where G depends on the cells, and by "
+                         "inner nodes. Inner nodes are two cells or more from the surface; at the others G depends on the cells: they reached 0.81.")
         self.assertTrue(of(0.64, 1.2).startswith("Not certain: "), of(0.64, 1.2))
         self.assertTrue(of(0.64, 1.2).endswith("they reached 1.2; by them the crack grows: smaller cells decide."))
         self.assertTrue(of(4.0, 5.0).startswith("Yes") and of(4.0, 5.0).endswith("they reached 5."))
+
+    def test_faces_that_overlap_leave_nothing_certain(self):
+        front = {"G_J": 50.0, "closest_to_initiation": 0.5}
+        summary = summary_of(front, start_of_growth={"toughness": 100.0, "load_factor": 1.4})
+        self.assertTrue(verdict(summary).startswith("No: G of A, front 0 reached 0.5"), verdict(summary))
+        summary["cracks"][0]["faces_overlap"] = True
+        text = verdict(summary)
+        self.assertTrue(text.startswith("Not certain: the faces of A overlap, so that G and K are wrong; see the warnings. Without regard to that: No: G"), text)
 
     def test_largest_and_mean_are_of_the_same_nodes(self):
         """The largest G of the inner nodes stands next to their own mean, by the trapezoidal rule, not next to that of all nodes."""
