@@ -15,6 +15,8 @@ PlacedLoad<D> placeTraction(const Teuchos::ParameterList& scene, const Teuchos::
 {
   const PlacedSurface<D> surface = placeSurface<D>(scene, list, seeds, where);
   const auto& [area, outward] = surface.measure;
+  if (list.isParameter("Force"))
+    return {surface.points, readVector<D>(list, "Force")};
   if (!list.isParameter("Pressure"))
     return {surface.points, area * readVector<D>(list, "Stress")};
   const double pull = -list.get<double>("Pressure");
@@ -48,7 +50,10 @@ BoundaryType tractionBoundary()
           "Pressure normal to the undeformed surface; positive values push into the body, which must lie to "
           "the left of the direction from From to To (2D), or opposite to Edge 1 x Edge 2 (3D). With Surface "
           "= Body it is normal to the surface at each point. Its direction does not turn with the body.");
-  s.exactlyOneOf({"Stress", "Pressure"});
+  s.realArray("Force").unit("N").perAxis().optional().meaning(
+      "Force on all of the surface, in a fixed direction, spread evenly over its area; in 2D on the whole "
+      "thickness.");
+  s.exactlyOneOf({"Stress", "Pressure", "Force"});
   describeHistory(s);
   return {s, checkSurface, addTraction<2>, addTraction<3>};
 }

@@ -129,6 +129,17 @@ private:
     found_.back().highest = highest;
   }
 
+  /// Force per area of a traction [Pa].
+  double tractionOf(const ParameterList& list) const
+  {
+    if (list.isParameter("Pressure"))
+      return std::fabs(list.get<double>("Pressure"));
+    if (list.isParameter("Stress"))
+      return norm(readVector<D>(list, "Stress"));
+    const double area = measureSurface<D>(scene_, list, "Boundaries").area;
+    return area > 0.0 ? norm(readVector<D>(list, "Force")) / area : 0.0;
+  }
+
   void load(const ParameterList& list, const std::string& type, const std::string& where)
   {
     const auto at = byName_.find(list.get<std::string>("Body"));
@@ -140,8 +151,7 @@ private:
     const LoadEstimate estimate = ofForce<D>(where, force, body);
     if (type != "Traction")
       return add(estimate);
-    const double stress = factor * (list.isParameter("Pressure") ? std::fabs(list.get<double>("Pressure"))
-                                                                 : norm(readVector<D>(list, "Stress")));
+    const double stress = factor * tractionOf(list);
     LoadEstimate spread = even(where, stress, body);
     spread.highest = std::max(stress, estimate.highest);
     add(spread);

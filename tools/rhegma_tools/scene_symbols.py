@@ -137,6 +137,9 @@ def traction(name, values, fields, chosen=None):
         pressure = factor * number(values, "Pressure", 0.0)
         return arrows(LOAD, name, readable(abs(pressure), "Pa") + words, points, np.sign(pressure) * inward, fields,
                       into=bool(pressure > 0.0) if chosen else None)
+    if "Force" in values:
+        direction, label = with_value(array(values, "Force"), "N", values)
+        return arrows(LOAD, name, f"{label} in all", points, direction, fields)
     direction, label = with_value(array(values, "Stress"), "Pa", values)
     return arrows(LOAD, name, label, points, direction, fields)
 

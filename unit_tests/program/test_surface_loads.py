@@ -196,11 +196,11 @@ class SurfaceLoads(SurfaceScenes):
         middle = numpy.array(self.middle(cell, 3))
         body = {"Shape": "Cylinder", "From": list(middle - 0.5 * length * axis), "To": list(middle + 0.5 * length * axis), "Radius": radius}
         scene = scene_of(body, 0.013, cell, 3).set("Output", {"Fields": True}).remove("Boundaries > Load")
-        for name, side in (("Upper", 1.0), ("Lower", -1.0)):
-            scene.set(f"Boundaries > {name}", {"Type": "Traction", "Body": "Part", "Surface": "Body", "Facing": list(side * axis), "Largest Angle": 5.0,
-                                               "Stress": list(side * PRESSURE * axis)})
-        summary, history = self.run_scene(scene)
         area = math.pi * radius**2
+        for name, side in (("Upper", 1.0), ("Lower", -1.0)):
+            load = {"Stress": list(side * PRESSURE * axis)} if self.rng.random() < 0.5 else {"Force": list(side * area * PRESSURE * axis)}
+            scene.set(f"Boundaries > {name}", {"Type": "Traction", "Body": "Part", "Surface": "Body", "Facing": list(side * axis), "Largest Angle": 5.0, **load})
+        summary, history = self.run_scene(scene)
         for surface in summary["surfaces"]:
             self.assertAlmostEqual(surface["area"] / area, 1.0, delta=1e-12)
         for d in range(3):
@@ -315,6 +315,7 @@ class WrongSurfaces(SurfaceScenes):
         self.refused({"Lower Corner": [0.0, 0.0]}, load, "Upper Corner")
         self.refused({"Part": "Bore", "Facing": [1.0, 0.0], "Largest Angle": -1.0}, f"{load} > Largest Angle")
         self.refused({"Surface": "Round"}, f"{load} > Surface", "Flat", "Body")
+        self.refused({"Force": [1.0, 0.0]}, load, "Pressure", "Force")
 
     def test_a_flat_surface_needs_its_line(self):
         body, _, _ = self.ring(1e-3, 2, (8, 10), (0.4, 0.6))
