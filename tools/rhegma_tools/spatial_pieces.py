@@ -16,6 +16,7 @@ FACES = np.array([[[-1, -1, -1], [-1, -1, 1], [-1, 1, 1], [-1, 1, -1]], [[1, -1,
                   [[-1, -1, -1], [-1, 1, -1], [1, 1, -1], [1, -1, -1]], [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]], dtype=float)
 OUTWARD = FACES.mean(axis=1)
 MOST_NODES = 4.0e6  # of the lattice on which the surface of curved bodies is found
+FINE = 10.0  # per cent of the particles that are smaller than the spacing of that lattice
 HALF_FULL = 0.5  # fraction of material at a surface: a plane one that lies anywhere between nodes
 SHORT = 3.5  # particles: edges of fewer in a row are steps of curved or oblique surfaces
 MOST_SHORT, FEW_EDGES = 0.5, 24  # fraction of edges that may be short, as those of a thin plate are; number of edges that may be
@@ -109,21 +110,32 @@ def edge_piece(fields, magnification, colour, **look):
 def filling(fields):
     """(fractions (nx, ny, nz), origin (3), spacing) of material around the nodes of a lattice, by weights that are linear between them: their sum
     is the volume of the bodies."""
-    spacing = float(np.percentile(np.linalg.norm(fields.boxes(), axis=2).max(axis=1), 99.0))  # of smaller ones, nodes between coarse particles are empty
+    boxes = fields.boxes()
+    sizes = np.linalg.norm(boxes, axis=2).max(axis=1)
+    spacing = float(np.percentile(sizes, FINE))
     low, high = fields.position.min(axis=0), fields.position.max(axis=0)
     while np.prod((high - low) / spacing + 5.0) > MOST_NODES:
         spacing *= 1.25
     origin = low - 2.0 * spacing
     shape = np.ceil((high - origin) / spacing).astype(int) + 3
-    at = (fields.position - origin) / spacing
+    volume = np.abs(np.linalg.det(boxes)) / spacing**3
+    parts = np.maximum(np.ceil(sizes / spacing - 0.1), 1.0).astype(int)  # along an edge of larger boxes: nodes in them would be empty
+    values = np.zeros(shape)
+    for count in np.unique(parts):
+        of = parts == count
+        for piece in np.ndindex(count, count, count):
+            away = np.einsum("e,pei->pi", (np.array(piece) + 0.5) / count - 0.5, boxes[of])
+            spread_over_nodes(values, (fields.position[of] + away - origin) / spacing, volume[of] / count**3)
+    return smoothed(values), origin, spacing
+
+
+def spread_over_nodes(values, at, volume):
+    """Adds volumes at positions, in spacings of the lattice, to the eight nodes around each."""
     first = np.floor(at).astype(int)
     part = at - first
-    volume = np.abs(np.linalg.det(fields.boxes())) / spacing**3
-    values = np.zeros(shape)
     for corner in np.ndindex(2, 2, 2):
         weight = np.prod(np.where(np.array(corner) == 1, part, 1.0 - part), axis=1)
         np.add.at(values, tuple((first + corner).T), weight * volume)
-    return smoothed(values), origin, spacing
 
 
 def smoothed(values):

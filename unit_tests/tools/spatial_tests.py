@@ -271,7 +271,7 @@ class Pieces(ToolTest):
         self.assertEqual(fields.size, 0.5)  # most particles are fine
         values, origin, spacing = filling(fields)
         at = origin + spacing * np.stack(np.meshgrid(*map(np.arange, values.shape), indexing="ij"), axis=-1)
-        inside, outside = ((at > 1.5) & (at < 10.5)).all(axis=-1), ((at < -1.5) | (at > 13.5)).any(axis=-1)
+        inside, outside = ((at > 1.5) & (at < 10.5)).all(axis=-1), ((at < -0.8) | (at > 12.8)).any(axis=-1)
         self.assertGreater(values[inside].min(), 0.8)
         self.assertEqual(values[outside].max(), 0.0)
 
