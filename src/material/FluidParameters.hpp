@@ -106,8 +106,6 @@ template <class Reader>
 void readFluid(const Reader& reader, Properties& m)
 {
   using namespace FluidNumber;
-  if (m.plane == Plane::Stress)
-    reader.refuse("Model", "is Fluid, which is no plate in plane stress; write Domain > Plane = Strain.");
   const std::string kind = reader.choice("Equation Of State", "");
   if (kind == "Ideal Gas")
     detail::readIdealGas(reader, m);
