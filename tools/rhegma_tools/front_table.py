@@ -100,8 +100,9 @@ def columns_of(fronts, in_equilibrium):
     along = any(is_number(front.get("G_J_max")) for _, _, front in fronts)  # in 3D, where the mean along a front and its largest node differ
     inner = any(leaves_out(front) for _, _, front in fronts)
     mean, node = ("mean ", " of an inner node" if inner else " of a front node") if along else ("", "")
-    columns = [Column(f"{mean}G", "J/m²", releases, values("G_J_error_estimate"), ranges("G_J"), largest),
-               Column(f"largest {mean}G", "J/m²", most, largest=largest)]
+    columns = [Column(f"{mean}G", "J/m²", releases, values("G_J_error_estimate"), ranges("G_J"), largest)]
+    if not (in_equilibrium and most == releases):  # of one load step
+        columns.append(Column(f"largest {mean}G", "J/m²", most, largest=largest))
     for mode in MODES:
         heading = mode + " along the front" if all(changes_sign(pair) for pair in ranges(mode)) else mean + mode
         columns.append(Column(heading, "Pa √m", values(mode), values(f"{mode}_error_estimate"), ranges(mode), largest_k, values("K_extremes_error_estimate")))

@@ -445,6 +445,10 @@ class FrontTable(ToolTest):
         head, rows, _ = front_table(summary_of(front))
         self.assertEqual((head[4:7], rows[0][4:7]), (["initiated at [ms]", "mean speed [m/s]", "grew by [mm]"], ["80", "500", "6"]))
         self.assertIsNone(front_table({"cracks": []}))
+        # The largest G of all load steps, where it is another one.
+        one, more = {"G_J": 1.0}, {"G_J": 1.0, "largest_G_J": 2.0}
+        self.assertNotIn("largest", " ".join(front_table(summary_of(one, equilibrium={}))[0]))
+        self.assertIn("largest", " ".join(front_table(summary_of(more, equilibrium={}))[0]))
 
 
 del ToolTest  # so that importing this module's names brings tests only
