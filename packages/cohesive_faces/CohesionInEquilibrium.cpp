@@ -113,7 +113,7 @@ bool CohesionInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addB
     const double bonded = cohesion_.bonded()(k);
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
-        C[i][j] *= i == 0 && j == 0 && found.gap <= 0.0 ? 1.0 : bonded;
+        C[i][j] *= i == 0 && j == 0 && found.gap < 0.0 ? 1.0 : bonded;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < i; ++j)
       {

@@ -256,7 +256,7 @@ KOKKOS_INLINE_FUNCTION void stiffnessAt(const TractionLaw& law, double gap, cons
     at[i] = i == 0 ? open : slip[i > 0 ? i - 1 : 0];
     C[i][i] = now.secant * ratio[i] * law.normal;
   }
-  if (gap <= 0.0)
+  if (gap < 0.0)
     C[0][0] = law.resistsOverlap ? law.normal : 0.0;
   if (!now.grows)
     return;

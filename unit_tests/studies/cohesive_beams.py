@@ -61,7 +61,7 @@ class Law:
         tension = np.where(gap > 0, hold * self.normal * gap, self.normal * gap)
         shear = hold * self.ratio * self.normal * slip
         tangent = np.zeros((len(gap), 2, 2))
-        tangent[:, 0, 0] = np.where(gap > 0, hold * self.normal, self.normal)
+        tangent[:, 0, 0] = np.where(gap < 0, self.normal, hold * self.normal)
         tangent[:, 1, 1] = hold * self.ratio * self.normal
         falls = grows & (size < end)
         dfirst = (self.start[1] - self.start[0]) * by / (self.normal * first)
@@ -144,42 +144,36 @@ def solve(beam, grips, largest, steps, tolerance=1e-9):
     held = np.concatenate([dofs for dofs, _ in grips] + [[2 * beam.node(0, beam.columns - 1, 0)]])
     free = np.setdiff1d(np.arange(beam.count), held)
     rows, factor, step = [], 0.0, largest / steps
-    lost, work, before = 0.0, 0.0, np.zeros(beam.count)
+    work, before = 0.0, np.zeros(beam.count)
     while factor < largest * (1 - 1e-9):
         target = min(factor + step, largest)
         trial = u.copy()
         for dofs, displacement in grips:
             trial[dofs] = target * displacement
-        change = trial - u
+        move = (trial - u)[held]
         trial = u.copy()
         for iteration in range(25):
-            jump = (beam.jump @ (trial + change if iteration == 0 else trial)).reshape(-1, 2)
-            if iteration == 0:
-                jump = (beam.jump @ trial).reshape(-1, 2)
+            jump = (beam.jump @ trial).reshape(-1, 2)
             tension, shear, now, tangent = law(jump[:, 0], jump[:, 1], secant, bonded)
             tractions = np.stack([tension * beam.area, shear * beam.area], 1).ravel()
             force = beam.bulk @ trial + beam.jump.T @ tractions
-            scale = np.abs(force).max() + 1e-30
-            if iteration > 0 and np.abs(force[free]).max() < tolerance * scale:
+            if iteration > 0 and np.abs(force[free]).max() < tolerance * np.abs(force).max():
                 break
             blocks = sparse.block_diag([t * a for t, a in zip(tangent, beam.area)], format="csr")
-            matrix = beam.bulk + beam.jump.T @ blocks @ beam.jump
-            move = change[held] if iteration == 0 else np.zeros(len(held))
-            right = -force[free] - matrix[free][:, held] @ move
-            solved = linalg.splu(sparse.csc_matrix(matrix[free][:, free])).solve(right)
-            trial[free] += solved
+            matrix = sparse.csr_matrix(beam.bulk + beam.jump.T @ blocks @ beam.jump)[free]
+            trial[free] += linalg.splu(sparse.csc_matrix(matrix[:, free])).solve(-force[free] - matrix[:, held] @ move)
             trial[held] += move
+            move = 0.0 * move
         else:
             step /= 2
             if step < largest / steps / 4096:
-                print("no equilibrium", file=sys.stderr)
+                print("no equilibrium at a factor of", factor, file=sys.stderr)
                 break
             continue
-        lost += 0.0
         work += 0.5 * (force + before) @ (trial - u)
         u, secant, factor, before = trial, now, target, force
-        stored = 0.5 * (u @ (beam.bulk @ u)) + 0.5 * np.sum(tractions.reshape(-1, 2) * jump)
-        failed = beam.at[bonded & (secant <= 1e-3 * 1)]
+        stored = 0.5 * u @ (beam.bulk @ u) + 0.5 * np.sum(tractions.reshape(-1, 2) * jump)
+        failed = beam.at[bonded & (secant <= 1e-3)]
         rows.append([factor] + [float(force[dofs].sum()) for dofs, _ in grips] + [work - stored, failed.max() if len(failed) else CRACK])
         step = min(step * (2 if iteration < 8 else 1), largest / steps)
     return rows
