@@ -28,8 +28,7 @@ typename CohesionInEquilibrium<D>::Groups CohesionInEquilibrium<D>::begin(const 
       found.slip[t] = cohesion_.slip()(k, t);
     const TractionLaw& law = cohesion_.laws()(points.crack(k));
     if (law.holds)
-      found.now =
-          cohesionAt<D>(law, found.gap, found.slip, cohesion_.secant()(k), cohesion_.spent()(k));
+      found.now = cohesionAt<D>(law, found.gap, found.slip, cohesion_.secant()(k), cohesion_.spent()(k));
     if (!law.holds || points.acts(k) == 0)
       continue;
     Point point;
@@ -155,8 +154,8 @@ std::string CohesionInEquilibrium<D>::reason() const
   std::string text;
   for (std::size_t c = 0; c < any.size(); ++c)
     if (any[c] != 0 && holds[c] == 0)
-      text += (text.empty() ? "" : "; ") + ("the cohesive faces of crack " + names_[c] +
-                                            " have failed over all their length");
+      text += (text.empty() ? "" : "; ") +
+              ("the cohesive faces of crack " + names_[c] + " have failed over all their length");
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "cohesive_faces/CohesiveSection.hpp"
 #include "cohesive_faces/LawsOfCracks.hpp"
 #include "plan/LastStage.hpp"
+#include "scene/SceneBodies.hpp"
 #include "transfer/FacePush.hpp"
 
 #include <memory>
@@ -34,13 +35,29 @@ void refuseFronts(const State<D>& state, int crack)
 {
   for (const CrackFront<D>& front : state.cracks.fronts)
     if (front.crack == crack && !front.ended)
-      throw std::invalid_argument(
-          "Cohesive Faces > " + state.cracks.cracks[crack].name +
-          ": the crack ends inside the body; let it go on to the surface, or write Fronts = None for it (2D)");
+      throw std::invalid_argument("Cohesive Faces > " + state.cracks.cracks[crack].name +
+                                  ": the crack ends inside the body; let it go on to the surface, or write "
+                                  "Fronts = None for it (2D)");
 }
 
+/// Faces without cohesion from the start.
 template <int D>
-void begin(State<D>& state, const Teuchos::ParameterList& list, bool touching,
+struct FreeBox
+{
+  bool exists = false;
+  Vector<D> lower{}, upper{}; ///< [m]
+
+  bool contains(const Vector<D>& x) const
+  {
+    bool inside = exists;
+    for (int d = 0; d < D; ++d)
+      inside = inside && x[d] >= lower[d] && x[d] <= upper[d];
+    return inside;
+  }
+};
+
+template <int D>
+void begin(State<D>& state, const Teuchos::ParameterList& list, const SceneBodies<D>& bodies, bool touching,
            const std::shared_ptr<Account<D>>& account)
 {
   const std::vector<AtCrack> at = materialsAtCracks(state);
@@ -51,13 +68,16 @@ void begin(State<D>& state, const Teuchos::ParameterList& list, bool touching,
     const int c = findCrack(state.cracks, name);
     refuseFronts(state, c);
     const Teuchos::ParameterList& one = list.sublist(name);
-    account->laws[c] =
-        readLaw(one, at[c].modulus, state.mesh.grid.spacing, state.method.equilibrium());
+    account->laws[c] = readLaw(one, at[c].modulus, state.mesh.grid.spacing, state.method.equilibrium());
     account->laws[c].resistsOverlap = !touching;
     if (one.isParameter("Free Lower Corner"))
       free[c] = {true, readVector<D>(one, "Free Lower Corner"), readVector<D>(one, "Free Upper Corner")};
   }
-  account->cohesion.setLaws(account->laws, free);
+  // A crack reaches beyond the surface by a part of a particle.
+  const auto holdsAt =
+      [free, shapes = std::make_shared<SceneBodies<D>>(bodies)](int crack, const Vector<D>& x)
+  { return shapes->contain(x) && !free[crack].contains(x); };
+  account->cohesion.setLaws(account->laws, holdsAt);
   if (account->equilibrium)
     state.motion.stepForces.push_back(account->equilibrium);
 }
@@ -131,17 +151,16 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.name = "Cohesive Faces";
   effect.balance = {"fracture"};
   effect.needs = {fields::side};
-  effect.atStart = [account, list, touching = options.contact](State<D>& state)
-  { begin(state, list, touching, account); };
+  effect.atStart = [account, list, all = Teuchos::ParameterList(scene), touching = options.contact](
+                       State<D>& state) { begin(state, list, SceneBodies<D>(all), touching, account); };
   effect.judge = [account, list](State<D>& state) { judge(state, list, *account); };
   effect.call(Stage::Scatter, "points on cohesive faces", {quantity::nodalMass, quantity::enrichedFields}, {},
               {}, [account](State<D>& s) { prepare(s, *account); });
   effect.call(Stage::BeforeSolve, "cohesion of crack faces", {quantity::nodalMass, quantity::enrichedFields},
               {}, {quantity::nodalForce}, [account](State<D>& s) { addForces(s, *account); });
-  effect.call(
-      Stage::AfterProjection, "jumps of cohesive faces",
-      {quantity::nodalMotion, ifWritten(quantity::projection), ifWritten(quantity::springStretch)}, {}, {},
-      [account](State<D>& s) { advance(s, *account); });
+  effect.call(Stage::AfterProjection, "jumps of cohesive faces",
+              {quantity::nodalMotion, ifWritten(quantity::projection), ifWritten(quantity::springStretch)},
+              {}, {}, [account](State<D>& s) { advance(s, *account); });
   effect.call(Stage::Observe, "cohesion of crack faces", {quantity::energyBalance}, {}, {},
               [account](State<D>& s) { sampleCohesion(s, account->cohesion, account->laws); });
   effect.memory = [account](State<D>&, Archive& archive)

@@ -14,12 +14,15 @@ void addLaw(Section& crack)
 {
   crack.choice("Law", {"Linear", "Bilinear", "Trapezoidal", "Exponential"})
       .byDefault("Bilinear")
-      .meaning("Traction as a function of opening and slip. Bilinear: linear to the strength, then linear to "
-               "zero. Linear: the same for an interface without a stiffness of its own, which starts as stiff "
-               "as the cells allow. Trapezoidal: the strength is kept over the part Plateau of the rest. "
-               "Exponential: smooth, after Xu and Needleman; strength and toughness determine its stiffness.");
-  crack.real("Toughness").unit("J/m2").positive().meaning(
-      "Energy per area that opening the faces takes (mode I): the area below the traction.");
+      .meaning(
+          "Traction as a function of opening and slip. Bilinear: linear to the strength, then linear to "
+          "zero. Linear: the same for an interface without a stiffness of its own, which starts as stiff "
+          "as the cells allow. Trapezoidal: the strength is kept over the part Plateau of the rest. "
+          "Exponential: smooth, after Xu and Needleman; strength and toughness determine its stiffness.");
+  crack.real("Toughness")
+      .unit("J/m2")
+      .positive()
+      .meaning("Energy per area that opening the faces takes (mode I): the area below the traction.");
   crack.real("Toughness II")
       .unit("J/m2")
       .positive()
@@ -35,11 +38,15 @@ void addLaw(Section& crack)
       .meaning("Normal traction per opening of undamaged faces, such as E/t of a layer of the thickness t. "
                "That in shear is (Shear Strength / Strength)^2 Toughness / Toughness II times as much. "
                "For Bilinear and Trapezoidal.");
-  crack.real("Exponent").atLeast(1.0).byDefault(2.0).meaning(
-      "Exponent of the toughness in mixed mode (Benzeggagh and Kenane): G_I + (G_II - G_I) B^Exponent, B the "
-      "fraction of mode II in the energy.");
+  crack.real("Exponent")
+      .atLeast(1.0)
+      .byDefault(2.0)
+      .meaning("Exponent of the toughness in mixed mode (Benzeggagh and Kenane): G_I + (G_II - G_I) "
+               "B^Exponent, B the "
+               "fraction of mode II in the energy.");
   crack.real("Plateau").atLeast(0.0).below(1.0).optional("0.5").meaning(
-      "Of Law = Trapezoidal: part of the jump between the onset of damage and failure over which the traction "
+      "Of Law = Trapezoidal: part of the jump between the onset of damage and failure over which the "
+      "traction "
       "is constant.");
 }
 
@@ -68,8 +75,8 @@ void checkStiffness(const Teuchos::ParameterList& crack, const std::string& wher
   if (!(T * T / (2.0 * K) < G))
     errors.push_back({where + " > Initial Stiffness",
                       "is too small: faces that reach the strength would have taken " +
-                          formatReal(T * T / (2.0 * K)) + " J/m2, more than the toughness of " + formatReal(G) +
-                          " J/m2; write more than " + formatReal(T * T / (2.0 * G)) +
+                          formatReal(T * T / (2.0 * K)) + " J/m2, more than the toughness of " +
+                          formatReal(G) + " J/m2; write more than " + formatReal(T * T / (2.0 * G)) +
                           " Pa/m, or leave it out"});
 }
 
@@ -82,9 +89,13 @@ Section cohesiveSection()
   Section crack("crack", "Faces of one crack, which goes from surface to surface of the bodies. The sublist "
                          "has the name of the crack.");
   addLaw(crack);
-  crack.realArray("Free Lower Corner").unit("m").perAxis().optional().meaning(
-      "Lower corner of a box; faces in it are free from the start, as those of a starter crack. In 3D a face "
-      "point is free if it is in the box.");
+  crack.realArray("Free Lower Corner")
+      .unit("m")
+      .perAxis()
+      .optional()
+      .meaning("Lower corner of a box; faces in it are free from the start, as those of a starter crack. In "
+               "3D a face "
+               "point is free if it is in the box.");
   crack.realArray("Free Upper Corner").unit("m").perAxis().optional().meaning("Upper corner of that box.");
   crack.allOrNoneOf({"Free Lower Corner", "Free Upper Corner"});
   s.namedByUser(crack);
@@ -95,9 +106,10 @@ Section cohesiveSection()
   s.refuse({self, when::is("Contact", "Law", {"Stick", "Coulomb", "Visibility"})},
            "friction belongs to failed faces only, and would act in addition to the cohesion of the others; "
            "write Contact > Law = Frictionless, or leave Contact out: cohesive faces do not overlap");
-  s.refuse({self, when::present("Contact"), when::equilibrium()},
-           "in equilibrium both have not been verified together; leave Contact out: cohesive faces that press "
-           "on each other resist by their initial stiffness");
+  s.refuse(
+      {self, when::present("Contact"), when::equilibrium()},
+      "in equilibrium both have not been verified together; leave Contact out: cohesive faces that press "
+      "on each other resist by their initial stiffness");
   s.refuse({self, when::present("Propagation")},
            "cracks that grow next to cohesive faces have not been verified; let the crack go on along its "
            "path, held by Cohesive Faces, or leave one of both out");

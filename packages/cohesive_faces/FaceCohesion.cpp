@@ -14,28 +14,31 @@ namespace Rhegma::cohesive_faces
 namespace
 {
 
-/// Part of a piece of a crack outside of a box. In 2D a point stands for a segment, which is clipped; in 3D
-/// for a part of a triangle, which is in or out with its middle.
+/// Part of the segment that a point stands for, in 2D: an end of what holds is found by bisection, to
+/// rounding, where it lies between two of a few positions. In 3D a part of a triangle is in or out with its
+/// middle.
 template <int D>
-double partOutside(const FreeBox<D>& box, const Vector<D>& middle, const Vector<D>& along, double length)
+double partThatHolds(const HoldsAt<D>& holdsAt, int crack, const Vector<D>& middle, const Vector<D>& along,
+                     double length)
 {
-  if (!box.exists)
-    return 1.0;
-  double from = -0.5, to = 0.5;
-  for (int d = 0; d < D; ++d)
+  constexpr int pieces = 8, halvings = 40;
+  if (D == 3)
+    return holdsAt(crack, middle) ? 1.0 : 0.0;
+  const auto holds = [&](double at) { return holdsAt(crack, middle + ((at - 0.5) * length) * along); };
+  double part = 0.0;
+  for (int k = 0; k < pieces; ++k)
   {
-    const double step = D == 2 ? along[d] * length : 0.0;
-    if (std::fabs(step) <= 1e-12 * length)
+    double low = static_cast<double>(k) / pieces, high = (k + 1.0) / pieces;
+    const double from = low, to = high;
+    const bool atLow = holds(low), atHigh = holds(high);
+    for (int h = 0; h < halvings && atLow != atHigh; ++h)
     {
-      if (middle[d] < box.lower[d] || middle[d] > box.upper[d])
-        return 1.0;
-      continue;
+      const double between = 0.5 * (low + high);
+      (holds(between) == atLow ? low : high) = between;
     }
-    const double a = (box.lower[d] - middle[d]) / step, b = (box.upper[d] - middle[d]) / step;
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
+    part += atLow == atHigh ? (atLow ? to - from : 0.0) : (atLow ? low - from : to - low);
   }
-  return 1.0 - std::max(0.0, to - from);
+  return part;
 }
 
 template <class Views>
@@ -50,7 +53,7 @@ Vector<Views::static_extent(1)> rowOf(const Views& view, int k)
 } // namespace
 
 template <int D>
-void FaceCohesion<D>::setLaws(const std::vector<TractionLaw>& laws, const std::vector<FreeBox<D>>& free)
+void FaceCohesion<D>::setLaws(const std::vector<TractionLaw>& laws, HoldsAt<D> holdsAt)
 {
   const int cracks = static_cast<int>(laws.size());
   laws_ = View<TractionLaw*>("rhegma::cohesiveLaws", cracks);
@@ -58,9 +61,9 @@ void FaceCohesion<D>::setLaws(const std::vector<TractionLaw>& laws, const std::v
   for (int c = 0; c < cracks; ++c)
     host(c) = laws[c];
   Kokkos::deep_copy(laws_, host);
-  free_ = free;
+  holdsAt_ = std::move(holdsAt);
   records_.resize(cracks);
-  largest_ = View<double * [2]>("rhegma::cohesiveLargest", cracks);
+  largest_ = View<double* [2]>("rhegma::cohesiveLargest", cracks);
   damaged_ = View<int*>("rhegma::cohesiveDamaged", cracks);
 }
 
@@ -92,7 +95,7 @@ void FaceCohesion<D>::storeHistory(const View<double*>& size)
   bond(earlierBonded);
 }
 
-/// Points without an earlier one hold but for the free boxes, which are of the undeformed body.
+/// Points without an earlier one hold where the undeformed body does.
 template <int D>
 void FaceCohesion<D>::bond(const View<double*>& earlier)
 {
@@ -105,7 +108,7 @@ void FaceCohesion<D>::bond(const View<double*>& earlier)
   {
     bonded(k) = before(k) >= 0
                     ? was(k)
-                    : partOutside<D>(free_[crack(k)], rowOf(position, k), rowOf(edge, k), size(k));
+                    : partThatHolds<D>(holdsAt_, crack(k), rowOf(position, k), rowOf(edge, k), size(k));
     secant(k) = before(k) >= 0 ? secant(k) : 1.0;
   }
   Kokkos::deep_copy(bonded_, bonded);
@@ -140,24 +143,23 @@ struct PointHistory
 {
   View<double*> gap, secant, spent, pressure, opened, slid;
   View<double * [D - 1]> slip, shear;
-  View<double * [2]> largest;
+  View<double* [2]> largest;
   View<int*> damaged;
 
   /// Gives point k what is found of it. \param stored,lost get its energies per size [J/m2]
   KOKKOS_INLINE_FUNCTION void take(int k, int crack, const TractionLaw& law, double bonded, double newGap,
                                    const Vector<D - 1>& newSlip, const Cohesion<D>& now, double& stored,
-                                   double (&lost)[2]) const
+                                   double& lost) const
   {
     const Cohesion<D> mean = meanOf(now, bonded);
-    const double moved = newGap - gap(k);
-    lost[0] = 0.5 * ((mean.tension - pressure(k)) * moved - mean.tension * newGap - pressure(k) * gap(k));
-    lost[1] = 0.0;
+    lost = 0.5 *
+           ((mean.tension - pressure(k)) * (newGap - gap(k)) - mean.tension * newGap - pressure(k) * gap(k));
     for (int t = 0; t < D - 1; ++t)
-      lost[1] += 0.5 * ((mean.shear[t] + shear(k, t)) * (newSlip[t] - slip(k, t)) -
-                        mean.shear[t] * newSlip[t] + shear(k, t) * slip(k, t));
+      lost += 0.5 * ((mean.shear[t] + shear(k, t)) * (newSlip[t] - slip(k, t)) - mean.shear[t] * newSlip[t] +
+                     shear(k, t) * slip(k, t));
     stored = 0.5 * (mean.tension * newGap + dot(mean.shear, newSlip));
-    opened(k) += lost[0];
-    slid(k) += lost[1];
+    opened(k) += bonded * now.lost[0];
+    slid(k) += bonded * now.lost[1];
     gap(k) = newGap;
     secant(k) = now.secant;
     spent(k) = now.spent;
@@ -182,14 +184,14 @@ void FaceCohesion<D>::takeJumps(double dt)
   const View<double*> jumps = jump_, bonded = bonded_;
   const FacePoints<D> points = points_;
   const View<TractionLaw*> laws = laws_;
-  const PointHistory<D> history{gap_,     secant_,  spent_, pressure_, heat_[0],
-                                heat_[1], slip_,    shear_, largest_,  damaged_};
+  const PointHistory<D> history{gap_,     secant_, spent_, pressure_, heat_[0],
+                                heat_[1], slip_,   shear_, largest_,  damaged_};
   const double thickness = thickness_;
   Kokkos::deep_copy(damaged_, 0);
-  double stored = 0.0, opening = 0.0, sliding = 0.0;
+  double stored = 0.0, dissipated = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::cohesive_faces::advance", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
-      KOKKOS_LAMBDA(const int k, double& energy, double& lostOpening, double& lostSliding) {
+      KOKKOS_LAMBDA(const int k, double& energy, double& loss) {
         const TractionLaw& law = laws(points.crack(k));
         if (!law.holds)
           return;
@@ -205,23 +207,21 @@ void FaceCohesion<D>::takeJumps(double dt)
           slip[t] = history.slip(k, t) + dot(jump, tangentOf(points, k, t));
         const double gap = history.gap(k) + dot(jump, n);
         const Cohesion<D> now = cohesionAt<D>(law, gap, slip, history.secant(k), history.spent(k));
-        double held, lost[2];
+        double held, lost;
         history.take(k, points.crack(k), law, bonded(k), gap, slip, now, held, lost);
         energy += area * held;
-        lostOpening += area * lost[0];
-        lostSliding += area * lost[1];
+        loss += area * lost;
       },
-      stored, opening, sliding);
+      stored, dissipated);
   stored_ = stored;
-  lost_[0] += opening;
-  lost_[1] += sliding;
+  lost_ += dissipated;
 }
 
 template <int D>
 void FaceCohesion<D>::accept(const State<D>& state, const std::vector<FoundPoint<D>>& found)
 {
-  const PointHistory<D> history{gap_,     secant_,  spent_, pressure_, heat_[0],
-                                heat_[1], slip_,    shear_, largest_,  damaged_};
+  const PointHistory<D> history{gap_,     secant_, spent_, pressure_, heat_[0],
+                                heat_[1], slip_,   shear_, largest_,  damaged_};
   Kokkos::deep_copy(damaged_, 0);
   stored_ = 0.0;
   for (std::size_t k = 0; k < found.size(); ++k)
@@ -230,12 +230,11 @@ void FaceCohesion<D>::accept(const State<D>& state, const std::vector<FoundPoint
     if (!laws_(crack).holds)
       continue;
     const double area = points_.size(k) * thickness_;
-    double held, lost[2];
+    double held, lost;
     history.take(static_cast<int>(k), crack, laws_(crack), bonded_(k), found[k].gap, found[k].slip,
                  found[k].now, held, lost);
     stored_ += area * held;
-    lost_[0] += area * lost[0];
-    lost_[1] += area * lost[1];
+    lost_ += area * lost;
   }
   noteStart(state.clock.time + state.clock.dt);
 }
@@ -331,8 +330,7 @@ void FaceCohesion<D>::serialize(Archive& archive)
   archive("damaged", damaged_);
   archive("thickness", thickness_);
   archive("stored", stored_);
-  archive("lost_opening", lost_[0]);
-  archive("lost_sliding", lost_[1]);
+  archive("dissipated", lost_);
   for (std::size_t c = 0; c < records_.size(); ++c)
   {
     const Archive::Group group(archive, "crack " + std::to_string(c));

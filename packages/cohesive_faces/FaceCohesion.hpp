@@ -4,18 +4,15 @@
 #include "cohesive_faces/TractionLaw.hpp"
 #include "transfer/FacePoints.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace Rhegma::cohesive_faces
 {
 
-/// Faces without cohesion from the start.
+/// Whether faces hold at a position of the undeformed body: in it, and not free from the start.
 template <int D>
-struct FreeBox
-{
-  bool exists = false;
-  Vector<D> lower{}, upper{}; ///< [m]
-};
+using HoldsAt = std::function<bool(int crack, const Vector<D>& position)>;
 
 /// What is recorded of one crack with cohesive faces.
 template <int D>
@@ -36,15 +33,15 @@ struct CohesionSums
   double failed = 0.0;         ///< of it: without traction (failedFraction)
   Vector<D> reach{};           ///< failed point farthest from the first damage [m]
   double stored = 0.0;         ///< now [J]
-  double lost[2] = {0.0, 0.0}; ///< dissipated so far by opening and by slip [J]
+  double lost[2] = {0.0, 0.0}; ///< dissipated so far by opening and by slip, by the law [J]
 };
 
 /// A face point as a step of equilibrium has found it.
 template <int D>
 struct FoundPoint
 {
-  double gap = 0.0;      ///< [m]
-  Vector<D - 1> slip{};  ///< [m]
+  double gap = 0.0;     ///< [m]
+  Vector<D - 1> slip{}; ///< [m]
   Cohesion<D> now{};
 };
 
@@ -52,14 +49,15 @@ struct FoundPoint
 ///
 /// Gap and slip of a point, zero in the undeformed state, follow the jump of the velocity that strains the
 /// particles, as those of contact do: the faces are an interface in series with the cells next to it.
-/// Components are along the normal and the tangents of the crack, which turn with it. The energy of a step is
-/// recorded by the mean traction: its part that unloading would return is stored, the rest is dissipated.
+/// Components are along the normal and the tangents of the crack, which turn with it. In the energy balance
+/// the work of a step is that of the mean traction: its part that unloading would return is stored, the rest
+/// is dissipated. What each point has dissipated is that of the law, without an error of the step.
 template <int D>
 class FaceCohesion
 {
 public:
-  /// \param laws and free boxes of each crack; those without a law do not hold
-  void setLaws(const std::vector<TractionLaw>& laws, const std::vector<FreeBox<D>>& free);
+  /// \param laws of each crack; those without a law do not hold
+  void setLaws(const std::vector<TractionLaw>& laws, HoldsAt<D> holdsAt);
 
   /// Finds points and stencils for this step; needs nodal masses. \return the change of the stored energy [J]
   /// where points were replaced
@@ -83,16 +81,20 @@ public:
   const FacePoints<D>& points() const { return points_; }
   const View<TractionLaw*>& laws() const { return laws_; }
   const View<double*>& gap() const { return gap_; }
-  const View<double* [D - 1]>& slip() const { return slip_; }
-  const View<double*>& secant() const { return secant_; }
+  const View<double* [D - 1]>& slip() const { return slip_; } const View<double*>& secant() const
+  {
+    return secant_;
+  }
   const View<double*>& spent() const { return spent_; }
   const View<double*>& bonded() const { return bonded_; } ///< fraction of a point's size
   const View<double*>& pressure() const { return pressure_; }
-  const View<double* [D - 1]>& shear() const { return shear_; }
-  double thickness() const { return thickness_; }
+  const View<double* [D - 1]>& shear() const { return shear_; } double thickness() const
+  {
+    return thickness_;
+  }
 
-  double stored() const { return stored_; }                      ///< [J]
-  double dissipated() const { return lost_[0] + lost_[1]; }      ///< [J]
+  double stored() const { return stored_; }   ///< [J]
+  double dissipated() const { return lost_; } ///< by the work of the steps [J]
   const std::vector<CohesionRecord<D>>& records() const { return records_; }
 
   /// Sums over the points of a crack as they are now; a loop on the host.
@@ -109,7 +111,7 @@ private:
 
   FacePoints<D> points_;
   View<TractionLaw*> laws_;
-  std::vector<FreeBox<D>> free_;
+  HoldsAt<D> holdsAt_;
   View<double*> gap_;            ///< opening since the undeformed state [m]
   View<double * [D - 1]> slip_;  ///< side +1 against side -1, along the tangents [m]
   View<double*> secant_;         ///< s of the law
@@ -119,10 +121,10 @@ private:
   View<double * [D - 1]> shear_; ///< that holds back side +1, mean over the point [Pa]
   View<double*> jump_;           ///< of each point, of the velocity, D numbers [m/s]
   View<double*> heat_[2];        ///< dissipated at each point by opening and slip, by its size [J/m2]
-  View<double * [2]> largest_;   ///< of each crack: opening and slip [m]
+  View<double* [2]> largest_;    ///< of each crack: opening and slip [m]
   View<int*> damaged_;           ///< of each crack: points past the largest traction
   double thickness_ = 1.0;
-  double stored_ = 0.0, lost_[2] = {0.0, 0.0};
+  double stored_ = 0.0, lost_ = 0.0;
   std::vector<CohesionRecord<D>> records_;
 };
 

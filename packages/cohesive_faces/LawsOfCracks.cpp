@@ -98,9 +98,10 @@ TractionLaw readLaw(const Teuchos::ParameterList& list, double modulus, double c
   if (law.shape == Shape::Exponential)
     law.normal = std::exp(2.0) * modes.strength[0] * modes.strength[0] / modes.energy[0];
   else
-    law.normal = given(list, "Initial Stiffness",
-                       std::max((equilibrium ? stiffnessAtRest : stiffnessInMotion) * modulus / cell,
-                                modes.strength[0] * modes.strength[0] / (2.0 * elasticPart * modes.energy[0])));
+    law.normal =
+        given(list, "Initial Stiffness",
+              std::max((equilibrium ? stiffnessAtRest : stiffnessInMotion) * modulus / cell,
+                       modes.strength[0] * modes.strength[0] / (2.0 * elasticPart * modes.energy[0])));
   // Damage then grows alike in all modes (Turon, Camanho, Costa and Renart, Compos. Struct. 92 (2010) 1857).
   law.shear = ratio * ratio * modes.energy[0] / modes.energy[1] * law.normal;
   for (int mode = 0; mode < 2; ++mode)

@@ -39,9 +39,10 @@ ProcessZone processZone(const Teuchos::ParameterList& list, double effective);
 std::string warningOfZone(const std::string& name, const ProcessZone& zone, double cell);
 
 /// Largest stable step with the laws' springs [s]; infinite without one. An explicit step resolves
-/// frequencies w below 2 / w. Cells have w^2 <= 4 D c^2 / h^2; a spring of stiffness K per area adds 4 K / (rho
-/// h) on nodes with half a cell's mass on each side, and no more where a crack cuts cells, because mass and
-/// stiffness of a node both go with the square of its distance from the crack. A tenth is kept as a margin.
+/// frequencies w below 2 / w. Cells have w^2 <= 4 D c^2 / h^2; a spring of stiffness K per area adds 4 K /
+/// (rho h) on nodes with half a cell's mass on each side, and no more where a crack cuts cells, because mass
+/// and stiffness of a node both go with the square of its distance from the crack. A tenth is kept as a
+/// margin.
 template <int D>
 double timeStepLimit(const State<D>& state, const std::vector<TractionLaw>& laws);
 

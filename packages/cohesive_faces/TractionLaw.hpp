@@ -59,20 +59,20 @@ struct EffectiveJump
 /// follows the same rule from T^2 / 2 Kn to S^2 / 2 Ks (Turon, Camanho, Costa and Davila, Mech. Mater. 38
 /// (2006) 1072), so that each law is that of its mode where the jump is of one mode.
 ///
-/// Shapes: bilinear (Camanho and Davila, NASA TM-2002-211737), trapezoidal (Tvergaard and Hutchinson, J. Mech.
-/// Phys. Solids 40 (1992) 1377), exponential (Xu and Needleman, J. Mech. Phys. Solids 42 (1994) 1397: in
-/// mode I theirs; strength and energy are given, which determine the stiffness).
+/// Shapes: bilinear (Camanho and Davila, NASA TM-2002-211737), trapezoidal (Tvergaard and Hutchinson, J.
+/// Mech. Phys. Solids 40 (1992) 1377), exponential (Xu and Needleman, J. Mech. Phys. Solids 42 (1994) 1397:
+/// in mode I theirs; strength and energy are given, which determine the stiffness).
 struct TractionLaw
 {
-  bool holds = false;              ///< whether the crack has a law
-  bool resistsOverlap = true;      ///< whether overlapping faces push back with Kn
+  bool holds = false;         ///< whether the crack has a law
+  bool resistsOverlap = true; ///< whether overlapping faces push back with Kn
   Shape shape = Shape::Trapezoidal;
-  double normal = 0.0;             ///< Kn [Pa/m]
-  double shear = 0.0;              ///< Ks [Pa/m]
-  double energy[2] = {0.0, 0.0};   ///< G_I, G_II [J/m2]
-  double elastic[2] = {0.0, 0.0};  ///< of the same at the largest traction [J/m2]
-  double exponent = 2.0;           ///< eta
-  double plateau = 0.0;            ///< part of the jump between onset and end with the largest traction
+  double normal = 0.0;            ///< Kn [Pa/m]
+  double shear = 0.0;             ///< Ks [Pa/m]
+  double energy[2] = {0.0, 0.0};  ///< G_I, G_II [J/m2]
+  double elastic[2] = {0.0, 0.0}; ///< of the same at the largest traction [J/m2]
+  double exponent = 2.0;          ///< eta
+  double plateau = 0.0;           ///< part of the jump between onset and end with the largest traction
 
   /// \param opening g [m] \param slip size of u [m]
   KOKKOS_INLINE_FUNCTION EffectiveJump effective(double opening, double slip) const
@@ -112,8 +112,9 @@ struct TractionLaw
     }
     slope.onset = (elastic[1] - elastic[0]) * power / (normal * mode.onset);
     const double strength = normal * mode.onset;
-    const double rest = 2.0 / (1.0 + plateau) *
-                        ((slope.energy - mode.energy * slope.onset / mode.onset) / strength - 0.5 * slope.onset);
+    const double rest =
+        2.0 / (1.0 + plateau) *
+        ((slope.energy - mode.energy * slope.onset / mode.onset) / strength - 0.5 * slope.onset);
     slope.plateau = slope.onset + plateau * rest;
     slope.end = slope.onset + rest;
     return slope;
@@ -205,11 +206,12 @@ private:
 template <int D>
 struct Cohesion
 {
-  double tension = 0.0;  ///< normal traction, negative where faces press [Pa]
-  Vector<D - 1> shear{}; ///< that holds back side +1, along the tangents [Pa]
-  double secant = 1.0;   ///< s
-  double spent = 0.0;    ///< fraction of G_c that is dissipated
-  bool grows = false;    ///< whether the damage grows with the jump
+  double tension = 0.0;        ///< normal traction, negative where faces press [Pa]
+  Vector<D - 1> shear{};       ///< that holds back side +1, along the tangents [Pa]
+  double secant = 1.0;         ///< s
+  double spent = 0.0;          ///< fraction of G_c that is dissipated
+  double lost[2] = {0.0, 0.0}; ///< dissipated since, by opening and by slip [J/m2]
+  bool grows = false;          ///< whether the damage grows with the jump
 };
 
 /// The law at a point. \param gap opening [m] \param slip of side +1 against side -1 [m] \param secant,spent
@@ -232,6 +234,8 @@ KOKKOS_INLINE_FUNCTION Cohesion<D> cohesionAt(const TractionLaw& law, double gap
       now.grows = true;
       const double lost = law.dissipated(mode, loaded);
       now.spent = lost > spent ? lost : spent;
+      now.lost[0] = (1.0 - jump.mixity) * mode.energy * (now.spent - spent);
+      now.lost[1] = jump.mixity * mode.energy * (now.spent - spent);
     }
   }
   now.tension = gap > 0.0 ? now.secant * law.normal * gap : law.resistsOverlap ? law.normal * gap : 0.0;
@@ -239,8 +243,8 @@ KOKKOS_INLINE_FUNCTION Cohesion<D> cohesionAt(const TractionLaw& law, double gap
   return now;
 }
 
-/// Derivative of the tractions (tension, shear) by the jump (gap, slip) [Pa/m]; unsymmetric where damage grows
-/// and the energy depends on the mode. \param now of cohesionAt
+/// Derivative of the tractions (tension, shear) by the jump (gap, slip) [Pa/m]; unsymmetric where damage
+/// grows and the energy depends on the mode. \param now of cohesionAt
 template <int D>
 KOKKOS_INLINE_FUNCTION void stiffnessAt(const TractionLaw& law, double gap, const Vector<D - 1>& slip,
                                         const Cohesion<D>& now, double (&C)[D][D])

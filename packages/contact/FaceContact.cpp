@@ -88,7 +88,8 @@ void FaceContact<D>::findStiffness(const State<D>& state)
 template <int D>
 void FaceContact<D>::addForces(const State<D>& state) const
 {
-  scatterTractions<D>("rhegma::contact::addForces", StepForces<D>{state.mesh.nodes}, points_, pressure_, shear_, thickness_);
+  scatterTractions<D>("rhegma::contact::addForces", StepForces<D>{state.mesh.nodes}, points_, pressure_,
+                      shear_, thickness_);
 }
 
 template <int D>

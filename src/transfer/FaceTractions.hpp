@@ -44,8 +44,8 @@ void scatterTractions(const char* label, const Forces& forces, const FacePoints<
       });
 }
 
-/// Jumps of a nodal velocity (first D columns) from side -1 to side +1 at all points, on all ranks. Collective.
-/// \param label of the kernel \param jumps D numbers a point; gets its size
+/// Jumps of a nodal velocity (first D columns) from side -1 to side +1 at all points, on all ranks.
+/// Collective. \param label of the kernel \param jumps D numbers a point; gets its size
 template <int D, class Velocity>
 void findFaceJumps(const char* label, const State<D>& state, const FacePoints<D>& points,
                    const Velocity& velocity, View<double*>& jumps)

@@ -196,11 +196,11 @@ def enf(size, steps, deflection=2.0e-3):
     return ["deflection", "force", "dissipated", "failed_to"], [[r[0], -r[1], r[4], r[5]] for r in rows]
 
 
-def mmb(size, steps, deflection=1.0e-3):
-    """The upper arm is lifted at the left support by as much as its middle is pressed down."""
+def mmb(size, steps, deflection=0.8e-3):
+    """The upper arm is lifted at the left support by twice as much as its middle is pressed down."""
     beam = Beam(size)
     middle = 0.5 * (LEFT + RIGHT)
-    grips = [(beam.grip(1, middle), -1.0), (beam.grip(1, LEFT), 1.0), (beam.grip(0, LEFT), 0.0), (beam.grip(0, RIGHT), 0.0)]
+    grips = [(beam.grip(1, middle), -1.0), (beam.grip(1, LEFT), 2.0), (beam.grip(0, LEFT), 0.0), (beam.grip(0, RIGHT), 0.0)]
     rows = solve(beam, grips, deflection, steps)
     return ["deflection", "force", "lift", "dissipated", "failed_to"], [[r[0], -r[1], r[2], r[5], r[6]] for r in rows]
 

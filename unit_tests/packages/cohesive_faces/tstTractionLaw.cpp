@@ -33,8 +33,11 @@ std::vector<Draw> draws(std::mt19937& random)
   for (const char* const name : {"Linear", "Bilinear", "Trapezoidal", "Exponential"})
     for (int k = 0; k < 5; ++k)
     {
-      Draw draw{name, {between(50.0, 500.0), between(50.0, 2000.0)}, {between(1e6, 5e7), between(1e6, 8e7)},
-                between(1.0, 3.0), {}};
+      Draw draw{name,
+                {between(50.0, 500.0), between(50.0, 2000.0)},
+                {between(1e6, 5e7), between(1e6, 8e7)},
+                between(1.0, 3.0),
+                {}};
       Teuchos::ParameterList list;
       list.set("Law", draw.name);
       list.set("Toughness", draw.energy[0]).set("Toughness II", draw.energy[1]);
@@ -118,7 +121,7 @@ double benzeggaghKenane(const Draw& draw, double mixity)
 
 TEST(TractionLaw, ProportionalPathsTakeTheToughnessOfTheirMode)
 {
-  std::mt19937 random(Test::seed());
+  std::mt19937 random(Rhegma::Test::seed());
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (const Draw& draw : draws(random))
     for (const double mixity : {0.0, 1.0, unit(random), unit(random)})
@@ -136,7 +139,7 @@ TEST(TractionLaw, ProportionalPathsTakeTheToughnessOfTheirMode)
 
 TEST(TractionLaw, EachModeHasItsStrength)
 {
-  std::mt19937 random(Test::seed());
+  std::mt19937 random(Rhegma::Test::seed());
   for (const Draw& draw : draws(random))
   {
     const double open = draw.law.atMixity(0.0).onset;
@@ -155,7 +158,7 @@ TEST(TractionLaw, EachModeHasItsStrength)
 
 TEST(TractionLaw, UnloadsToTheOriginAndDoesNotHeal)
 {
-  std::mt19937 random(Test::seed());
+  std::mt19937 random(Rhegma::Test::seed());
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (const Draw& draw : draws(random))
   {
@@ -187,10 +190,11 @@ TEST(TractionLaw, UnloadsToTheOriginAndDoesNotHeal)
   }
 }
 
-/// Work less what unloading returns is what `dissipated` says on proportional paths, and never falls on others.
+/// Work less what unloading returns is what `dissipated` says on proportional paths, and never falls on
+/// others.
 TEST(TractionLaw, DissipatesWhatItDoesNotStore)
 {
-  std::mt19937 random(Test::seed());
+  std::mt19937 random(Rhegma::Test::seed());
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (const Draw& draw : draws(random))
   {
@@ -225,7 +229,7 @@ TEST(TractionLaw, DissipatesWhatItDoesNotStore)
 
 TEST(TractionLaw, StiffnessIsTheDerivative)
 {
-  std::mt19937 random(Test::seed());
+  std::mt19937 random(Rhegma::Test::seed());
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (const Draw& draw : draws(random))
     for (int k = 0; k < 6; ++k)
@@ -259,7 +263,8 @@ TEST(TractionLaw, StiffnessIsTheDerivative)
             change[1 + t] += sign * there.shear[t];
         }
         for (int i = 0; i < 3; ++i)
-          EXPECT_NEAR(C[i][j], change[i] / (2.0 * step), 1e-6 * draw.law.stiffest() * now.secant + 1e-9 * draw.law.stiffest())
+          EXPECT_NEAR(C[i][j], change[i] / (2.0 * step),
+                      1e-6 * draw.law.stiffest() * now.secant + 1e-9 * draw.law.stiffest())
               << draw.name << " " << i << j << " case " << k;
       }
     }
