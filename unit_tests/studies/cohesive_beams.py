@@ -137,7 +137,7 @@ class Beam:
 
 
 def solve(beam, grips, largest, steps, tolerance=1e-9):
-    """Rows (factor of the displacements, force of each grip, energy dissipated, failed to). \\param grips (unknowns, displacement at 1)"""
+    """Rows (factor of the displacements, force of each grip, energy dissipated, failed to, work of the grips). \\param grips (unknowns, displacement at 1)"""
     law = Law()
     bonded = beam.at > CRACK
     secant, u = np.ones(len(beam.at)), np.zeros(beam.count)
@@ -174,7 +174,7 @@ def solve(beam, grips, largest, steps, tolerance=1e-9):
         u, secant, factor, before = trial, now, target, force
         stored = 0.5 * u @ (beam.bulk @ u) + 0.5 * np.sum(tractions.reshape(-1, 2) * jump)
         failed = beam.at[bonded & (secant <= 1e-3)]
-        rows.append([factor] + [float(force[dofs].sum()) for dofs, _ in grips] + [work - stored, failed.max() if len(failed) else CRACK])
+        rows.append([factor] + [float(force[dofs].sum()) for dofs, _ in grips] + [work - stored, failed.max() if len(failed) else CRACK, work])
         step = min(step * (2 if iteration < 8 else 1), largest / steps)
     return rows
 
@@ -185,7 +185,7 @@ def dcb(size, steps, opening=1.6e-3):
     rows = solve(beam, [(beam.grip(1, 0.0), 0.5), (beam.grip(0, 0.0), -0.5), (beam.grip(1, LENGTH), 0.0), (beam.grip(0, LENGTH), 0.0)], opening, steps)
     inertia = ARM**3 / 12
     theory = lambda d: math.sqrt(2 / 3 * GI**1.5 * math.sqrt(EFFECTIVE * inertia) / d)
-    return ["opening", "force", "dissipated", "failed_to", "beam_theory"], [[r[0], r[1], r[5], r[6], theory(r[0])] for r in rows]
+    return ["opening", "force", "dissipated", "failed_to", "work", "beam_theory"], [[r[0], r[1], *r[5:], theory(r[0])] for r in rows]
 
 
 def enf(size, steps, deflection=2.0e-3):
@@ -193,7 +193,7 @@ def enf(size, steps, deflection=2.0e-3):
     middle = 0.5 * (LEFT + RIGHT)
     grips = [(beam.grip(1, middle), -1.0), (beam.grip(0, LEFT), 0.0), (beam.grip(0, RIGHT), 0.0)]
     rows = solve(beam, grips, deflection, steps)
-    return ["deflection", "force", "dissipated", "failed_to"], [[r[0], -r[1], r[4], r[5]] for r in rows]
+    return ["deflection", "force", "dissipated", "failed_to", "work"], [[r[0], -r[1], *r[4:]] for r in rows]
 
 
 def mmb(size, steps, deflection=0.8e-3):
@@ -202,12 +202,12 @@ def mmb(size, steps, deflection=0.8e-3):
     middle = 0.5 * (LEFT + RIGHT)
     grips = [(beam.grip(1, middle), -1.0), (beam.grip(1, LEFT), 2.0), (beam.grip(0, LEFT), 0.0), (beam.grip(0, RIGHT), 0.0)]
     rows = solve(beam, grips, deflection, steps)
-    return ["deflection", "force", "lift", "dissipated", "failed_to"], [[r[0], -r[1], r[2], r[5], r[6]] for r in rows]
+    return ["deflection", "force", "lift", "dissipated", "failed_to", "work"], [[r[0], -r[1], r[2], *r[5:]] for r in rows]
 
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("tests", nargs="*", default=["dcb", "enf", "mmb"])
+    parser.add_argument("tests", nargs="*")
     parser.add_argument("--size", type=float, default=1e-3)
     parser.add_argument("--steps", type=int, default=60)
     parser.add_argument("--csv")
