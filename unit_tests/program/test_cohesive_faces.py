@@ -15,7 +15,8 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import ProgramTest, rhegma  # noqa: E402
+from file_scene import FileScene  # noqa: E402
+from program import SOURCE, ProgramTest, rhegma  # noqa: E402
 from scenes import Scene  # noqa: E402
 
 SEED = int(os.environ.get("RHEGMA_SEED", str(random.randrange(10**6))))
@@ -167,6 +168,20 @@ class CohesiveFaces(ProgramTest):
         self.assertLess(abs(force[1] - 0.5 * force[0]), 1e-3 * small, f"seed {SEED}: {force}")
         self.assertLess(abs(force[2]), 1e-3 * small, f"seed {SEED}: {force}")
         self.assertLess(abs(stored[1] - 0.25 * stored[0]), 1e-3 * stored[0], f"seed {SEED}: {stored}")
+
+    def test_split_beams_anywhere_in_their_cells(self):
+        """The verification scenes, whose references are those of finite elements, with the interface anywhere in its cells."""
+        print(f"RHEGMA_SEED = {SEED}", flush=True)
+        draw = random.Random(SEED)
+        for name in ("dcb", "enf", "mmb"):
+            scene = FileScene(os.path.join(SOURCE, "xml_inputs", "verification", f"cohesive_{name}_static.xml"))
+            low = -4e-3 - draw.uniform(0.0, CELL)
+            node = low + CELL * round((2e-3 - low) / CELL)  # the one that keeps the beam from moving along x
+            scene.set("Domain > Lower Corner", [-2e-3, low])
+            scene.set("Boundaries > End > Lower Corner", [0.0998, node - 2e-4])
+            scene.set("Boundaries > End > Upper Corner", [0.1002, node + 2e-4])
+            answer = rhegma(self.write(name + ".xml", scene.text()), "--quiet")
+            self.assertEqual(answer.status, 0, f"seed {SEED}: {answer}")  # 4 where a reference is missed
 
     def test_warns_of_short_process_zones(self):
         law = Law(random.Random(1), "Bilinear")
