@@ -92,8 +92,12 @@ void judge(State<D>& state, const Teuchos::ParameterList& list, const Account<D>
   {
     const int c = findCrack(state.cracks, name);
     const ProcessZone zone = processZone(list.sublist(name), at[c].effective);
-    if (const std::string warning = warningOfZone(name, zone, state.mesh.smallestSpacing()); !warning.empty())
-      state.warnings.push_back(warning);
+    for (const std::string& warning :
+         {warningOfZone(name, zone, state.mesh.smallestSpacing()),
+          warningOfOverlap(name, account.laws[c], at[c].modulus, state.mesh.grid.spacing,
+                           !state.method.equilibrium())})
+      if (!warning.empty())
+        state.warnings.push_back(warning);
   }
 }
 

@@ -155,6 +155,19 @@ std::string warningOfZone(const std::string& name, const ProcessZone& zone, doub
          formatShort(std::sqrt(fewestCells / cells)) + " times smaller";
 }
 
+std::string warningOfOverlap(const std::string& name, const TractionLaw& law, double modulus, double cell,
+                             bool moves)
+{
+  const double times = stiffnessInMotion * modulus / (cell * law.normal);
+  if (!law.resistsOverlap || !(times > 1.0))
+    return {};
+  return "Cohesive Faces > " + name +
+         ": without Contact, faces that press on each other resist by the initial stiffness of " +
+         formatShort(law.normal) + " Pa/m: they overlap by " + readableLength(1e6 / law.normal) +
+         " per MPa, " + formatShort(times) + " times as much as in contact; " +
+         (moves ? "add Contact, if they close" : "write a larger Initial Stiffness, if they close");
+}
+
 template <int D>
 double timeStepLimit(const State<D>& state, const std::vector<TractionLaw>& laws)
 {

@@ -38,6 +38,12 @@ ProcessZone processZone(const Teuchos::ParameterList& list, double effective);
 /// Warns where a process zone has too few cells. \param name of the crack \param cell there [m]
 std::string warningOfZone(const std::string& name, const ProcessZone& zone, double cell);
 
+/// Warns where faces that press on each other, without contact, resist less than those in contact by its
+/// default penalty. \param law of the crack \param modulus of AtCrack [Pa] \param cell edge of the coarsest
+/// cells [m] \param moves whether Contact may be added
+std::string warningOfOverlap(const std::string& name, const TractionLaw& law, double modulus, double cell,
+                             bool moves);
+
 /// Largest stable step with the laws' springs [s]; infinite without one. An explicit step resolves
 /// frequencies w below 2 / w. Cells have w^2 <= 4 D c^2 / h^2; a spring of stiffness K per area adds 4 K /
 /// (rho h) on nodes with half a cell's mass on each side, and no more where a crack cuts cells, because mass
