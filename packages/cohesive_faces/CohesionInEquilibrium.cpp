@@ -7,6 +7,14 @@
 namespace Rhegma::cohesive_faces
 {
 
+namespace
+{
+
+/// Of secant fractions, as a part of them: less damage than by the jump is none.
+constexpr double rounding = 1e-9;
+
+} // namespace
+
 template <int D>
 typename CohesionInEquilibrium<D>::Groups CohesionInEquilibrium<D>::begin(const State<D>& state,
                                                                           const View<int*>& rowOf)
@@ -19,6 +27,7 @@ typename CohesionInEquilibrium<D>::Groups CohesionInEquilibrium<D>::begin(const 
   points_.clear();
   jumps_.assign(static_cast<std::size_t>(D) * points.count(), 0.0);
   found_.resize(points.count());
+  branch_.assign(points.count(), {});
   Groups groups;
   for (int k = 0; k < points.count(); ++k)
   {
@@ -28,7 +37,13 @@ typename CohesionInEquilibrium<D>::Groups CohesionInEquilibrium<D>::begin(const 
       found.slip[t] = cohesion_.slip()(k, t);
     const TractionLaw& law = cohesion_.laws()(points.crack(k));
     if (law.holds)
-      found.now = cohesionAt<D>(law, found.gap, found.slip, cohesion_.secant()(k), cohesion_.spent()(k));
+    {
+      // A point whose damage grew last is taken to go on, which gives the softening of its neighbours, too.
+      const double secant = cohesion_.secant()(k);
+      branch_[k] = branchAt<D>(law, found.gap, found.slip, secant < 1.0 ? (1.0 + rounding) * secant : secant);
+      found.now =
+          cohesionOn<D>(branch_[k], law, found.gap, found.slip, cohesion_.secant()(k), cohesion_.spent()(k));
+    }
     if (!law.holds || points.acts(k) == 0)
       continue;
     Point point;
@@ -82,7 +97,8 @@ void CohesionInEquilibrium<D>::add(const Values& displacement, const Values& for
     found.gap = cohesion_.gap()(k) + dot(jump, normal);
     for (int t = 0; t < D - 1; ++t)
       found.slip[t] = cohesion_.slip()(k, t) + dot(jump, tangentOf(all, k, t));
-    found.now = cohesionAt<D>(law, found.gap, found.slip, cohesion_.secant()(k), cohesion_.spent()(k));
+    found.now =
+        cohesionOn<D>(branch_[k], law, found.gap, found.slip, cohesion_.secant()(k), cohesion_.spent()(k));
   }
   for (const Point& point : points_)
   {
@@ -105,14 +121,15 @@ bool CohesionInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addB
   {
     const int k = point.index;
     const TractionLaw& law = cohesion_.laws()(point.crack);
-    FoundPoint<D> found = found_[k];
-    found.now.grows = found.now.grows && point.whole;
+    const FoundPoint<D>& found = found_[k];
+    Branch branch = branch_[k];
+    branch.grows = branch.grows && point.whole;
     double C[D][D];
-    stiffnessAt<D>(law, found.gap, found.slip, found.now, C);
+    stiffnessAt<D>(branch, law, found.gap, found.slip, found.now, C);
     const double bonded = cohesion_.bonded()(k);
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
-        C[i][j] *= i == 0 && j == 0 && found.gap < 0.0 ? 1.0 : bonded;
+        C[i][j] *= i == 0 && j == 0 && !branch.open ? 1.0 : bonded;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < i; ++j)
       {
@@ -137,6 +154,25 @@ bool CohesionInEquilibrium<D>::addStiffness(bool symmetric, const AddBlock& addB
       }
   }
   return symmetric || ranks_.max(isSymmetric ? 0.0 : 1.0) == 0.0;
+}
+
+template <int D>
+bool CohesionInEquilibrium<D>::update()
+{
+  bool changed = false;
+  const FacePoints<D>& points = cohesion_.points();
+  for (int k = 0; k < points.count(); ++k)
+  {
+    const TractionLaw& law = cohesion_.laws()(points.crack(k));
+    if (!law.holds || points.acts(k) == 0)
+      continue;
+    const Branch now = branchAt<D>(law, found_[k].gap, found_[k].slip, cohesion_.secant()(k));
+    const Branch& before = branch_[k];
+    changed = changed || now.open != before.open || now.grows != before.grows ||
+              (now.grows && now.segment != before.segment);
+    branch_[k] = now;
+  }
+  return changed;
 }
 
 template <int D>

@@ -14,6 +14,11 @@ namespace Rhegma::cohesive_faces
 /// The tractions of the face points at a trial displacement over the step, with the tangent of the law. The
 /// jump of a point is linear in the displacement of the nodes of its stencils.
 ///
+/// The law has kinks, at which damage begins, ends and stops growing. In an iteration each point stays on one
+/// smooth branch, also beyond its ends, and `update` chooses the branches anew, so that Newton's method is
+/// one of semismooth equations (Qi and Sun, Math. Program. 58 (1993) 353): a search along its change would
+/// often find no decrease across kinks.
+///
 /// On several ranks all have the jumps of all points. Where the faces of a point lie on two ranks, each adds
 /// the block of its own face alone, and of the tangent only the secant: more iterations to the same
 /// equilibrium.
@@ -31,6 +36,7 @@ public:
   Groups begin(const State<D>& state, const View<int*>& rowOf) override;
   void add(const Values& displacement, const Values& force) override;
   bool addStiffness(bool symmetric, const AddBlock& addBlock) override;
+  bool update() override;
   bool hasBranches() const override { return true; }
   std::string reason() const override;
 
@@ -57,6 +63,7 @@ private:
   FaceCohesion<D>& cohesion_;
   std::vector<Point> points_;
   std::vector<FoundPoint<D>> found_; ///< of all points, by the last `add`
+  std::vector<Branch> branch_;       ///< of all points
   std::vector<double> jumps_;        ///< D numbers a point [m]
   std::vector<std::string> names_;   ///< of cracks
   Ranks ranks_;

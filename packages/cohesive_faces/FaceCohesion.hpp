@@ -132,7 +132,7 @@ private:
 template <int D>
 KOKKOS_INLINE_FUNCTION Cohesion<D> meanOf(Cohesion<D> now, double bonded)
 {
-  now.tension = (now.tension < 0.0 ? 1.0 : bonded) * now.tension;
+  now.tension = (now.presses ? 1.0 : bonded) * now.tension;
   now.shear = bonded * now.shear;
   return now;
 }

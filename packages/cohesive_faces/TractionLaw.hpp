@@ -1,8 +1,8 @@
 #pragma once
 /// Traction-separation laws of faces that hold together, without state.
 
+#include "base/CohesiveLaw.hpp"
 #include "base/Types.hpp"
-#include "cracks/CohesiveLaw.hpp"
 
 #include <cmath>
 
@@ -14,6 +14,24 @@ enum class Shape
 {
   Trapezoidal, ///< constant over a part of the rest, then linear to zero; without that part: bilinear
   Exponential  ///< K x exp(-x / d), largest at x = d
+};
+
+/// Parts of a law in which it is smooth.
+enum class Segment
+{
+  Elastic,
+  Plateau,
+  Fall,
+  Failed,
+  Exponential
+};
+
+/// Which part of the law a point is on.
+struct Branch
+{
+  bool open = true;   ///< whether the normal traction is that of open faces
+  bool grows = false; ///< whether damage grows with the jump; else the secant fraction stays
+  Segment segment = Segment::Elastic;
 };
 
 /// Fractions of the energy at which a face counts as failed: an exponential law never ends.
@@ -120,43 +138,76 @@ struct TractionLaw
     return slope;
   }
 
-  /// Secant fraction where the jump grows [-]. \param size lambda [m]
+  /// The segment on which damage grows at a jump. \param size lambda [m]
+  KOKKOS_INLINE_FUNCTION Segment segmentAt(const LawOfMode& mode, double size) const
+  {
+    if (shape == Shape::Exponential)
+      return Segment::Exponential;
+    if (size <= mode.onset)
+      return Segment::Elastic;
+    if (size <= mode.plateau)
+      return Segment::Plateau;
+    return size < mode.end ? Segment::Fall : Segment::Failed;
+  }
+
+  /// Secant fraction on a segment, also beyond its ends [-].
+  KOKKOS_INLINE_FUNCTION double secantOn(Segment segment, const LawOfMode& mode, double size) const
+  {
+    switch (segment)
+    {
+    case Segment::Elastic:
+      return 1.0;
+    case Segment::Plateau:
+      return mode.onset / size;
+    case Segment::Fall:
+      return fallOf(mode).falling(size) / normal;
+    case Segment::Exponential:
+      return std::exp(-size / mode.onset);
+    default:
+      return 0.0;
+    }
+  }
+
+  /// Secant fraction where the jump grows [-].
   KOKKOS_INLINE_FUNCTION double secant(const LawOfMode& mode, double size) const
   {
-    if (shape == Shape::Exponential)
-      return std::exp(-size / mode.onset);
-    if (size <= mode.onset)
-      return 1.0;
-    if (size <= mode.plateau)
-      return mode.onset / size;
-    return fallOf(mode).secant(size) / normal;
+    return secantOn(segmentAt(mode, size), mode, size);
   }
 
-  /// Its derivative by lambda [1/m].
-  KOKKOS_INLINE_FUNCTION double secantBySize(const LawOfMode& mode, double size) const
+  /// Its derivative by lambda on a segment [1/m].
+  KOKKOS_INLINE_FUNCTION double secantBySize(Segment segment, const LawOfMode& mode, double size) const
   {
-    if (shape == Shape::Exponential)
+    switch (segment)
+    {
+    case Segment::Plateau:
+      return -mode.onset / (size * size);
+    case Segment::Fall:
+      return -mode.onset * mode.end / ((mode.end - mode.plateau) * size * size);
+    case Segment::Exponential:
       return -std::exp(-size / mode.onset) / mode.onset;
-    if (size <= mode.onset || size >= mode.end)
+    default:
       return 0.0;
-    return size <= mode.plateau ? -mode.onset / (size * size)
-                                : -mode.onset * mode.end / ((mode.end - mode.plateau) * size * size);
+    }
   }
 
-  /// Its derivative by the mixity.
-  KOKKOS_INLINE_FUNCTION double secantByMixity(const LawOfMode& mode, const LawOfModeSlope& slope,
-                                               double size) const
+  /// Its derivative by the mixity on a segment.
+  KOKKOS_INLINE_FUNCTION double secantByMixity(Segment segment, const LawOfMode& mode,
+                                               const LawOfModeSlope& slope, double size) const
   {
-    if (shape == Shape::Exponential)
-      return std::exp(-size / mode.onset) * size * slope.onset / (mode.onset * mode.onset);
-    if (size <= mode.onset || size >= mode.end)
-      return 0.0;
-    if (size <= mode.plateau)
-      return slope.onset / size;
     const double length = mode.end - mode.plateau, left = mode.end - size;
-    return (slope.onset * left + mode.onset * slope.end -
-            mode.onset * left * (slope.end - slope.plateau) / length) /
-           (length * size);
+    switch (segment)
+    {
+    case Segment::Plateau:
+      return slope.onset / size;
+    case Segment::Fall:
+      return (slope.onset * left + mode.onset * slope.end -
+              mode.onset * left * (slope.end - slope.plateau) / length) /
+             (length * size);
+    case Segment::Exponential:
+      return std::exp(-size / mode.onset) * size * slope.onset / (mode.onset * mode.onset);
+    default:
+      return 0.0;
+    }
   }
 
   /// Fraction of G_c that is dissipated once the secant fraction has fallen to s at a mixity.
@@ -196,7 +247,7 @@ private:
     return 2.0 / (1.0 + plateau) * (mode.energy / (normal * mode.onset) - 0.5 * mode.onset);
   }
   /// The linear fall to zero, per area: that of new faces, without an elastic start.
-  KOKKOS_INLINE_FUNCTION cracks::CohesiveLaw fallOf(const LawOfMode& mode) const
+  KOKKOS_INLINE_FUNCTION CohesiveLaw fallOf(const LawOfMode& mode) const
   {
     return {normal * mode.onset, mode.end - mode.plateau, mode.plateau};
   }
@@ -211,43 +262,64 @@ struct Cohesion
   double secant = 1.0;         ///< s
   double spent = 0.0;          ///< fraction of G_c that is dissipated
   double lost[2] = {0.0, 0.0}; ///< dissipated since, by opening and by slip [J/m2]
-  bool grows = false;          ///< whether the damage grows with the jump
+  bool presses = false;        ///< whether it is on the branch of faces that press
 };
 
-/// The law at a point. \param gap opening [m] \param slip of side +1 against side -1 [m] \param secant,spent
-/// so far
+/// The branch of the law at a jump. \param gap opening [m] \param slip of side +1 against side -1 [m]
+/// \param secant so far
 template <int D>
-KOKKOS_INLINE_FUNCTION Cohesion<D> cohesionAt(const TractionLaw& law, double gap, const Vector<D - 1>& slip,
-                                              double secant, double spent)
+KOKKOS_INLINE_FUNCTION Branch branchAt(const TractionLaw& law, double gap, const Vector<D - 1>& slip,
+                                       double secant)
+{
+  Branch branch;
+  branch.open = gap >= 0.0;
+  const EffectiveJump jump = law.effective(gap, norm(slip));
+  if (!(jump.size > 0.0) || !(secant > 0.0))
+    return branch;
+  const LawOfMode mode = law.atMixity(jump.mixity);
+  branch.segment = law.segmentAt(mode, jump.size);
+  branch.grows = law.secantOn(branch.segment, mode, jump.size) < secant;
+  return branch;
+}
+
+/// The law at a point on a branch, which is that of `branchAt` or goes on beyond its ends. \param
+/// secant,spent so far
+template <int D>
+KOKKOS_INLINE_FUNCTION Cohesion<D> cohesionOn(const Branch& branch, const TractionLaw& law, double gap,
+                                              const Vector<D - 1>& slip, double secant, double spent)
 {
   Cohesion<D> now;
   now.secant = secant;
   now.spent = spent;
+  now.presses = !branch.open;
   const EffectiveJump jump = law.effective(gap, norm(slip));
-  if (jump.size > 0.0 && secant > 0.0)
+  if (branch.grows && jump.size > 0.0)
   {
     const LawOfMode mode = law.atMixity(jump.mixity);
-    const double loaded = law.secant(mode, jump.size);
-    if (loaded < secant)
-    {
-      now.secant = loaded;
-      now.grows = true;
-      const double lost = law.dissipated(mode, loaded);
-      now.spent = lost > spent ? lost : spent;
-      now.lost[0] = (1.0 - jump.mixity) * mode.energy * (now.spent - spent);
-      now.lost[1] = jump.mixity * mode.energy * (now.spent - spent);
-    }
+    now.secant = law.secantOn(branch.segment, mode, jump.size);
+    const double lost = law.dissipated(mode, now.secant);
+    now.spent = lost > spent ? lost : spent;
+    now.lost[0] = (1.0 - jump.mixity) * mode.energy * (now.spent - spent);
+    now.lost[1] = jump.mixity * mode.energy * (now.spent - spent);
   }
-  now.tension = gap > 0.0 ? now.secant * law.normal * gap : law.resistsOverlap ? law.normal * gap : 0.0;
+  now.tension = branch.open ? now.secant * law.normal * gap : law.resistsOverlap ? law.normal * gap : 0.0;
   now.shear = now.secant * law.shear * slip;
   return now;
 }
 
-/// Derivative of the tractions (tension, shear) by the jump (gap, slip) [Pa/m]; unsymmetric where damage
-/// grows and the energy depends on the mode. \param now of cohesionAt
+/// The law at a point.
 template <int D>
-KOKKOS_INLINE_FUNCTION void stiffnessAt(const TractionLaw& law, double gap, const Vector<D - 1>& slip,
-                                        const Cohesion<D>& now, double (&C)[D][D])
+KOKKOS_INLINE_FUNCTION Cohesion<D> cohesionAt(const TractionLaw& law, double gap, const Vector<D - 1>& slip,
+                                              double secant, double spent)
+{
+  return cohesionOn<D>(branchAt<D>(law, gap, slip, secant), law, gap, slip, secant, spent);
+}
+
+/// Derivative of the tractions (tension, shear) by the jump (gap, slip) on a branch [Pa/m]; unsymmetric where
+/// damage grows and the energy depends on the mode. \param now of cohesionOn
+template <int D>
+KOKKOS_INLINE_FUNCTION void stiffnessAt(const Branch& branch, const TractionLaw& law, double gap,
+                                        const Vector<D - 1>& slip, const Cohesion<D>& now, double (&C)[D][D])
 {
   const double open = gap > 0.0 ? gap : 0.0;
   double ratio[D], at[D];
@@ -260,15 +332,15 @@ KOKKOS_INLINE_FUNCTION void stiffnessAt(const TractionLaw& law, double gap, cons
     at[i] = i == 0 ? open : slip[i > 0 ? i - 1 : 0];
     C[i][i] = now.secant * ratio[i] * law.normal;
   }
-  if (gap < 0.0)
+  if (!branch.open)
     C[0][0] = law.resistsOverlap ? law.normal : 0.0;
-  if (!now.grows)
-    return;
   const EffectiveJump jump = law.effective(gap, norm(slip));
+  if (!branch.grows || !(jump.size > 0.0))
+    return;
   const LawOfMode mode = law.atMixity(jump.mixity);
   const LawOfModeSlope slope = law.slopeAtMixity(mode, jump.mixity);
-  const double bySize = law.secantBySize(mode, jump.size);
-  const double byMixity = law.secantByMixity(mode, slope, jump.size);
+  const double bySize = law.secantBySize(branch.segment, mode, jump.size);
+  const double byMixity = law.secantByMixity(branch.segment, mode, slope, jump.size);
   for (int j = 0; j < D; ++j)
   {
     const double part = ratio[j] * at[j] / jump.size; // of lambda

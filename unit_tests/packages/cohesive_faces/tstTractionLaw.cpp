@@ -246,7 +246,7 @@ TEST(TractionLaw, StiffnessIsTheDerivative)
         at.gap = -at.gap; // pressed and sliding
       const Cohesion<3> now = cohesionAt<3>(draw.law, at.gap, at.slip, 1.0, 0.0);
       double C[3][3];
-      stiffnessAt<3>(draw.law, at.gap, at.slip, now, C);
+      stiffnessAt<3>(branchAt<3>(draw.law, at.gap, at.slip, 1.0), draw.law, at.gap, at.slip, now, C);
       // Central differences: truncation step^2 / 6 t''' and rounding eps t / step, each below 1e-7 of the
       // stiffest entry for a step of 1e-5 of the jump over lambda / onset of some hundred.
       const double step = 1e-5 * size;
