@@ -13,6 +13,10 @@ namespace
 /// Of secant fractions, as a part of them: less damage than by the jump is none.
 constexpr double rounding = 1e-9;
 
+/// How often a point may change its branch in the iterations of a step before its secant fraction is held
+/// over each: at a kink both branches may lead to the other one.
+constexpr int mostChanges = 6;
+
 } // namespace
 
 template <int D>
@@ -28,6 +32,8 @@ typename CohesionInEquilibrium<D>::Groups CohesionInEquilibrium<D>::begin(const 
   jumps_.assign(static_cast<std::size_t>(D) * points.count(), 0.0);
   found_.resize(points.count());
   branch_.assign(points.count(), {});
+  changes_.assign(points.count(), 0);
+  held_.assign(points.count(), 0.0);
   Groups groups;
   for (int k = 0; k < points.count(); ++k)
   {
@@ -97,8 +103,8 @@ void CohesionInEquilibrium<D>::add(const Values& displacement, const Values& for
     found.gap = cohesion_.gap()(k) + dot(jump, normal);
     for (int t = 0; t < D - 1; ++t)
       found.slip[t] = cohesion_.slip()(k, t) + dot(jump, tangentOf(all, k, t));
-    found.now =
-        cohesionOn<D>(branch_[k], law, found.gap, found.slip, cohesion_.secant()(k), cohesion_.spent()(k));
+    const double secant = changes_[k] > mostChanges ? held_[k] : cohesion_.secant()(k);
+    found.now = cohesionOn<D>(branch_[k], law, found.gap, found.slip, secant, cohesion_.spent()(k));
   }
   for (const Point& point : points_)
   {
@@ -166,10 +172,23 @@ bool CohesionInEquilibrium<D>::update()
     const TractionLaw& law = cohesion_.laws()(points.crack(k));
     if (!law.holds || points.acts(k) == 0)
       continue;
-    const Branch now = branchAt<D>(law, found_[k].gap, found_[k].slip, cohesion_.secant()(k));
+    Branch now = branchAt<D>(law, found_[k].gap, found_[k].slip, cohesion_.secant()(k));
     const Branch& before = branch_[k];
-    changed = changed || now.open != before.open || now.grows != before.grows ||
-              (now.grows && now.segment != before.segment);
+    const bool differs =
+        now.open != before.open || now.grows != before.grows || (now.grows && now.segment != before.segment);
+    if (changes_[k] <= mostChanges)
+      changes_[k] += differs ? 1 : 0;
+    if (changes_[k] > mostChanges)
+    {
+      const double secant =
+          cohesionOn<D>(now, law, found_[k].gap, found_[k].slip, cohesion_.secant()(k), cohesion_.spent()(k))
+              .secant;
+      changed = changed || now.open != before.open || secant != held_[k];
+      held_[k] = secant;
+      now.grows = false;
+    }
+    else
+      changed = changed || differs;
     branch_[k] = now;
   }
   return changed;
@@ -193,6 +212,17 @@ std::string CohesionInEquilibrium<D>::reason() const
       text += (text.empty() ? "" : "; ") +
               ("the cohesive faces of crack " + names_[c] + " have failed over all their length");
   return text;
+}
+
+template <int D>
+void CohesionInEquilibrium<D>::accept(const State<D>& state)
+{
+  const FacePoints<D>& points = cohesion_.points();
+  for (int k = 0; k < points.count(); ++k)
+    if (const TractionLaw& law = cohesion_.laws()(points.crack(k)); law.holds && changes_[k] > mostChanges)
+      found_[k].now =
+          cohesionAt<D>(law, found_[k].gap, found_[k].slip, cohesion_.secant()(k), cohesion_.spent()(k));
+  cohesion_.accept(state, found_);
 }
 
 template class CohesionInEquilibrium<2>;

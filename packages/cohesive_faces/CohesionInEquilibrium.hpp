@@ -17,7 +17,8 @@ namespace Rhegma::cohesive_faces
 /// The law has kinks, at which damage begins, ends and stops growing. In an iteration each point stays on one
 /// smooth branch, also beyond its ends, and `update` chooses the branches anew, so that Newton's method is
 /// one of semismooth equations (Qi and Sun, Math. Program. 58 (1993) 353): a search along its change would
-/// often find no decrease across kinks.
+/// often find no decrease across kinks. A point whose branch changes again and again keeps the secant of the
+/// last iteration instead.
 ///
 /// On several ranks all have the jumps of all points. Where the faces of a point lie on two ranks, each adds
 /// the block of its own face alone, and of the tangent only the secant: more iterations to the same
@@ -41,7 +42,7 @@ public:
   std::string reason() const override;
 
   /// Gives the points what the last `add` found.
-  void accept(const State<D>& state) { cohesion_.accept(state, found_); }
+  void accept(const State<D>& state);
 
 private:
   /// Part of the jump of a point.
@@ -64,6 +65,8 @@ private:
   std::vector<Point> points_;
   std::vector<FoundPoint<D>> found_; ///< of all points, by the last `add`
   std::vector<Branch> branch_;       ///< of all points
+  std::vector<int> changes_;         ///< of the branch of each point in this step
+  std::vector<double> held_;         ///< secant fraction of a point whose branch has changed too often
   std::vector<double> jumps_;        ///< D numbers a point [m]
   std::vector<std::string> names_;   ///< of cracks
   Ranks ranks_;
