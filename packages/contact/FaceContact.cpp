@@ -2,10 +2,9 @@
 
 #include "archive/Archive.hpp"
 #include "base/RowOrder.hpp"
-#include "contact/FaceTraction.hpp"
 #include "material/MaterialTable.hpp"
 #include "state/Subdomain.hpp"
-#include "transfer/PushNodes.hpp"
+#include "transfer/FaceTractions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,47 +20,6 @@ namespace
 
 /// Pressure as a fraction of the modulus below which a touch is only round-off.
 constexpr double noticeable = 1e-9;
-
-/// Adds the tractions of the face points to forces of nodes. \param forces for addFaceForces
-template <int D, class Forces>
-void scatterTractions(const Forces& forces, const FacePoints<D>& points, const View<double*>& pressure,
-                      const View<double * [D - 1]>& shear, double thickness)
-{
-  forEachPushing(
-      "rhegma::contact::addForces", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (pressure(k) == 0.0)
-          return;
-        const Vector<D> onUpper = (points.size(k) * thickness) * tractionAt(points, pressure, shear, k);
-        addFaceForces<D>(forces, points.below, points.above, k, onUpper);
-      });
-}
-
-/// Heat per size of replaced points [J/m2]: that of each earlier point goes to the points that inherit from
-/// it, by their sizes, or where there is none to the point at its position. \param size of earlier points
-template <int D>
-View<double*> inheritHeat(const View<double*>& old, const View<double*>& size, const FacePoints<D>& points)
-{
-  View<double*> fresh("rhegma::contactHeat", points.count());
-  const auto heat = onHost(old);
-  const auto oldSize = onHost(size);
-  const auto newSize = onHost(points.size);
-  const auto before = onHost(points.before);
-  const auto after = onHost(points.after);
-  const auto host = Kokkos::create_mirror_view(fresh);
-  const int count = static_cast<int>(heat.extent(0));
-  std::vector<double> heirs(count, 0.0); // their size
-  for (int k = 0; k < points.count(); ++k)
-    if (before(k) >= 0)
-      heirs[before(k)] += newSize(k);
-  for (int k = 0; k < points.count(); ++k)
-    if (before(k) >= 0)
-      host(k) = heat(before(k)) * oldSize(before(k)) / heirs[before(k)];
-  for (int o = 0; o < count; ++o)
-    if (heirs[o] == 0.0 && after(o) >= 0)
-      host(after(o)) += heat(o) * oldSize(o) / newSize(after(o));
-  Kokkos::deep_copy(fresh, host);
-  return fresh;
-}
 
 } // namespace
 
@@ -130,13 +88,14 @@ void FaceContact<D>::findStiffness(const State<D>& state)
 template <int D>
 void FaceContact<D>::addForces(const State<D>& state) const
 {
-  scatterTractions(StepForces<D>{state.mesh.nodes}, points_, pressure_, shear_, thickness_);
+  scatterTractions<D>("rhegma::contact::addForces", StepForces<D>{state.mesh.nodes}, points_, pressure_,
+                      shear_, thickness_);
 }
 
 template <int D>
 void FaceContact<D>::addForces(const View<double * [D + 1]>& force) const
 {
-  scatterTractions(force, points_, pressure_, shear_, thickness_);
+  scatterTractions<D>("rhegma::contact::addForces", force, points_, pressure_, shear_, thickness_);
 }
 
 template <int D>
@@ -171,27 +130,9 @@ std::vector<FaceTraction<D>> FaceContact<D>::tractions(int crack) const
 
 template <int D>
 template <class Velocity>
-void FaceContact<D>::findJumps(const State<D>& state, const Velocity& velocity)
-{
-  if (static_cast<int>(jump_.extent(0)) != D * points_.count())
-    jump_ = View<double*>("rhegma::contactJump", D * points_.count());
-  const FacePoints<D> points = points_;
-  const View<double*> jumps = jump_;
-  Kokkos::parallel_for(
-      "rhegma::contact::findJumps", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
-      KOKKOS_LAMBDA(const int k) {
-        const Vector<D> jump = jumpAt<D>(points.below, points.above, k, velocity);
-        for (int d = 0; d < D; ++d)
-          jumps(D * k + d) = jump[d];
-      });
-  sumParts(state, jump_);
-}
-
-template <int D>
-template <class Velocity>
 void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
 {
-  findJumps(state, velocity);
+  findFaceJumps("rhegma::contact::findJumps", state, points_, velocity, jump_);
   const View<double*> jumps = jump_;
   const FacePoints<D> points = points_;
   const View<double*> gap = gap_, pressure = pressure_, heat = heat_;
@@ -343,7 +284,7 @@ void FaceContact<D>::storeHistory(const View<double*>& size)
   slip_ = inOrder(slip_, points_.before);
   pressure_ = inOrder(pressure_, points_.before);
   shear_ = inOrder(shear_, points_.before);
-  heat_ = inheritHeat(heat_, size, points_);
+  heat_ = inheritBySize("rhegma::contactHeat", heat_, size, points_);
 }
 
 template <int D>

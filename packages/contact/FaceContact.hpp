@@ -94,10 +94,6 @@ public:
 
   const std::vector<CrackContact>& cracks() const { return cracks_; }
 
-  /// Part of `advance`; public because compilers for devices want kernels in public functions.
-  template <class Velocity>
-  void findJumps(const State<D>& state, const Velocity& velocity);
-
 private:
   void findStiffness(const State<D>& state);
   void storeCracks(Archive& archive);

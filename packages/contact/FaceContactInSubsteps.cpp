@@ -1,8 +1,7 @@
 /// Contact of faces whose nodes move in substeps.
 
 #include "contact/FaceContact.hpp"
-#include "contact/FaceTraction.hpp"
-#include "transfer/PushNodes.hpp"
+#include "transfer/FaceTractions.hpp"
 
 namespace Rhegma::contact
 {

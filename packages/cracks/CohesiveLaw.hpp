@@ -2,6 +2,7 @@
 /// The laws of the springs behind a front and of the traction of new faces, without state: what replaces them
 /// replaces this file and SpringConstants.hpp.
 
+#include "base/CohesiveLaw.hpp"
 #include "base/Types.hpp"
 #include "cracks/FrontCell.hpp"
 #include "cracks/SpringConstants.hpp"
@@ -116,48 +117,6 @@ KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width,
              ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away)
              : 0.0;
 }
-
-/// The cohesive traction of a node, as a nodal force: falls linearly from T at an onset T / k to zero at an
-/// opening w further on; unloading and reloading follow the secant. It dissipates T w / 2.
-///
-/// The two fields of a node that a front passes are held together at first by the force T that gives both one
-/// acceleration. The opening is counted from -T / k, so that the traction can turn with it and has a finite
-/// stiffness k at first. Compressive forces are no cohesion and are left out (HoldingForce.hpp).
-struct CohesiveLaw
-{
-  double strength = 0.0; ///< T [N]
-  double range = 0.0;    ///< w [m]
-  double onset = 0.0;    ///< T / k [m]
-
-  /// Force per opening [N/m] where the largest opening so far is `largest` [m].
-  KOKKOS_INLINE_FUNCTION double secant(double largest) const
-  {
-    const double left = 1.0 - (largest - onset) / range;
-    return left > 0.0 ? strength * left / largest : 0.0;
-  }
-
-  /// Force at an opening [N]. \param largest opening so far [m]
-  KOKKOS_INLINE_FUNCTION double traction(double opening, double largest) const
-  {
-    return secant(opening > largest ? opening : largest) * opening;
-  }
-
-  /// Whether the fields have separated. \param largest opening so far [m]
-  KOKKOS_INLINE_FUNCTION bool isOpen(double largest) const { return !(traction(largest, largest) > 0.0); }
-
-  /// What the traction dissipates from its onset to zero [J].
-  KOKKOS_INLINE_FUNCTION double energy() const { return 0.5 * strength * range; }
-
-  /// Work of the traction from an opening until the node is open [J], including what it stores elastically.
-  /// \param square of the opening now [m2]
-  KOKKOS_INLINE_FUNCTION double pendingEnergy(double largest, double square) const
-  {
-    const double force = traction(largest, largest);
-    return force > 0.0 ? 0.5 * force * (onset + range - largest) +
-                             0.5 * force / largest * (largest * largest - square)
-                       : 0.0;
-  }
-};
 
 /// Opening over which nodes that a front passes together release an energy [m]: w = 2 E / sum T, all with the
 /// same. Together they dissipate E, each in proportion to its force (for example, the two rows of nodes next

@@ -196,6 +196,12 @@ std::vector<Case> ownCases()
     one.overrides = {"Cracks:Formulation=" + formulation};
     all.push_back(one);
   };
+  const std::string cohesion =
+      section("Cohesive Faces", section("Notch", text("Law", "Exponential") + real("Toughness", "1e3") +
+                                                     real("Toughness II", "2e3") + real("Strength", "5e5")));
+  Case held = own("own_cohesive", plate(pull, cohesion + cells));
+  held.overrides = {"Cracks:Notch:Points={-0.1, 0.52, 1.1, 0.55}"};
+  all.push_back(held);
   with("own_visibility", section("Contact", text("Law", "Visibility")), "Broken Cell");
   with("own_corrected", friction, "Corrected Broken Cell");
   for (const char* scheme : {"USF", "USL", "USAVG"})

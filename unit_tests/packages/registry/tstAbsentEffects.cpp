@@ -85,6 +85,11 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Flame Temperature" type="double" value="2500"/>
        <Parameter name="Initial Gap" type="double" value="1e-3"/></ParameterList></ParameterList>)xml"},
     {"Contact", cracks + "<ParameterList name=\"Contact\"/>"},
+    {"Cohesive Faces", R"xml(<ParameterList name="Cracks"><ParameterList name="Joint">
+       <Parameter name="Points" type="Array(double)" value="{0, 0.5, 1, 0.5}"/></ParameterList></ParameterList>
+       <ParameterList name="Cohesive Faces"><ParameterList name="Joint">
+       <Parameter name="Toughness" type="double" value="100"/>
+       <Parameter name="Strength" type="double" value="1e5"/></ParameterList></ParameterList>)xml"},
     {"Measure",
      cracks + R"xml(<ParameterList name="Measure"><ParameterList name="Side Energy"/></ParameterList>)xml"},
     {"Propagation", cracks + R"xml(<ParameterList name="Energy Release"/>
