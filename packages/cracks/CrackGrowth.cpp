@@ -309,8 +309,11 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
       if (norm(node.aside) > 0.0)
         more += f.crack.mesh.shift(point.vertex, node.aside);
     more += f.crack.mesh.advance(f.lines, node.node, to, D == 2 ? length : rowHeight * f.cells[node.node]);
+    const Depth depth = state.method.depth();
+    const double radius = depth.around ? 0.5 * (node.path.from[0] + to[0]) : 1.0;
     f.area += more;
-    f.energy += point.toughness * more * state.method.thickness;
+    f.swept += more * radius;
+    f.energy += point.toughness * (more * radius) * depth.thickness;
     FrontNode<D>& own = f.front.nodes[node.node];
     own.advance += length;
     f.front.extension.largest = std::max(f.front.extension.largest, own.advance);
@@ -358,6 +361,7 @@ void CrackGrowth<D>::evenPieces(Advancing& f)
         {
           f.energy += toughness * added;
           f.area += added;
+          f.swept += added;
         }
       }
   }
@@ -385,10 +389,10 @@ void CrackGrowth<D>::growFront(State<D>& state, std::vector<GrowingCrack<D>>& cr
     forgetSidesAhead(state, front, (bandWidth + 4.0) * state.mesh.grid.spacing + longest);
   front.grown = front.grown || moves;
   if (f.area > 0.0 && f.energy > 0.0)
-    lastToughness_[f.number] = f.energy / (f.area * state.method.thickness);
+    lastToughness_[f.number] = f.energy / (f.swept * state.method.thickness);
   front.extension.mean = std::max(front.extension.mean, meanAdvance(front));
   evenPieces(f);
-  front.extension.area += f.area;
+  front.extension.area += f.swept;
   front.budget.require(f.energy);
   front.ended = f.lines.empty();
 }

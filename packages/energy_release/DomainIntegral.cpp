@@ -87,6 +87,20 @@ void setIntensities(const CrackCompliance& c, double modeI, double modeII, Domai
   sum.modeII = (c.modeI * modeII - c.coupled * modeI) / determinant;
 }
 
+/// Scales intensities such that they release J. The singular fields of plane strain, which the interaction
+/// integrals take, are not those of rings: they give the ratio of the modes, which differs from the right one
+/// by the order of the disk's radius over that of the front, and the sign.
+void fitToRelease(const CrackCompliance& c, DomainIntegral& sum)
+{
+  const double released = c.modeI * sum.modeI * sum.modeI + 2.0 * c.coupled * sum.modeI * sum.modeII +
+                          c.modeII * sum.modeII * sum.modeII;
+  if (!(sum.J > 0.0) || !(released > 0.0))
+    return;
+  const double factor = std::sqrt(sum.J / released);
+  sum.modeI *= factor;
+  sum.modeII *= factor;
+}
+
 /// Intensities by the singular fields about the tip of the crack in the cells. Each iteration finds the
 /// remaining offset, which falls by a factor of 50 or so.
 template <class Work>
@@ -100,7 +114,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     contact.takeMean();
   constexpr int turns = 4;
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
-  const double thickness = state.method.thickness, scale = 0.5 / thickness;
+  const double thickness = state.method.depth().at(front.position[0]), scale = 0.5 / thickness;
   DomainIntegral sum;
   double releaseOfParticles = 0.0;
   Vector<D> middle = front.position;
@@ -138,6 +152,8 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     setIntensities(work.disk.compliance, scale * modeI, scale * modeII, sum);
     if (work.nearFront.corrects())
       sum.J += heatOfRelease(work, sums, sum.modeI, sum.modeII) / thickness;
+    if (work.axisymmetric)
+      fitToRelease(work.disk.compliance, sum);
     const double square = modeI * modeI + modeII * modeII;
     if (turn == turns || !(square > 0.0))
       return sum;
@@ -189,6 +205,7 @@ domainIntegrand::Integrand<S, Stored> integrandOf(const State<D>& state,
     work.side = state.particles.integer(fields::side);
   work.materials = state.materials.device;
   work.heat = ParticleHeat<D>(state);
+  work.axisymmetric = state.method.axisymmetric;
   work.moving = haveNodalValues(state) && state.mesh.nodes.motion.extent(0) > 0;
   return work;
 }

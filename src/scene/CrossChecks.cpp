@@ -78,6 +78,12 @@ private:
         return;
       }
     }
+    if (text(domain, "Plane") == "Axisymmetric" && m_lower[0] < 0.0)
+      return report(
+          "Domain > Lower Corner",
+          "begins at x = " + formatReal(m_lower[0]) +
+              " m in an axisymmetric scene, in which x is the radius; write 0, or the radius inside "
+              "of a hollow body.");
     m_domainKnown = true;
   }
 
