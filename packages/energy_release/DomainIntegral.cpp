@@ -1,5 +1,6 @@
 #include "energy_release/DomainIntegral.hpp"
 
+#include "base/SmallLoops.hpp"
 #include "energy_release/DomainIntegrand.hpp"
 #include "energy_release/FaceTractions.hpp"
 #include "state/NodalValues.hpp"
@@ -62,6 +63,27 @@ double heatOfMode(const Work& work, const double* sums, int mode)
                              mode == 0 ? 0.5 : 1.0);
 }
 
+/// What springs behind the front of an axisymmetric scene add to J [J]: a shift along the radius makes their
+/// ring, and so their energy, larger.
+double releaseOfSprings(const State<D>& state, const CrackFront<D>& front, const NodalWeight<D>& weight)
+{
+  const View<double*> energy = state.cracks.springEnergy;
+  if (energy.extent(0) == 0)
+    return 0.0;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const NodePositions<D> positions = nodePositions(state);
+  const double along = front.direction[0];
+  double sum = parallelSumSmall<double>(
+      "rhegma::releaseOfSprings", nodes.numOfCracks, KOKKOS_LAMBDA(const int i, double& part) {
+        const int primary = nodes.parent(i);
+        const double radius = positions(primary)[0];
+        if (radius > 0.0 && isOwnedByThisRank(nodes, primary))
+          part -= energy(primary) * weight(primary) * along / radius;
+      });
+  sumParts(state, &sum, 1);
+  return sum;
+}
+
 /// What corrects that of J [J] (HeatNearFront.hpp).
 template <class Work>
 double heatOfRelease(const Work& work, const double* sums, double modeI, double modeII)
@@ -117,6 +139,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
   const double thickness = state.method.depth().at(front.position[0]), scale = 0.5 / thickness;
   DomainIntegral sum;
   double releaseOfParticles = 0.0;
+  const double ofSprings = work.axisymmetric ? releaseOfSprings(state, front, weight) : 0.0;
   Vector<D> middle = front.position;
   if (work.intensities)
     middle = middle + offsetAside(state, front, weight.radii, blocks) * front.normal;
@@ -127,7 +150,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     blocks.sum("rhegma::domainIntegral", work, sums);
     sumParts(state, sums, Work::numSums);
     // J does not depend on the tip, but for what is corrected near it.
-    releaseOfParticles = work.release ? sums[0] : releaseOfParticles;
+    releaseOfParticles = work.release ? sums[0] + ofSprings : releaseOfParticles;
     work.release = work.nearFront.corrects();
     for (int mode = 0; mode < 2 && work.nearFront.corrects(); ++mode)
       sums[1 + mode] +=

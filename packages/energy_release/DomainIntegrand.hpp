@@ -64,8 +64,8 @@ struct Integrand
   Vector<D> direction, normal;
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
-  bool bent;           ///< the weight is a vector along the crack
-  bool intensities;    ///< false: only J is wanted
+  bool bent;                 ///< the weight is a vector along the crack
+  bool intensities;          ///< false: only J is wanted
   bool axisymmetric = false; ///< shifts along the radius widen rings
   bool release = true;       ///< false: J, which does not depend on the tip, is not wanted
 
@@ -118,8 +118,8 @@ struct Integrand
   }
 
   /// Adds what a particle adds to J. \param image of the direction in the cells \param du u,1
-  /// \param flux of momentum by the slope of the weight \param hoop strain of the shift \param r distance from the tip of a particle whose
-  /// part of heat is corrected [m], else negative
+  /// \param flux of momentum by the slope of the weight \param hoop strain of the shift \param r distance
+  /// from the tip of a particle whose part of heat is corrected [m], else negative
   KOKKOS_INLINE_FUNCTION void addRelease(int p, const Pack<4>& weight, const Pack<4> (&slope)[D],
                                          const Vector<D>& image, const Vector<D>& du, const Vector<D>& flux,
                                          const Motion& motion, double hoop, double r,

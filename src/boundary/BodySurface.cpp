@@ -112,13 +112,10 @@ Geometry::SurfaceChoice<D> readChoice(const ParameterList& list, const Parameter
   return choice;
 }
 
-/// Whether a point lies on a plane of symmetry, where the body goes on, or on the axis of such a body.
+/// Whether a point lies on a plane of symmetry, where the body goes on.
 template <int D>
 bool isOnSymmetry(const ParameterList& scene, const Geometry::SurfacePoint<D>& point, double rounding)
 {
-  constexpr double along = 0.999; // of a normal along the axis
-  if (reachesAxis(scene) && std::abs(point.normal[0]) > along && point.x[0] < rounding)
-    return true;
   const ParameterList& boundaries = scene.sublist("Boundaries");
   const std::vector<std::string> names = sublistNames(boundaries);
   return std::any_of(names.begin(), names.end(),
@@ -128,6 +125,7 @@ bool isOnSymmetry(const ParameterList& scene, const Geometry::SurfacePoint<D>& p
                        if (list.get<std::string>("Type") != "Symmetry")
                          return false;
                        const int axis = list.get<std::string>("Axis")[0] - 'x';
+                       constexpr double along = 0.999; // of a normal along the axis
                        return axis < D && std::abs(point.normal[axis]) > along &&
                               std::abs(point.x[axis] - list.get<double>("Position")) < rounding;
                      });

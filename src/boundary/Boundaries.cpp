@@ -10,7 +10,6 @@
 #include "boundary/LoadDisplacements.hpp"
 #include "boundary/LoadForces.hpp"
 #include "boundary/SurfaceReport.hpp"
-#include "plan/Axis.hpp"
 #include "plan/LastStage.hpp"
 
 #include <memory>
@@ -63,25 +62,6 @@ void addLoads(Effect<D>& effect, const Teuchos::ParameterList& scene,
     addLoadDisplacements(effect, scene, loads);
 }
 
-/// The axis of a body of revolution, on which there is no radial motion.
-template <int D>
-void addAxis(BoundaryParts<D>& parts)
-{
-  parts.supports.push_back(
-      [](const State<D>& state)
-      {
-        TimedConstraint<D> timed{{}, {}, TimeFunction::parse("0"), "axis"};
-        for (int d = 0; d < D; ++d)
-        {
-          timed.constraint.lower[d] = -1e300;
-          timed.constraint.upper[d] = d == 0 ? 1e-9 * state.mesh.grid.spacing : 1e300;
-          timed.constraint.holds[d] = d == 0;
-        }
-        timed.reported = false;
-        return timed;
-      });
-}
-
 } // namespace
 
 template <int D>
@@ -89,15 +69,13 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
 {
   Effect<D> effect;
   effect.name = boundariesName;
-  if (!scene.isSublist("Boundaries") && !reachesAxis(scene))
+  if (!scene.isSublist("Boundaries"))
     return effect;
+  const Teuchos::ParameterList& section = scene.sublist("Boundaries");
   const double finalTime = scene.sublist("Time").get<double>("Final Time");
   const auto constraints = std::make_shared<std::vector<TimedConstraint<D>>>();
   const auto loads = std::make_shared<std::vector<Load<D>>>();
   BoundaryParts<D> parts{effect, scene};
-  if (reachesAxis(scene))
-    addAxis(parts);
-  const Teuchos::ParameterList none, &section = scene.isSublist("Boundaries") ? scene.sublist("Boundaries") : none;
   for (const std::string& name : sublistNames(section))
   {
     const Teuchos::ParameterList& list = section.sublist(name);

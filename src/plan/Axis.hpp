@@ -3,7 +3,6 @@
 
 #include "state/Method.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <string>
@@ -20,14 +19,6 @@ inline bool isAxisymmetric(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
   return domain.isType<std::string>("Plane") && domain.get<std::string>("Plane") == "Axisymmetric";
-}
-
-/// Whether its domain reaches the axis, on which there is no radial motion: a line of nodes lies there.
-/// \param scene validated
-inline bool reachesAxis(const Teuchos::ParameterList& scene)
-{
-  return isAxisymmetric(scene) &&
-         scene.sublist("Domain").get<Teuchos::Array<double>>("Lower Corner")[0] == 0.0;
 }
 
 /// Extent of a scene normal to its plane; 1 in 3D. \param scene validated

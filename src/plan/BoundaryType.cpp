@@ -1,7 +1,6 @@
 #include "plan/BoundaryType.hpp"
 
 #include "base/ReadList.hpp"
-#include "plan/Axis.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -59,8 +58,6 @@ std::vector<BoundaryRegion> boundaryRegions(const Teuchos::ParameterList& scene)
         regions.back().name = name;
       }
     }
-  if (reachesAxis(scene))
-    regions.push_back({"axis", BoundaryRegion::Kind::Mirror, {}, {}, "x"});
   return regions;
 }
 
