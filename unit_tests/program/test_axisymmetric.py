@@ -64,11 +64,12 @@ class RoundBodies(ProgramTest):
         self.assertAlmostEqual(energy / exact, 1.0, delta=1e-3)
 
     def test_penny(self):
-        """K_I of a penny-shaped crack of 8 to 9 cells under tension and under pressure on its faces, and J over other disks."""
+        """K_I of a penny-shaped crack of 8 to 9 cells under tension and under pressure on its faces. Required: 1 %."""
         draw = random.Random(SEED + 2)
         for pressed in (False, True):
             cell, stress = 1e-3, 1e6
-            radius, outer, above = cell * draw.uniform(8.0, 9.0), 90 * cell, draw.uniform(0.0, 1.0)
+            outer = (50 if pressed else 90) * cell
+            radius, above = cell * draw.uniform(8.0, 9.0), draw.uniform(0.0, 1.0)
             scene = penny(radius, outer, stress, cell, above, pressed)
             front = self.answer(scene)["cracks"][0]["fronts"][0]
             ratio = front["K_I"] / penny_intensity(radius, outer, stress)
@@ -78,7 +79,7 @@ class RoundBodies(ProgramTest):
     def test_ring_crack(self):
         draw = random.Random(SEED + 3)
         cell, stress, outer = 1e-3, 1e6, 30e-3
-        ligament, above = outer * draw.uniform(0.4, 0.7), draw.uniform(0.0, 1.0)
+        ligament, above = outer * draw.uniform(0.3, 0.42), draw.uniform(0.0, 1.0)
         front = self.answer(ring_crack(ligament, outer, stress, cell, above))["cracks"][0]["fronts"][0]
         ratio = front["K_I"] / ring_intensity(ligament, outer, stress)
         print(f"  ligament {ligament / outer:.3f}, {above:.2f}: {ratio - 1:+.4f}", flush=True)
