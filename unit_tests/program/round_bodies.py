@@ -84,7 +84,7 @@ def ring_crack(ligament, outer, stress, cell, above=0.0):
 
 
 def ring_intensity(ligament, outer, stress):
-    """K_I of that crack. Source: Benthem and Koiter (1973), in Tada, Paris and Irwin. Plain finite elements give 1.2 to 1.5 % more for
+    """K_I of that crack. Source: Benthem and Koiter (1973), in Tada, Paris and Irwin. Plain finite elements give 0.6 to 1.3 % more for
     ligaments of 0.3 to 0.4 of the radius, and 2 % at half of it (unit_tests/studies/round_bars.py)."""
     x = ligament / outer
     net = stress / (x * x)
