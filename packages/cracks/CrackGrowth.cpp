@@ -269,6 +269,18 @@ void CrackGrowth<D>::endMet(State<D>& state, std::vector<GrowingCrack<D>>& crack
   }
 }
 
+namespace
+{
+
+/// Mean radius of what lies between two points of an axisymmetric scene [m]; 1 in others.
+template <int D>
+double radiusBetween(const State<D>& state, const Vector<D>& from, const Vector<D>& to)
+{
+  return state.method.axisymmetric ? 0.5 * (from[0] + to[0]) : 1.0;
+}
+
+} // namespace
+
 /// Advances one node, or stops it. \return whether it has advanced
 template <int D>
 bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& cracks, Advancing& f,
@@ -309,11 +321,10 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
       if (norm(node.aside) > 0.0)
         more += f.crack.mesh.shift(point.vertex, node.aside);
     more += f.crack.mesh.advance(f.lines, node.node, to, D == 2 ? length : rowHeight * f.cells[node.node]);
-    const Depth depth = state.method.depth();
-    const double radius = depth.around ? 0.5 * (node.path.from[0] + to[0]) : 1.0;
     f.area += more;
-    f.swept += more * radius;
-    f.energy += point.toughness * (more * radius) * depth.thickness;
+    more *= radiusBetween(state, node.path.from, to);
+    f.swept += more;
+    f.energy += point.toughness * more * state.method.thickness;
     FrontNode<D>& own = f.front.nodes[node.node];
     own.advance += length;
     f.front.extension.largest = std::max(f.front.extension.largest, own.advance);
