@@ -162,8 +162,7 @@ NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double
   const bool refined = state.mesh.tree.refined();
   const View<double*> nodeFraction = state.mesh.tree.nodeVolume;
   Kokkos::parallel_for(
-      "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()),
-      KOKKOS_LAMBDA(const int k) {
+      "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()), KOKKOS_LAMBDA(const int k) {
         double whole = cell * (refined ? nodeFraction(box.node(k)) : 1.0);
         if constexpr (D == 2)
         {

@@ -13,8 +13,7 @@ PlacedLoad<D> place(const Teuchos::ParameterList& list, const Seeds<D>& seeds, c
 {
   const Profile profile =
       list.get<std::string>("Profile") == "Parabolic" ? Profile::Parabolic : Profile::Uniform;
-  return {lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), profile, where,
-                      around),
+  return {lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), profile, where, around),
           readVector<D>(list, "Force")};
 }
 

@@ -155,7 +155,8 @@ void NewtonStep<D>::findFreeMotions(const State<D>& state)
   const std::vector<int> size = sizesOf(pieceOf_, pieces_);
   std::vector<char> unsupported(pieces_, 0);
   const std::vector<char> resists = piecesThatResistRotation(pieceOf_, pieces_);
-  for (const RigidMode<D>& mode : freeModes<D>(pieceOf_, pieces_, position_, mass_, held_, owners_, resistanceOfHoops(state)))
+  for (const RigidMode<D>& mode :
+       freeModes<D>(pieceOf_, pieces_, position_, mass_, held_, owners_, resistanceOfHoops(state)))
     if (resists[mode.piece] != 0 && mode.turns())
       continue;                            // as if springs held it to the axes of the cells
     else if (size[mode.piece] <= (1 << D)) // no more than a cell

@@ -134,9 +134,9 @@ KOKKOS_INLINE_FUNCTION bool historyChanges(const ParticleBefore<D>& before, cons
 
 /// First Piola-Kirchhoff stress per volume at F = 1, relative to the configuration before the step: the power
 /// of the particle is V0 P : dG/dt, G the gradient of the displacement over the step with respect to that
-/// configuration. P = tau (1 + G)^-T. In 2D both have the component of the third direction at the end: that of
-/// the hoop in axisymmetric scenes, where G is zero otherwise. \param flows becomes whether the history changes
-/// \return false where the particle is inverted or not finite
+/// configuration. P = tau (1 + G)^-T. In 2D both have the component of the third direction at the end: that
+/// of the hoop in axisymmetric scenes, where G is zero otherwise. \param flows becomes whether the history
+/// changes \return false where the particle is inverted or not finite
 template <int D>
 KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[gradientSize<D>],
                                         double (&P)[gradientSize<D>], bool& flows)

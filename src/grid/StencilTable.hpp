@@ -77,8 +77,8 @@ KOKKOS_INLINE_FUNCTION void componentSlopes(const AxisStencil<N> (&axis)[D], con
 /// Weights and slopes along the radius as averages in which each part of the box counts with its radius, so
 /// that nodal forces of a uniform stress are those of the exact integrals over the rings. The average over
 /// the overlap with a cell is known exactly, for functions are linear there. Source: Nairn and Guilkey, Int.
-/// J. Numer. Meth. Engng. 101 (2015) 127. \param axis plain averages \param at, half coordinate and half width
-/// in cells, from the node before the axis stencil's numbers \param radius of the box's centre in cells
+/// J. Numer. Meth. Engng. 101 (2015) 127. \param axis plain averages \param at, half coordinate and half
+/// width in cells, from the node before the axis stencil's numbers \param radius of the box's centre in cells
 KOKKOS_INLINE_FUNCTION AxisStencil<3> weightedByRadius(const AxisStencil<3>& axis, double at, double half,
                                                        double radius)
 {

@@ -33,7 +33,8 @@ enum class Analysis
   LoadFactor   ///< equilibrium in which cracks are about to grow: the loads at the final time times a factor
 };
 
-/// Extent of a 2D scene normal to its plane: the thickness, or the length of the circle on which a point lies.
+/// Extent of a 2D scene normal to its plane: the thickness, or the length of the circle on which a point
+/// lies.
 struct Depth
 {
   double thickness = 1.0; ///< [m]; with `around` the angle of the circle, 2 pi

@@ -19,8 +19,8 @@ template <int D>
 struct StrainLanes
 {
   double gradient[gradientSize<D>][lanes]; ///< of the straining velocity, as a deformation gradient [1/s]
-  double shift[D][lanes];           ///< velocity of the particles' positions [m/s]
-  double F[gradientSize<D>][lanes]; ///< old, then new
+  double shift[D][lanes];                  ///< velocity of the particles' positions [m/s]
+  double F[gradientSize<D>][lanes];        ///< old, then new
   double tau[symmetricSize<D>][lanes];
   double speed[lanes]; ///< of the particle, then with the wave speed on top [m/s]
 };

@@ -168,6 +168,8 @@ class RoundBodies(ProgramTest):
         self.refused(right().set("Bodies > Tube > Angular Velocity", [1.0]), "Angular Velocity")
         self.refused(right().set("Domain > Shear Strain", "At Cell Centres"), "At Particles")
         self.refused(right().set("Boundaries > Weight", {"Type": "Gravity", "Acceleration": [9.81, 0.0]}), "outwards")
+        for section in ("Adaptivity", "Sub-Cycling", "Contact", "Body Contact", "Rigid Tools", "Combustion", "Thermal"):
+            self.refused(right().set(section, {}), "compute a part of the body in 3D")
 
 
 if __name__ == "__main__":
