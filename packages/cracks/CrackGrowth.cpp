@@ -269,6 +269,18 @@ void CrackGrowth<D>::endMet(State<D>& state, std::vector<GrowingCrack<D>>& crack
   }
 }
 
+namespace
+{
+
+/// Mean radius of what lies between two points of an axisymmetric scene [m]; 1 in others.
+template <int D>
+double radiusBetween(const State<D>& state, const Vector<D>& from, const Vector<D>& to)
+{
+  return state.method.axisymmetric ? 0.5 * (from[0] + to[0]) : 1.0;
+}
+
+} // namespace
+
 /// Advances one node, or stops it. \return whether it has advanced
 template <int D>
 bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& cracks, Advancing& f,
@@ -310,6 +322,8 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
         more += f.crack.mesh.shift(point.vertex, node.aside);
     more += f.crack.mesh.advance(f.lines, node.node, to, D == 2 ? length : rowHeight * f.cells[node.node]);
     f.area += more;
+    more *= radiusBetween(state, node.path.from, to);
+    f.swept += more;
     f.energy += point.toughness * more * state.method.thickness;
     FrontNode<D>& own = f.front.nodes[node.node];
     own.advance += length;
@@ -358,6 +372,7 @@ void CrackGrowth<D>::evenPieces(Advancing& f)
         {
           f.energy += toughness * added;
           f.area += added;
+          f.swept += added;
         }
       }
   }
@@ -385,10 +400,10 @@ void CrackGrowth<D>::growFront(State<D>& state, std::vector<GrowingCrack<D>>& cr
     forgetSidesAhead(state, front, (bandWidth + 4.0) * state.mesh.grid.spacing + longest);
   front.grown = front.grown || moves;
   if (f.area > 0.0 && f.energy > 0.0)
-    lastToughness_[f.number] = f.energy / (f.area * state.method.thickness);
+    lastToughness_[f.number] = f.energy / (f.swept * state.method.thickness);
   front.extension.mean = std::max(front.extension.mean, meanAdvance(front));
   evenPieces(f);
-  front.extension.area += f.area;
+  front.extension.area += f.swept;
   front.budget.require(f.energy);
   front.ended = f.lines.empty();
 }

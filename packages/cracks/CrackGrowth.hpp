@@ -65,7 +65,8 @@ private:
     std::vector<double> cells;                 ///< size at each node [m]
     std::vector<bool> lands;                   ///< of each node: it reaches the surface, whatever is ahead
     double energy = 0.0, area = 0.0;           ///< of its new faces [J, m2; m in 2D]
-    int landed = -1;                           ///< the last node that reached a surface or another crack
+    double swept = 0.0; ///< area by the thickness in 2D: a length, of rings times their radius
+    int landed = -1;    ///< the last node that reached a surface or another crack
   };
 
   /// Whether a plane of symmetry goes through a position, in cells of this size [m].

@@ -222,6 +222,7 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
             return;
           double seen = 0.0, all = 0.0, slope[2] = {0.0, 0.0}, gradient[4] = {0.0, 0.0, 0.0, 0.0};
           const int gradients = table.hasGradients() ? 4 : 0;
+          double around = 0.0, seenAround = 0.0;
           int left = 0;
           const auto hidden = [&](int k)
           {
@@ -234,9 +235,11 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
           for (int k = 0; k < table.count(r); ++k)
           {
             all += table.weight(r, k);
+            around += table.hasHoop() ? table.hoop(r, k) : 0.0;
             if (hidden(k))
               continue;
             ++left;
+            seenAround += table.hasHoop() ? table.hoop(r, k) : 0.0;
             seen += table.weight(r, k);
             for (int d = 0; d < 2; ++d)
               slope[d] += table.slope(r, k, d);
@@ -255,6 +258,8 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
               table.slope(r, kept, d) = (table.slope(r, k, d) - weight * slope[d]) / seen * all;
             for (int c = 0; c < gradients; ++c)
               table.gradient(r, kept, c) = (table.gradient(r, k, c) - weight * gradient[c]) / seen * all;
+            if (table.hasHoop())
+              table.hoop(r, kept) = table.hoop(r, k) * (around / seenAround);
             table.node(r, kept) = table.node(r, k);
             table.weight(r, kept) = weight * all;
             ++kept;

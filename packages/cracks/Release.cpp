@@ -189,7 +189,8 @@ std::vector<double> releaseEnergy(const State<D>& state, CrackFront<D>& front, c
     // If the front reaches a node only because material moves through the grid, its energy is that of a cell
     // of new face by the toughness of the last advance; by G, which may be far above that, it would
     // dissipate too much.
-    const double ofCell = toughness[0] * state.method.thickness * cell, pending = front.budget.pending;
+    const double ofCell = toughness[0] * state.method.depth().at(front.position[0]) * cell,
+                 pending = front.budget.pending;
     // What is pending beyond a cell where no node was passed before was required while springs softened.
     const bool first = !(front.budget.released > front.budget.carriedOver);
     const double most =

@@ -17,7 +17,7 @@ struct SplitNode
   double behind;   ///< distance behind the front, negative ahead [cells]
   double away;     ///< distance from the crack along the axis nearest to its normal [cells]
   double steepest; ///< largest component of the crack's normal [-]
-  double width;    ///< thickness or size of the cell times the part of it that the fields divide [m]
+  double width;    ///< thickness, circle or size of the cell times the part of it that the fields divide [m]
 };
 
 /// Finds nodes with two fields at fronts.
@@ -30,7 +30,8 @@ struct SplitNodes
   View<std::uint64_t*> nearest;
   bool refined;
   View<int*> level;
-  double spacing, thickness;
+  double spacing;
+  Depth depth;
   double modulus; ///< E' [Pa]
   double density; ///< of full cells; of several materials the largest [kg/m3]
   FrontLaw law;
@@ -45,7 +46,7 @@ struct SplitNodes
         refined(state.mesh.tree.refined()),
         level(state.mesh.tree.nodeLevel),
         spacing(state.mesh.grid.spacing),
-        thickness(state.method.thickness),
+        depth(state.method.depth()),
         modulus(modulus_),
         density(density_),
         law(law_)
@@ -76,7 +77,7 @@ struct SplitNodes
       node.width *= cell * (filled > springs::fullCells ? 1.0 : filled);
     }
     else
-      node.width *= thickness;
+      node.width *= depth.at(positions(primary)[0]);
     return node;
   }
 

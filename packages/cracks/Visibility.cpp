@@ -89,7 +89,7 @@ void breakCells(const State<2>& state, const ObservedPoints<2>& points, const St
           return;
         const CellAround cell(sight, {points.position(r, 0), points.position(r, 1)});
         int corners = 0, others = 0;
-        double hidden = 0.0, hiddenSlope[2] = {0.0, 0.0};
+        double hidden = 0.0, hiddenSlope[2] = {0.0, 0.0}, hiddenHoop = 0.0;
         for (int k = 0; k < count; ++k)
           if (!blind.invisible(table.node(r, k), side))
             ++(cell.hasCorner(table.node(r, k)) ? corners : others);
@@ -98,6 +98,7 @@ void breakCells(const State<2>& state, const ObservedPoints<2>& points, const St
             hidden += table.weight(r, k);
             for (int d = 0; d < 2; ++d)
               hiddenSlope[d] += table.slope(r, k, d);
+            hiddenHoop += table.hasHoop() ? table.hoop(r, k) : 0.0;
           }
         const int visible = corners > 0 ? corners : others;
         if (visible == 0)
@@ -110,6 +111,8 @@ void breakCells(const State<2>& state, const ObservedPoints<2>& points, const St
           for (int d = 0; d < 2; ++d)
             table.slope(r, k, d) =
                 (seen ? table.slope(r, k, d) : 0.0) + (receives ? hiddenSlope[d] / visible : 0.0);
+          if (table.hasHoop())
+            table.hoop(r, k) = (seen ? table.hoop(r, k) : 0.0) + (receives ? hiddenHoop / visible : 0.0);
         }
       });
 }

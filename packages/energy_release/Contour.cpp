@@ -154,14 +154,23 @@ NodeCover<D> coverOfNodes(const State<D>& state, const Vector<D>& centre, double
   const BoxNodes<D> box(state, boxAround(centre, radius));
   const View<double*> cover =
       volumeOfNodes(state, crack, centre, radius + 3.0 * state.mesh.grid.spacing, box);
-  double cell = D == 2 ? state.method.thickness : 1.0;
+  double cell = 1.0;
   for (int d = 0; d < D; ++d)
     cell *= state.mesh.grid.spacing;
+  const Depth depth = state.method.depth();
+  const double onAxis = 0.25 * state.mesh.grid.spacing; // mean radius of the part of a node there
   const bool refined = state.mesh.tree.refined();
   const View<double*> nodeFraction = state.mesh.tree.nodeVolume;
   Kokkos::parallel_for(
-      "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()),
-      KOKKOS_LAMBDA(const int k) { cover(k) /= cell * (refined ? nodeFraction(box.node(k)) : 1.0); });
+      "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, box.count()), KOKKOS_LAMBDA(const int k) {
+        double whole = cell * (refined ? nodeFraction(box.node(k)) : 1.0);
+        if constexpr (D == 2)
+        {
+          const double x = box.position(k)[0];
+          whole *= depth.around && x < onAxis ? 0.5 * depth.at(onAxis) : depth.at(x);
+        }
+        cover(k) /= whole;
+      });
   return {box, cover, state.mesh.nodes};
 }
 

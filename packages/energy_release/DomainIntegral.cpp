@@ -1,5 +1,6 @@
 #include "energy_release/DomainIntegral.hpp"
 
+#include "base/SmallLoops.hpp"
 #include "energy_release/DomainIntegrand.hpp"
 #include "energy_release/FaceTractions.hpp"
 #include "state/NodalValues.hpp"
@@ -62,6 +63,27 @@ double heatOfMode(const Work& work, const double* sums, int mode)
                              mode == 0 ? 0.5 : 1.0);
 }
 
+/// What springs behind the front of an axisymmetric scene add to J [J]: a shift along the radius makes their
+/// ring, and so their energy, larger.
+double releaseOfSprings(const State<D>& state, const CrackFront<D>& front, const NodalWeight<D>& weight)
+{
+  const View<double*> energy = state.cracks.springEnergy;
+  if (energy.extent(0) == 0)
+    return 0.0;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const NodePositions<D> positions = nodePositions(state);
+  const double along = front.direction[0];
+  double sum = parallelSumSmall<double>(
+      "rhegma::releaseOfSprings", nodes.numOfCracks, KOKKOS_LAMBDA(const int i, double& part) {
+        const int primary = nodes.parent(i);
+        const double radius = positions(primary)[0];
+        if (radius > 0.0 && isOwnedByThisRank(nodes, primary))
+          part -= energy(primary) * weight(primary) * along / radius;
+      });
+  sumParts(state, &sum, 1);
+  return sum;
+}
+
 /// What corrects that of J [J] (HeatNearFront.hpp).
 template <class Work>
 double heatOfRelease(const Work& work, const double* sums, double modeI, double modeII)
@@ -87,6 +109,20 @@ void setIntensities(const CrackCompliance& c, double modeI, double modeII, Domai
   sum.modeII = (c.modeI * modeII - c.coupled * modeI) / determinant;
 }
 
+/// Scales intensities such that they release J. The singular fields of plane strain, which the interaction
+/// integrals take, are not those of rings: they give the ratio of the modes, which differs from the right one
+/// by the order of the disk's radius over that of the front, and the sign.
+void fitToRelease(const CrackCompliance& c, DomainIntegral& sum)
+{
+  const double released = c.modeI * sum.modeI * sum.modeI + 2.0 * c.coupled * sum.modeI * sum.modeII +
+                          c.modeII * sum.modeII * sum.modeII;
+  if (!(sum.J > 0.0) || !(released > 0.0))
+    return;
+  const double factor = std::sqrt(sum.J / released);
+  sum.modeI *= factor;
+  sum.modeII *= factor;
+}
+
 /// Intensities by the singular fields about the tip of the crack in the cells. Each iteration finds the
 /// remaining offset, which falls by a factor of 50 or so.
 template <class Work>
@@ -100,9 +136,10 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     contact.takeMean();
   constexpr int turns = 4;
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
-  const double thickness = state.method.thickness, scale = 0.5 / thickness;
+  const double thickness = state.method.depth().at(front.position[0]), scale = 0.5 / thickness;
   DomainIntegral sum;
   double releaseOfParticles = 0.0;
+  const double ofSprings = work.axisymmetric ? releaseOfSprings(state, front, weight) : 0.0;
   Vector<D> middle = front.position;
   if (work.intensities)
     middle = middle + offsetAside(state, front, weight.radii, blocks) * front.normal;
@@ -113,7 +150,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     blocks.sum("rhegma::domainIntegral", work, sums);
     sumParts(state, sums, Work::numSums);
     // J does not depend on the tip, but for what is corrected near it.
-    releaseOfParticles = work.release ? sums[0] : releaseOfParticles;
+    releaseOfParticles = work.release ? sums[0] + ofSprings : releaseOfParticles;
     work.release = work.nearFront.corrects();
     for (int mode = 0; mode < 2 && work.nearFront.corrects(); ++mode)
       sums[1 + mode] +=
@@ -138,6 +175,8 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     setIntensities(work.disk.compliance, scale * modeI, scale * modeII, sum);
     if (work.nearFront.corrects())
       sum.J += heatOfRelease(work, sums, sum.modeI, sum.modeII) / thickness;
+    if (work.axisymmetric)
+      fitToRelease(work.disk.compliance, sum);
     const double square = modeI * modeI + modeII * modeII;
     if (turn == turns || !(square > 0.0))
       return sum;
@@ -189,6 +228,7 @@ domainIntegrand::Integrand<S, Stored> integrandOf(const State<D>& state,
     work.side = state.particles.integer(fields::side);
   work.materials = state.materials.device;
   work.heat = ParticleHeat<D>(state);
+  work.axisymmetric = state.method.axisymmetric;
   work.moving = haveNodalValues(state) && state.mesh.nodes.motion.extent(0) > 0;
   return work;
 }

@@ -64,9 +64,10 @@ struct Integrand
   Vector<D> direction, normal;
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
-  bool bent;           ///< the weight is a vector along the crack
-  bool intensities;    ///< false: only J is wanted
-  bool release = true; ///< false: J, which does not depend on the tip, is not wanted
+  bool bent;                 ///< the weight is a vector along the crack
+  bool intensities;          ///< false: only J is wanted
+  bool axisymmetric = false; ///< shifts along the radius widen rings
+  bool release = true;       ///< false: J, which does not depend on the tip, is not wanted
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end, double (&sums)[numSums]) const
   {
@@ -117,11 +118,12 @@ struct Integrand
   }
 
   /// Adds what a particle adds to J. \param image of the direction in the cells \param du u,1
-  /// \param flux of momentum by the slope of the weight \param r distance from the tip of a particle whose
-  /// part of heat is corrected [m], else negative
+  /// \param flux of momentum by the slope of the weight \param hoop strain of the shift \param r distance
+  /// from the tip of a particle whose part of heat is corrected [m], else negative
   KOKKOS_INLINE_FUNCTION void addRelease(int p, const Pack<4>& weight, const Pack<4> (&slope)[D],
                                          const Vector<D>& image, const Vector<D>& du, const Vector<D>& flux,
-                                         const Motion& motion, double r, double (&sums)[numSums]) const
+                                         const Motion& motion, double hoop, double r,
+                                         double (&sums)[numSums]) const
   {
     const double q = weight[0];
     const Vector<D> dq{{slope[0][0], slope[1][0]}};
@@ -134,7 +136,7 @@ struct Integrand
     const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
     // Where the weight is constant, that of the energy is zero.
-    const bool slopes = bent || dq[0] != 0.0 || dq[1] != 0.0;
+    const bool slopes = bent || axisymmetric || dq[0] != 0.0 || dq[1] != 0.0;
     const double energy =
         slopes ? heat.energy(p, material(p), law, F, variables) - disk.misfit + 0.5 * density * dot(v, v)
                : 0.0;
@@ -146,6 +148,32 @@ struct Integrand
                               (density * dot(v, dv1) + warming) * q);
     else
       sums[0] += volume(p) * alongPath(p, weight, slope, energy, density, v, a, dv);
+    if (hoop != 0.0)
+      sums[0] += volume(p) * hoop * widening(p, energy);
+  }
+
+  /// What a radial shift s adds to J, per hoop strain s / r: a shift widens the ring of a particle, so that
+  /// the gradient of the shift has a third component, which takes the place of q,J in P_iJ u_i,1 - W d_1J.
+  KOKKOS_INLINE_FUNCTION double widening(int p, double energy) const
+  {
+    const double stretch = deformation(p, gradientSize<D> - 1);
+    return stress(p, normalIndex<D>(2)) * frame.hoopFactor(p) * (stretch - 1.0) -
+           energy * (frame.undeformed ? 1.0 : stretch);
+  }
+
+  /// Hoop strain of the shift of the disk at a particle [1/m]. \param along radial component of the direction
+  /// in the undeformed disk, of a straight crack
+  template <class Stencil>
+  KOKKOS_INLINE_FUNCTION double hoopOfShift(const Stencil& stencil, double along) const
+  {
+    if constexpr (Stencil::mayHaveHoop)
+      if (stencil.hasHoop())
+      {
+        const Pack<4> weight =
+            stencil.template hoopValue<FrontRows<D>::width, 4>(rows.data + FrontRows<D>::weightAt);
+        return bent ? weight[1] : weight[0] * along;
+      }
+    return 0.0;
   }
 
   template <class Stencil>
@@ -179,7 +207,8 @@ struct Integrand
     const double r = std::sqrt(dot(from, from));
     const bool corrects = heat.strains(material(p)) && nearFront.reaches(r);
     if (release)
-      addRelease(p, weight, slope, inCells, du, flux, motion, corrects ? r : -1.0, sums);
+      addRelease(p, weight, slope, inCells, du, flux, motion, hoopOfShift(stencil, before[0]),
+                 corrects ? r : -1.0, sums);
     if (!intensities)
       return;
     const Pair sum = interaction(p, q, dq, flux, du, density, motion.a, inCells);

@@ -187,7 +187,11 @@ void FaceTractions::findWeights(const State<2>& state, const NodalWeight<2>& wei
   sumParts(state, both.data(), 2 * half);
   weights_.resize(half);
   for (int k = 0; k < half; ++k)
+  {
     weights_[k] = 0.5 * (both[k] + both[half + k]);
+    if (state.method.axisymmetric) // rings behind the front are longer or shorter than the front
+      weights_[k] *= points_[k][0] / front_.position[0];
+  }
 }
 
 double FaceTractions::weighedLength(std::size_t k) const

@@ -26,12 +26,12 @@ View<double* [D]> forceOfPressure(const State<D>& state)
   const View<double*> pressure = state.cracks.pressure;
   const View<int*> simplex = points.simplex();
   const FacePoints<D> p = points;
-  const double thickness = D == 2 ? state.method.thickness : 1.0;
+  const Depth depth = state.method.depth();
   forEachPushing(
       "rhegma::forceOfFacePressure", points.count(), KOKKOS_LAMBDA(const int k) {
         Vector<D> onUpper;
         for (int d = 0; d < D; ++d)
-          onUpper[d] = pressure(simplex(k)) * p.currentSize(k) * thickness * p.normal(k, d);
+          onUpper[d] = pressure(simplex(k)) * p.currentSize(k) * depth.at(p.position(k, 0)) * p.normal(k, d);
         addFaceForces<D>(force, p.below, p.above, k, onUpper);
       });
   sumOverRanks(state, force.data(), D, 0, D);

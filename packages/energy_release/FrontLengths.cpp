@@ -118,7 +118,7 @@ FrontLengths lengthsAt(const State<D>& state, const CrackFront<D>& front, const 
   lengths.arm = static_cast<double>(looked) / armInverse;
   for (const CrackFront<D>& other : state.cracks.fronts)
     if (other.crack == front.crack && !other.ended)
-      lengths.front += D == 3 ? other.length : state.method.thickness;
+      lengths.front += D == 3 ? other.length : state.method.depth().at(other.position[0]);
   return lengths;
 }
 

@@ -88,6 +88,9 @@ private:
       stencil.template addValue<width>(rows, pack(0.0, 0.0, 0.0, mass(p)));
     }
     stencil.template addFlux<width>(rows, flux);
+    if constexpr (Stencil::mayHaveHoop)
+      if (stencil.hasHoop())
+        stencil.template addHoop<width>(rows, v * stress(p, normalIndex<D>(2)) * frame.hoopFactor(p));
   }
 };
 

@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "energy_release/FrontTube.hpp"
+#include "plan/Axis.hpp"
 #include "scene/FillFromIntensity.hpp"
 
 #include <algorithm>
@@ -63,8 +64,8 @@ Section energyReleaseSection()
       .onlyIn(2)
       .byDefault(true)
       .meaning("Also computes G by crack closure, from the forces ahead of the front and the opening behind "
-               "it. Needs a front along a grid direction; not with Cracks > Formulation = Broken Cell nor "
-               "with Propagation.");
+               "it. Needs a front along a grid direction; not with Cracks > Formulation = Broken Cell, "
+               "with Propagation nor in axisymmetric scenes.");
   s.boolean("Lumped Closure")
       .onlyIn(2)
       .byDefault(false)
@@ -81,6 +82,9 @@ Section energyReleaseSection()
       .meaning("Mass matrix used to recover nodal displacements for crack closure: consistent, lumped, or "
                "that of the section Mass Matrix (lumped without that section).");
   describeToughness(s);
+  s.refuse({when::is("Energy Release", "Contour Integral", {"false"}),
+            when::is("Domain", "Plane", {"Axisymmetric"})},
+           "crack closure is not available for rings; set it to true or remove the section Energy Release");
   s.needs("Cracks", "there are no cracks; add the section Cracks or remove this section");
   // The opening of Broken Cell is not known.
   s.refuse({when::is("Energy Release", "Contour Integral", {"false"}),
@@ -167,8 +171,9 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
     options.radii.outerCells = run.contours.releaseOuter;
   }
   options.contour = list.get<bool>("Contour Integral");
-  // The opening behind a front that runs is that of its cohesive zone.
-  options.closure = list.get<bool>("Crack Closure") && !run.growth;
+  // The opening behind a front that runs is that of its cohesive zone. Nodes of rings ahead and behind have
+  // forces on circles of different lengths.
+  options.closure = list.get<bool>("Crack Closure") && !run.growth && !isAxisymmetric(scene);
   options.pushed = run.pressedCracks;
   options.lumped = list.get<bool>("Lumped Closure");
   options.columns = list.get<int>("Closure Cells");

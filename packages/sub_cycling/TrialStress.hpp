@@ -97,6 +97,8 @@ public:
     for (int a = 0; a < D; ++a)
       for (int b = 0; b < D; ++b)
         at.gradient[a * D + b][0] = gradient[a][b];
+    if constexpr (D == 2)
+      at.gradient[4][0] = 0.0; // axisymmetric scenes have no sub-cycling
     for (int k = 0; k < gradientSize<D>; ++k)
       at.F[k][0] = this->deformation_(p, k);
     for (int k = 0; k < symmetricSize<D>; ++k)

@@ -5,6 +5,7 @@
 #include "boundary/BoundaryParts.hpp"
 #include "geometry/Cross.hpp"
 #include "geometry/SurfaceChoice.hpp"
+#include "plan/Axis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -161,12 +162,12 @@ void keepFree(const ParameterList& scene, const std::string& body, double cell,
 
 /// Outward normal of a flat piece, as long as its area [m2].
 template <int D>
-Vector<D> flatSurface(const ParameterList& list, double thickness)
+Vector<D> flatSurface(const ParameterList& list, const Depth& depth)
 {
   if constexpr (D == 2)
   {
-    const Vector<2> along = readVector<2>(list, "To") - readVector<2>(list, "From");
-    return thickness * Vector<2>{along[1], -along[0]};
+    const Vector<2> from = readVector<2>(list, "From"), to = readVector<2>(list, "To"), along = to - from;
+    return depth.at(0.5 * (from[0] + to[0])) * Vector<2>{along[1], -along[0]};
   }
   else
     return cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2"));
@@ -267,13 +268,14 @@ std::vector<Geometry::SurfacePoint<D>> chosenSurface(const ParameterList& scene,
 }
 
 template <int D>
-SurfaceMeasure<D> measureSurface(const std::vector<Geometry::SurfacePoint<D>>& points, double thickness)
+SurfaceMeasure<D> measureSurface(const std::vector<Geometry::SurfacePoint<D>>& points, const Depth& depth)
 {
   SurfaceMeasure<D> surface;
   for (const Geometry::SurfacePoint<D>& point : points)
   {
-    surface.area += thickness * point.size;
-    surface.outward = surface.outward + thickness * point.size * point.normal;
+    const double area = depth.at(point.x[0]) * point.size;
+    surface.area += area;
+    surface.outward = surface.outward + area * point.normal;
   }
   // A closed surface has none; what is left is round-off, or small where its pieces are not mirror images.
   constexpr double closed = 1e-9;
@@ -286,10 +288,10 @@ template <int D>
 SurfaceMeasure<D> measureSurface(const ParameterList& scene, const ParameterList& list,
                                  const std::string& where)
 {
-  const double thickness = D == 2 ? scene.sublist("Domain").get<double>("Thickness") : 1.0;
+  const Depth depth = depthOf<D>(scene);
   if (choosesSurface(list))
-    return measureSurface(chosenSurface<D>(scene, list, where), thickness);
-  const Vector<D> outward = flatSurface<D>(list, thickness);
+    return measureSurface(chosenSurface<D>(scene, list, where), depth);
+  const Vector<D> outward = flatSurface<D>(list, depth);
   return {norm(outward), outward};
 }
 
@@ -297,8 +299,8 @@ template std::vector<Geometry::SurfacePoint<2>> chosenSurface(const ParameterLis
                                                               const std::string&);
 template std::vector<Geometry::SurfacePoint<3>> chosenSurface(const ParameterList&, const ParameterList&,
                                                               const std::string&);
-template SurfaceMeasure<2> measureSurface(const std::vector<Geometry::SurfacePoint<2>>&, double);
-template SurfaceMeasure<3> measureSurface(const std::vector<Geometry::SurfacePoint<3>>&, double);
+template SurfaceMeasure<2> measureSurface(const std::vector<Geometry::SurfacePoint<2>>&, const Depth&);
+template SurfaceMeasure<3> measureSurface(const std::vector<Geometry::SurfacePoint<3>>&, const Depth&);
 template SurfaceMeasure<2> measureSurface(const ParameterList&, const ParameterList&, const std::string&);
 template SurfaceMeasure<3> measureSurface(const ParameterList&, const ParameterList&, const std::string&);
 

@@ -4,6 +4,7 @@
 #include "geometry/SurfacePoints.hpp"
 #include "scene/Schema.hpp"
 #include "scene/SectionChecks.hpp"
+#include "state/Method.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -44,8 +45,8 @@ template <int D>
 SurfaceMeasure<D> measureSurface(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
                                  const std::string& where);
 
-/// Of points of a surface. \param thickness of 2D [m]; 1 in 3D
+/// Of points of a surface. \param depth of the scene normal to its plane
 template <int D>
-SurfaceMeasure<D> measureSurface(const std::vector<Geometry::SurfacePoint<D>>& points, double thickness);
+SurfaceMeasure<D> measureSurface(const std::vector<Geometry::SurfacePoint<D>>& points, const Depth& depth);
 
 } // namespace Rhegma

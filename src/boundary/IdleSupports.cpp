@@ -123,7 +123,7 @@ void warnOfIdleSupports(const Teuchos::ParameterList& scene,
       warnOfBoxLeftBehind(constraints[c], end, state);
   int idle = 0;
   for (std::size_t c = 0; c < constraints.size(); ++c)
-    if (distances[c] > reach && ++idle <= 10)
+    if (constraints[c].reported && distances[c] > reach && ++idle <= 10)
       state.warnings.push_back(
           "Boundaries > " + constraints[c].name + ": it contains no node of any body; the nearest is " +
           readableLength(distances[c]) + " away, and bodies move by " + readableLength(reach) +

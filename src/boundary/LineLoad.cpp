@@ -8,11 +8,12 @@ namespace
 {
 
 template <int D>
-PlacedLoad<D> position(const Teuchos::ParameterList& list, const Seeds<D>& seeds, const std::string& where)
+PlacedLoad<D> place(const Teuchos::ParameterList& list, const Seeds<D>& seeds, const std::string& where,
+                    bool around)
 {
   const Profile profile =
       list.get<std::string>("Profile") == "Parabolic" ? Profile::Parabolic : Profile::Uniform;
-  return {lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), profile, where),
+  return {lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), profile, where, around),
           readVector<D>(list, "Force")};
 }
 
@@ -21,7 +22,11 @@ void addLineLoad(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, co
 {
   parts.loads.push_back(
       [=](const State<D>& state)
-      { return readLoad<D>(list, state, name, list.get<std::string>("History"), position<D>); });
+      {
+        return readLoad<D>(list, state, name, list.get<std::string>("History"),
+                           [around = state.method.axisymmetric](const auto&... of)
+                           { return place<D>(of..., around); });
+      });
 }
 
 void checkLineLoad(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
@@ -40,7 +45,8 @@ BoundaryType lineLoadBoundary()
   s.realArray("Force").unit("N").perAxis().meaning("Total force on the line.");
   s.choice("Profile", {"Uniform", "Parabolic"})
       .byDefault("Uniform")
-      .meaning("Distribution along the line: uniform, or a parabola that is zero at both ends.");
+      .meaning("Distribution along the line: uniform, or a parabola that is zero at both ends; in "
+               "axisymmetric scenes per area of the surface that the line sweeps.");
   describeHistory(s);
   return {s, checkLineLoad, addLineLoad<2>, addLineLoad<3>, "", [](const Teuchos::ParameterList& list) {
             return BoundaryRegion{"", BoundaryRegion::Kind::Force, readPoint(list, "From"),

@@ -28,7 +28,9 @@ BoundaryType pointLoadBoundary()
   Section s("Point Load", "A force at a material point of a body. The force moves with this point.");
   describeLoadedBody(s);
   s.realArray("Point").unit("m").perAxis().meaning("Position of the loaded point in the undeformed body.");
-  s.realArray("Force").unit("N").perAxis().meaning("The force vector.");
+  s.realArray("Force").unit("N").perAxis().meaning(
+      "The force vector. In axisymmetric scenes the sum over the circle on which the point lies; the first "
+      "component is the sum of what pushes outwards.");
   describeHistory(s);
   return {s,
           {},

@@ -1,6 +1,7 @@
 #include "boundary/ReadLoad.hpp"
 
 #include "base/ReadList.hpp"
+#include "plan/Axis.hpp"
 
 #include <utility>
 
@@ -62,17 +63,17 @@ template <int D>
 PlacedSurface<D> placeSurface(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
                               const Seeds<D>& seeds, const std::string& where)
 {
-  const double thickness = D == 2 ? scene.sublist("Domain").get<double>("Thickness") : 1.0;
+  const Depth depth = depthOf<D>(scene);
   if (choosesSurface(list))
   {
     const std::vector<Geometry::SurfacePoint<D>> surface = chosenSurface<D>(scene, list, where);
-    return {surfaceLoad<D>(seeds, surface, where), measureSurface(surface, thickness), false};
+    return {surfaceLoad<D>(seeds, surface, where, depth.around), measureSurface(surface, depth), false};
   }
   const SurfaceMeasure<D> measure = measureSurface<D>(scene, list, where);
   if constexpr (D == 2)
-    return {
-        lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), Profile::Uniform, where),
-        measure, true};
+    return {lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), Profile::Uniform,
+                        where, depth.around),
+            measure, true};
   else
     return {faceLoad(seeds, readVector<D>(list, "Corner"), readVector<D>(list, "Edge 1"),
                      readVector<D>(list, "Edge 2"), where),

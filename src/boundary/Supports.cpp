@@ -196,7 +196,7 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                     timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
                   timed.impulse = Vector<D>{};
                   for (int d = 0; d < D; ++d)
-                    if (timed.constraint.holds[d])
+                    if (timed.constraint.holds[d] && timed.reported)
                       state.sample.row.emplace_back(timed.name + columns[d], timed.force[d]);
                   addDisplacements(timed, state);
                 }
@@ -219,10 +219,11 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                           [constraints](const State<D>&, nlohmann::json& summary)
                           {
                             for (const auto& timed : *constraints)
-                              summary["boundaries"].push_back(
-                                  {{"name", timed.name},
-                                   {"force", std::vector<double>(timed.force.c, timed.force.c + D)},
-                                   {"energy_absorbed_from_short_waves", timed.absorbedTotal}});
+                              if (timed.reported)
+                                summary["boundaries"].push_back(
+                                    {{"name", timed.name},
+                                     {"force", std::vector<double>(timed.force.c, timed.force.c + D)},
+                                     {"energy_absorbed_from_short_waves", timed.absorbedTotal}});
                           });
 }
 

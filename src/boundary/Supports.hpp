@@ -37,6 +37,7 @@ struct TimedConstraint
   double lag = 0.0;
   /// Whether the body leaves its box, though the scene does not say that the box is to stay (leavesBox).
   bool leftBehind = false;
+  bool reported = true;   ///< whether its force is a result, and a warning says where it is idle
   bool gridMoves = false; ///< whether all cells move with it, so that it holds the same nodes throughout
 
   /// Whether its value differs from zero along an axis that it holds.

@@ -2,6 +2,7 @@
 
 #include "base/ReadList.hpp"
 #include "boundary/BodySurface.hpp"
+#include "plan/Axis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ nlohmann::json surfacesOf(const Teuchos::ParameterList& scene)
   if (!scene.isSublist("Boundaries"))
     return surfaces;
   const Teuchos::ParameterList& section = scene.sublist("Boundaries");
-  const double thickness = D == 2 ? scene.sublist("Domain").get<double>("Thickness") : 1.0;
+  const Depth depth = depthOf<D>(scene);
   for (const std::string& name : sublistNames(section))
   {
     const Teuchos::ParameterList& list = section.sublist(name);
@@ -41,7 +42,7 @@ nlohmann::json surfacesOf(const Teuchos::ParameterList& scene)
     const auto points = chosenSurface<D>(scene, list, "Boundaries > " + name);
     nlohmann::json entry = {{"name", name},
                             {"body", list.get<std::string>("Body")},
-                            {"area", measureSurface(points, thickness).area}};
+                            {"area", measureSurface(points, depth).area}};
     const std::size_t count = std::min(points.size(), shown);
     for (std::size_t k = 0; k < count; ++k)
     {

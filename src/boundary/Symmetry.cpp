@@ -20,6 +20,7 @@ TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, State<D>& st
   TimedConstraint<D> timed{{}, {}, TimeFunction::parse("0"), name};
   const int axis = list.get<std::string>("Axis")[0] - 'x';
   const double position = list.get<double>("Position");
+  timed.reported = !(state.method.axisymmetric && axis == 0); // the axis is in each such scene
   const double slack = 1e-6 * grid.spacing;
   if (position < grid.lower[axis] - slack || position > grid.upper[axis] + slack)
     throw std::invalid_argument(where +

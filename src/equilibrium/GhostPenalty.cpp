@@ -111,7 +111,7 @@ public:
         sight_(state.mesh.grid, state.mesh.tree),
         cracks_(state.cracks),
         graph_(graph),
-        thickness_(state.method.thickness),
+        depth_(state.method.depth()),
         filled_(grid_.numNodes + static_cast<int>(state.mesh.tree.leafLevel.extent(0)))
   {
     if (state.mesh.subdomain)
@@ -288,13 +288,20 @@ private:
   double weightOf(const Leaf& leaf, const Leaf& next, int a, int b, int side) const
   {
     const auto fraction = [&](const Leaf& of, int number)
-    { return filled_.on(number, side) / (std::pow(of.edge * grid_.spacing, D) * thickness_); };
+    { return filled_.on(number, side) / (std::pow(of.edge * grid_.spacing, D) * depthAt(of)); };
     if (std::min(fraction(leaf, a), fraction(next, b)) >= fullCell)
       return 0.0;
     const double both = filled_.all[a] + filled_.all[b];
     const double stiff =
         both > 0.0 ? (filled_.stiff[a] + filled_.stiff[b]) / both : reached * modulusAcross(a, b);
-    return ghostFactor * stiff * std::pow(leaf.edge * grid_.spacing, D - 2) * thickness_ / lines;
+    return ghostFactor * stiff * std::pow(leaf.edge * grid_.spacing, D - 2) * 0.5 *
+           (depthAt(leaf) + depthAt(next)) / lines;
+  }
+
+  /// Extent of a leaf normal to the plane, at its centre [m]; 1 in 3D.
+  double depthAt(const Leaf& leaf) const
+  {
+    return depth_.at(grid_.origin[0] + (leaf.corner[0] + 0.5 * leaf.edge) * grid_.spacing);
   }
 
   /// Whether particles on a side see all nodes of a line.
@@ -332,7 +339,7 @@ private:
   TreeSight<D> sight_;
   const CrackSet<D>& cracks_;
   const RowGraph& graph_;
-  double thickness_;
+  Depth depth_;
   Filled filled_;
   std::map<std::pair<int, int>, double> spanned_; ///< see addSpan
   OwnCells<D> own_;                               ///< all cells on one rank

@@ -115,6 +115,8 @@ private:
   /// \param converged whether the displacement is an equilibrium
   std::vector<FreePiece> freePieces(const State<D>& state, bool converged) const;
   void findFreeMotions(const State<D>& state);
+  /// In axisymmetric scenes hoop strain resists the radial motion of each row, and so a rotation.
+  std::vector<HeldDirection<D>> resistanceOfHoops(const State<D>& state) const;
   std::vector<char> piecesThatResistRotation(const std::vector<int>& pieceOf, int pieces) const;
   /// Forces minus resistance at a trial displacement. \return false, on all ranks, where a particle is
   /// inverted

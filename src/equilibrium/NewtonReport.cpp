@@ -134,6 +134,19 @@ std::vector<char> NewtonStep<D>::piecesThatResistRotation(const std::vector<int>
 }
 
 template <int D>
+std::vector<HeldDirection<D>> NewtonStep<D>::resistanceOfHoops(const State<D>& state) const
+{
+  std::vector<HeldDirection<D>> hoops;
+  for (int r = 0; r < graph_.rows && state.method.axisymmetric; ++r)
+    if (owners_.owns(r))
+    {
+      hoops.push_back({r, position_[r], {}});
+      hoops.back().direction[0] = 1.0;
+    }
+  return hoops;
+}
+
+template <int D>
 void NewtonStep<D>::findFreeMotions(const State<D>& state)
 {
   std::tie(pieceOf_, pieces_) = byProducts_
@@ -142,7 +155,8 @@ void NewtonStep<D>::findFreeMotions(const State<D>& state)
   const std::vector<int> size = sizesOf(pieceOf_, pieces_);
   std::vector<char> unsupported(pieces_, 0);
   const std::vector<char> resists = piecesThatResistRotation(pieceOf_, pieces_);
-  for (const RigidMode<D>& mode : freeModes<D>(pieceOf_, pieces_, position_, mass_, held_, owners_))
+  for (const RigidMode<D>& mode :
+       freeModes<D>(pieceOf_, pieces_, position_, mass_, held_, owners_, resistanceOfHoops(state)))
     if (resists[mode.piece] != 0 && mode.turns())
       continue;                            // as if springs held it to the axes of the cells
     else if (size[mode.piece] <= (1 << D)) // no more than a cell
@@ -192,7 +206,7 @@ std::string NewtonStep<D>::motionsBetweenPieces(const State<D>& state) const
 {
   if (piecesApart_ == 0)
     return {};
-  std::vector<HeldDirection<D>> resisted;
+  std::vector<HeldDirection<D>> resisted = resistanceOfHoops(state);
   for (const auto& force : resistances_.forces)
   {
     const std::vector<HeldDirection<D>> its = force->heldDirections();
@@ -224,7 +238,8 @@ std::vector<FreePiece> NewtonStep<D>::freePieces(const State<D>& state, bool con
   std::vector<FreePiece> free = findFreePieces(state, graph_, owners_, pieceOf_, modes_, now, mass_, load_);
   if (solidPieces_ == 0)
     return free;
-  std::vector<RigidMode<D>> modes = freeModes<D>(solid_, solidPieces_, position_, mass_, held_, owners_);
+  std::vector<RigidMode<D>> modes =
+      freeModes<D>(solid_, solidPieces_, position_, mass_, held_, owners_, resistanceOfHoops(state));
   const std::vector<char> resists = piecesThatResistRotation(solid_, solidPieces_);
   modes.erase(std::remove_if(modes.begin(), modes.end(),
                              [&](const RigidMode<D>& mode)
@@ -249,6 +264,8 @@ template void NewtonStep<3>::splitWork(const State<3>&, const Values&);
 template double NewtonStep<3>::workOfBentPath(const State<3>&) const;
 template double NewtonStep<3>::ghostEnergy() const;
 template std::vector<char> NewtonStep<2>::piecesThatResistRotation(const std::vector<int>&, int) const;
+template std::vector<HeldDirection<2>> NewtonStep<2>::resistanceOfHoops(const State<2>&) const;
+template std::vector<HeldDirection<3>> NewtonStep<3>::resistanceOfHoops(const State<3>&) const;
 template void NewtonStep<2>::findFreeMotions(const State<2>&);
 template std::vector<int> NewtonStep<2>::sizesOf(const std::vector<int>&, int) const;
 template FreePiece NewtonStep<2>::pieceOfMotion(const State<2>&, const RigidMode<2>&) const;

@@ -21,21 +21,22 @@ struct ForceBlock
     for (int p = begin; p < end; ++p)
     {
       RowsOfParticle<D, typename Connect::Slopes> rows;
-      double G[D * D], P[D * D];
+      double G[gradientSize<D>], P[gradientSize<D>];
       data.see(connect, p, rows, G);
       if (!trialStress<D>(data.before(p), G, P))
       {
         Kokkos::atomic_exchange(&data.bad(), 1);
         continue;
       }
-      if (data.frame.undeformed)
-        data.frame.pullBack(p, P);
+      data.pullBack(p, P);
       for (int a = 0; a < rows.count; ++a)
         for (int i = 0; i < D; ++i)
         {
           double f = 0.0;
           for (int j = 0; j < D; ++j)
             f += P[i * D + j] * rows.slopes(a)(i, j);
+          if (D == 2 && i == 0)
+            f += P[gradientSize<D> - 1] * rows.slopes(a).hoop;
           force(D * rows.row[a] + i) -= data.volume(p) * f;
         }
     }
@@ -55,15 +56,18 @@ struct StoredForceBlock
     for (int p = begin; p < end; ++p)
     {
       RowsOfParticle<D, typename Connect::Slopes> rows;
-      double G[D * D], T[D * D];
+      double G[gradientSize<D>], T[D * D];
       data.see(connect, p, rows, G);
       data.frame.stress(p, &stress(p, 0), T);
+      const double hoop = stress(p, normalIndex<D>(2)) * data.frame.hoopFactor(p);
       for (int a = 0; a < rows.count; ++a)
         for (int i = 0; i < D; ++i)
         {
           double f = 0.0;
           for (int j = 0; j < D; ++j)
             f += T[i * D + j] * rows.slopes(a)(i, j);
+          if (D == 2 && i == 0)
+            f += hoop * rows.slopes(a).hoop;
           force(D * rows.row[a] + i) -= data.volume(p) * f;
         }
     }
@@ -83,9 +87,9 @@ struct StiffnessBlock
     for (int p = begin; p < end; ++p)
     {
       RowsOfParticle<D, typename Connect::Slopes> rows;
-      double G[D * D], A[D * D][D * D];
+      double G[gradientSize<D>], A[gradientSize<D>][gradientSize<D>];
       data.see(connect, p, rows, G);
-      if (!trialTangent<D>(data.before(p), G, A))
+      if (!trialTangent<D>(data.before(p), G, A, data.components()))
       {
         Kokkos::atomic_exchange(&data.bad(), 1);
         continue;
@@ -97,15 +101,20 @@ struct StiffnessBlock
   }
 
   KOKKOS_INLINE_FUNCTION void addColumn(const RowsOfParticle<D, typename Connect::Slopes>& rows, int b,
-                                        double volume, const double (&A)[D * D][D * D]) const
+                                        double volume,
+                                        const double (&A)[gradientSize<D>][gradientSize<D>]) const
   {
-    double M[D * D][D]; // V0 A . slope of b, of (i, j) and k
-    for (int r = 0; r < D * D; ++r)
+    double M[gradientSize<D>][D]; // V0 A . slope of b, of (i, j) and k
+    const int count = data.components();
+    const bool around = D == 2 && count > D * D;
+    for (int r = 0; r < count; ++r)
       for (int k = 0; k < D; ++k)
       {
         M[r][k] = 0.0;
         for (int l = 0; l < D; ++l)
           M[r][k] += volume * A[r][k * D + l] * rows.slopes(b)(k, l);
+        if (around && k == 0)
+          M[r][k] += volume * A[r][gradientSize<D> - 1] * rows.slopes(b).hoop;
       }
     for (int a = 0; a < rows.count; ++a)
     {
@@ -117,6 +126,8 @@ struct StiffnessBlock
           double sum = 0.0;
           for (int j = 0; j < D; ++j)
             sum += rows.slopes(a)(i, j) * M[i * D + j][k];
+          if (around && i == 0)
+            sum += rows.slopes(a).hoop * M[gradientSize<D> - 1][k];
           block[i * D + k] += sum;
         }
     }

@@ -14,7 +14,8 @@ namespace
 template <int D>
 constexpr int tangentSize = D* D*(D* D + 1) / 2;
 
-/// Finds the tangent of each particle.
+/// Finds the tangent of each particle. Hoop strains are left out: boxes of axisymmetric scenes are never
+/// clipped, so that their systems are assembled (NewtonStep).
 template <int D, class Connect>
 struct FindTangents
 {
@@ -27,9 +28,9 @@ struct FindTangents
     for (int p = begin; p < end; ++p)
     {
       RowsOfParticle<D, typename Connect::Slopes> rows;
-      double G[D * D], A[D * D][D * D];
+      double G[gradientSize<D>], A[gradientSize<D>][gradientSize<D>];
       data.see(connect, p, rows, G);
-      if (!trialTangent<D>(data.before(p), G, A))
+      if (!trialTangent<D>(data.before(p), G, A, D * D))
         Kokkos::atomic_exchange(&data.bad(), 1);
       data.pullBackBoth(p, A);
       for (int r = 0, at = 0; r < D * D; ++r)
@@ -113,7 +114,7 @@ struct DiagonalBlock
     for (int p = begin; p < end; ++p)
     {
       RowsOfParticle<D, typename Connect::Slopes> rows;
-      double H[D * D];
+      double H[gradientSize<D>];
       data.see(connect, p, rows, H);
       for (int a = 0; a < rows.count; ++a)
         for (int i = 0; i < D; ++i)

@@ -134,11 +134,12 @@ KOKKOS_INLINE_FUNCTION bool historyChanges(const ParticleBefore<D>& before, cons
 
 /// First Piola-Kirchhoff stress per volume at F = 1, relative to the configuration before the step: the power
 /// of the particle is V0 P : dG/dt, G the gradient of the displacement over the step with respect to that
-/// configuration. P = tau (1 + G)^-T. \param flows becomes whether the history changes
-/// \return false where the particle is inverted or not finite
+/// configuration. P = tau (1 + G)^-T. In 2D both have the component of the third direction at the end: that
+/// of the hoop in axisymmetric scenes, where G is zero otherwise. \param flows becomes whether the history
+/// changes \return false where the particle is inverted or not finite
 template <int D>
-KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[D * D],
-                                        double (&P)[D * D], bool& flows)
+KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[gradientSize<D>],
+                                        double (&P)[gradientSize<D>], bool& flows)
 {
   double B[D * D], inverse[D * D], F[gradientSize<D>], tau[symmetricSize<D>], history[historyCapacity];
   for (int k = 0; k < D * D; ++k)
@@ -151,7 +152,7 @@ KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const d
         F[i * D + j] += B[i * D + k] * before.F[k * D + j];
     }
   if constexpr (D == 2)
-    F[4] = before.F[4];
+    F[4] = before.F[4] + before.F[4] * G[4];
   if (!invert(B, inverse) || !stressAt<D>(before, F, tau, history))
     return false;
   flows = historyChanges<D>(before, history);
@@ -165,12 +166,14 @@ KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const d
         p += tau[symmetricIndex<D>(i, k)] * inverse[j * D + k];
       sum += std::fabs(p);
     }
+  if constexpr (D == 2)
+    P[4] = tau[3] / (1.0 + G[4]);
   return std::isfinite(sum);
 }
 
 template <int D>
-KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[D * D],
-                                        double (&P)[D * D])
+KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[gradientSize<D>],
+                                        double (&P)[gradientSize<D>])
 {
   bool flows = false;
   return trialStress<D>(before, G, P, flows);
@@ -184,20 +187,21 @@ constexpr double differenceStep = 1e-5;
 /// it is, history included; symmetric, as the tangents of laws with a potential are. Next to the yield
 /// surface, where the difference would mix the elastic with the plastic tangent, it is taken to the side that
 /// flows if the particle flows at G, else to the one that does not: with a mean of both, a body that has
-/// yielded is not brought back to equilibrium. \return false where a stress does not exist
+/// yielded is not brought back to equilibrium. \param count of the components of G that A has: D * D, or
+/// gradientSize<D> in axisymmetric scenes \return false where a stress does not exist
 template <int D>
-KOKKOS_INLINE_FUNCTION bool trialTangent(const ParticleBefore<D>& before, const double (&G)[D * D],
-                                         double (&A)[D * D][D * D])
+KOKKOS_INLINE_FUNCTION bool trialTangent(const ParticleBefore<D>& before, const double (&G)[gradientSize<D>],
+                                         double (&A)[gradientSize<D>][gradientSize<D>], int count)
 {
   bool good = true, flows = false;
-  double here[D * D] = {};
+  double here[gradientSize<D>] = {};
   if (before.historyWidth > 0)
     good = trialStress<D>(before, G, here, flows);
-  for (int c = 0; c < D * D; ++c)
+  for (int c = 0; c < count; ++c)
   {
-    double at[D * D], high[D * D] = {}, low[D * D] = {};
+    double at[gradientSize<D>], high[gradientSize<D>] = {}, low[gradientSize<D>] = {};
     bool above = false, below = false; // whether it flows there
-    for (int k = 0; k < D * D; ++k)
+    for (int k = 0; k < gradientSize<D>; ++k)
       at[k] = G[k];
     at[c] = G[c] + differenceStep;
     const double up = at[c];
@@ -206,10 +210,10 @@ KOKKOS_INLINE_FUNCTION bool trialTangent(const ParticleBefore<D>& before, const 
     good = trialStress<D>(before, at, low, below) && good;
     const bool upwards = above != below && above == flows, downwards = above != below && below == flows;
     const double from = upwards ? G[c] : at[c], to = downwards ? G[c] : up;
-    for (int r = 0; r < D * D; ++r)
+    for (int r = 0; r < count; ++r)
       A[r][c] = ((downwards ? here[r] : high[r]) - (upwards ? here[r] : low[r])) / (to - from);
   }
-  for (int r = 0; r < D * D; ++r)
+  for (int r = 0; r < count; ++r)
     for (int c = 0; c < r; ++c)
       A[r][c] = A[c][r] = 0.5 * (A[r][c] + A[c][r]);
   return good;

@@ -122,7 +122,7 @@ std::vector<LoadPoint<D>> pointLoad(const Seeds<D>& body, const Vector<D>& at, c
 
 template <int D>
 std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, const Vector<D>& to,
-                                   Profile profile, const std::string& section)
+                                   Profile profile, const std::string& section, bool around)
 {
   const double length = norm(to - from);
   if (!(length > 0.0))
@@ -136,6 +136,7 @@ std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, 
     const double s = (i + 0.5) / n;
     const double weight = profile == Profile::Parabolic ? 6.0 * s * (1.0 - s) : 1.0;
     load.push_back({from + s * (to - from), weight, {}, {}});
+    load.back().weight *= around ? load.back().x[0] : 1.0;
     load.back().side[0] = (1.0 / n) * (to - from); // of 2D; in 3D the line has no second
   }
   return attach(body, load, section);
@@ -166,13 +167,13 @@ std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner
 template <int D>
 std::vector<LoadPoint<D>> surfaceLoad(const Seeds<D>& body,
                                       const std::vector<Geometry::SurfacePoint<D>>& surface,
-                                      const std::string& section)
+                                      const std::string& section, bool around)
 {
   refuseMany(static_cast<double>(surface.size()), section);
   std::vector<WeightedPoint<D>> load;
   for (const Geometry::SurfacePoint<D>& point : surface)
   {
-    load.push_back({point.x, point.size, {}, point.normal});
+    load.push_back({point.x, point.size * (around ? point.x[0] : 1.0), {}, point.normal});
     if constexpr (D == 2)
       load.back().side[0] = point.size * Vector<2>{-point.normal[1], point.normal[0]};
     else
@@ -190,14 +191,14 @@ std::vector<LoadPoint<D>> surfaceLoad(const Seeds<D>& body,
 }
 
 template std::vector<LoadPoint<2>> surfaceLoad(const Seeds<2>&, const std::vector<Geometry::SurfacePoint<2>>&,
-                                               const std::string&);
+                                               const std::string&, bool);
 template std::vector<LoadPoint<3>> surfaceLoad(const Seeds<3>&, const std::vector<Geometry::SurfacePoint<3>>&,
-                                               const std::string&);
+                                               const std::string&, bool);
 template std::vector<LoadPoint<2>> pointLoad(const Seeds<2>&, const Vector<2>&, const std::string&);
 template std::vector<LoadPoint<3>> pointLoad(const Seeds<3>&, const Vector<3>&, const std::string&);
 template std::vector<LoadPoint<2>> lineLoad(const Seeds<2>&, const Vector<2>&, const Vector<2>&, Profile,
-                                            const std::string&);
+                                            const std::string&, bool);
 template std::vector<LoadPoint<3>> lineLoad(const Seeds<3>&, const Vector<3>&, const Vector<3>&, Profile,
-                                            const std::string&);
+                                            const std::string&, bool);
 
 } // namespace Rhegma

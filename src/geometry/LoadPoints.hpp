@@ -40,18 +40,20 @@ template <int D>
 std::vector<LoadPoint<D>> pointLoad(const Seeds<D>& body, const Vector<D>& at, const std::string& section);
 
 /// Points along a segment, about half a particle edge apart, in the middles of equal pieces (midpoint rule).
+/// \param around whether pieces are rings around the axis x = 0, so that their fractions are as their radius
 template <int D>
 std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, const Vector<D>& to,
-                                   Profile profile, const std::string& section);
+                                   Profile profile, const std::string& section, bool around = false);
 
 /// Points spread evenly over the parallelogram with a corner and the two sides that start there (3D).
 std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner, const Vector<3>& sideA,
                                    const Vector<3>& sideB, const std::string& section);
 
 /// Points of a body's surface, each with the fraction that its piece is of all, and with its normal.
+/// \param around as for lineLoad
 template <int D>
 std::vector<LoadPoint<D>> surfaceLoad(const Seeds<D>& body,
                                       const std::vector<Geometry::SurfacePoint<D>>& surface,
-                                      const std::string& section);
+                                      const std::string& section, bool around = false);
 
 } // namespace Rhegma

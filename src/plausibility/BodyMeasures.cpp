@@ -98,11 +98,12 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
     const Vector<D> extents = own[b].upper - own[b].lower;
     body.shortest = *std::min_element(extents.c, extents.c + D);
     body.longest = *std::max_element(extents.c, extents.c + D);
-    double box = state.method.thickness;
+    const double depth = state.method.depth().at(0.5 * (body.lower[0] + body.upper[0]));
+    double box = depth;
     for (int d = 0; d < D; ++d)
       box *= extents[d];
     body.fill = box > 0.0 ? std::min(1.0, body.volume / box) : 1.0;
-    body.size = std::pow(body.volume / state.method.thickness, 1.0 / D);
+    body.size = std::pow(body.volume / depth, 1.0 / D);
     setMaterial(state, state.bodies.info[b].material, body);
   }
   return bodies;

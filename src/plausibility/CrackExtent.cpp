@@ -126,7 +126,7 @@ CrackedSection<D> sectionOf(const State<D>& state, const BodyMeasure<D>& body, i
   section.direction = means.direction;
   const int normal = nearestAxis(body, means.normal, -1), along = nearestAxis(body, means.direction, normal);
   section.width = extents[along];
-  double sectionArea = extents[along] * (D == 2 ? state.method.thickness : 1.0), middle = 0.0;
+  double sectionArea = extents[along], middle = 0.0;
   for (int k = 0; k < D; ++k)
     if (k != normal && k != along)
     {
@@ -175,7 +175,14 @@ template <int D>
 double areaOf(const State<D>& state, int crack)
 {
   if constexpr (D == 2)
-    return extentOf(state, crack) * state.method.thickness;
+  {
+    const Crack<D>& one = state.cracks.cracks[crack];
+    const auto x = verticesOf(state);
+    if (!hasVertices<D>(one, x))
+      return 0.0;
+    const Geometry::Bounds<D> bounds = boundsOfCrack(one, x);
+    return extentOf(state, crack) * state.method.depth().at(0.5 * (bounds.lower[0] + bounds.upper[0]));
+  }
   else
   {
     const auto x = verticesOf(state);

@@ -44,7 +44,8 @@ double sectionAt(const State<D>& state, const ParameterList& list)
   const Vector<D> from = readVector<D>(list, line ? "From" : "Point"),
                   to = line ? readVector<D>(list, "To") : from;
   const double cell = spacingAt(state, 0.5 * (from + to)), length = std::max(cell, norm(to - from));
-  return length * (D == 2 ? state.method.thickness : cell);
+  const double onAxis = 0.25 * cell; // mean radius of what a node there stands for
+  return length * (D == 2 ? state.method.depth().at(std::max(onAxis, 0.5 * (from[0] + to[0]))) : cell);
 }
 
 /// A force at a point is borne by the cells around it.

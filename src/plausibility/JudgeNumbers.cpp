@@ -93,7 +93,8 @@ void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
   double longest = 0.0;
   for (const BodyMeasure<D>& body : judged.bodies)
     longest = std::max(longest, body.longest);
-  if (D == 3 || thickness == 1.0 || isBeyond(thickness) || !(longest > 0.0))
+  if (D == 3 || judged.state.method.axisymmetric || thickness == 1.0 || isBeyond(thickness) ||
+      !(longest > 0.0))
     return;
   const double ratio = thickness / longest;
   const bool stress = judged.state.method.plane == Plane::Stress;
@@ -110,7 +111,8 @@ void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
 template <int D>
 void judgeForcesOnAMetre(const JudgedScene<D>& judged, Messages& messages)
 {
-  if (D == 3 || !judged.state.method.mechanics || !judged.scene.isSublist("Boundaries") ||
+  if (D == 3 || judged.state.method.axisymmetric || !judged.state.method.mechanics ||
+      !judged.scene.isSublist("Boundaries") ||
       !judged.scene.sublist("Domain").getEntry("Thickness").isDefault())
     return;
   const ParameterList& section = judged.scene.sublist("Boundaries");

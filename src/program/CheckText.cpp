@@ -5,6 +5,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "plan/Axis.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
 #include "plausibility/LoadEstimate.hpp"
@@ -123,7 +124,9 @@ std::string bodiesAsText(const nlohmann::json& summary, const Teuchos::Parameter
             ", weight " + forceText(g * mass) + "\n";
   }
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
-  if (domain.get<int>("Dimension") == 2 && shown > 0)
+  if (isAxisymmetric(scene) && shown > 0)
+    text += "  All forces and masses are those of the whole circle around x = 0 (Domain > Plane)\n";
+  else if (domain.get<int>("Dimension") == 2 && shown > 0)
     text += "  All forces and masses are those of a thickness of " +
             readableLength(domain.get<double>("Thickness")) + " (Domain > Thickness)\n";
   const std::size_t all = sublistNames(scene.sublist("Bodies")).size();

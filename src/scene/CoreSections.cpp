@@ -16,15 +16,69 @@ namespace Rhegma
 namespace
 {
 
+/// What is not there for bodies of revolution.
+void addRulesOfAxisymmetry(Section& s)
+{
+  const Condition round = when::is("Domain", "Plane", {"Axisymmetric"});
+  const std::string orElse = "; remove it, or compute a part of the body in 3D";
+  s.refuse({round, when::satisfies("Domain", "Thickness that is given",
+                                   [](const Teuchos::ParameterList& domain)
+                                   {
+                                     const auto* thickness = domain.getEntryPtr("Thickness");
+                                     return thickness != nullptr && !thickness->isDefault();
+                                   })},
+           "masses, forces and energies are those of the whole circle; leave Thickness out", 1);
+  s.refuse({round, when::is("Domain", "Shear Strain", {"At Cell Centres"})},
+           "slopes at cell centres have no hoop strain; write Shear Strain = At Particles", 1);
+  const auto firstOf = [](const char* name)
+  {
+    return [name](const Teuchos::ParameterList& list)
+    {
+      const auto* values = list.getEntryPtr(name);
+      return values != nullptr && values->isType<Teuchos::Array<double>>() &&
+             Teuchos::any_cast<Teuchos::Array<double>>(values->getAny())[0] != 0.0;
+    };
+  };
+  s.refuse({round,
+            when::satisfies("Bodies > *", "Angular Velocity that is not zero", firstOf("Angular Velocity"))},
+           "a body of revolution can't turn out of its axis; leave Angular Velocity out", 1);
+  s.refuse(
+      {round, when::satisfies("Boundaries > *", "Acceleration along x", firstOf("Acceleration"))},
+      "x is the radius, and weight that pulls outwards on all sides does not exist; write 0 for the first "
+      "number",
+      1);
+  const auto refuse = [&](const char* section, const std::string& reason) {
+    s.refuse({round, when::present(section)}, reason + orElse, 1);
+  };
+  refuse("Adaptivity", "refined cells have no hoop strain");
+  refuse("Sub-Cycling", "substeps have no hoop stress");
+  refuse("Contact", "the faces of cracks press on each other per thickness, not around a circle");
+  refuse("Body Contact", "bodies press on each other per thickness, not around a circle");
+  refuse("Rigid Tools", "tools move in the plane, and do not press around a circle");
+  refuse("Combustion", "the gas in cracks has the volume and faces of plane cracks");
+  s.refuse(
+      {round, when::satisfies("Thermal", "Mechanics = true",
+                              [](const Teuchos::ParameterList& thermal) {
+                                return !thermal.isType<bool>("Mechanics") || thermal.get<bool>("Mechanics");
+                              })},
+      "thermal strain does not reach the hoop; write Thermal > Mechanics = false for temperatures alone" +
+          orElse,
+      1);
+  s.refuse({round, when::present("Thermal"), when::present("Cracks")},
+           "heat crosses cracks per thickness, not around a circle" + orElse, 1);
+}
+
 Section domain()
 {
   Section s("Domain", "The computational domain: dimension, background grid and shape functions.");
   s.require();
   s.integer("Dimension").range(2, 3).meaning("2 for plane problems, 3 for three-dimensional ones.");
-  s.choice("Plane", {"Strain", "Stress"})
+  s.choice("Plane", {"Strain", "Stress", "Axisymmetric"})
       .onlyIn(2)
       .byDefault("Strain")
-      .meaning("Plane strain or plane stress.");
+      .meaning("Plane strain, plane stress, or a body of revolution without torsion: x is the radius, y the "
+               "axis, and masses, forces and energies are those of the whole circle "
+               "(docs/how-to/axisymmetric.md).");
   s.real("Thickness")
       .unit("m")
       .onlyIn(2)
@@ -71,6 +125,7 @@ Section domain()
           "cells, so that stresses do not change when a body moves or turns through the grid, and supports "
           "and loads stay on the material at which they are at the start; bodies do not meet "
           "(docs/explanation/total-lagrangian.md).");
+  addRulesOfAxisymmetry(s);
   return s;
 }
 

@@ -78,6 +78,12 @@ private:
         return;
       }
     }
+    if (text(domain, "Plane") == "Axisymmetric" && m_lower[0] < 0.0)
+      return report(
+          "Domain > Lower Corner",
+          "begins at x = " + formatReal(m_lower[0]) +
+              " m in an axisymmetric scene, in which x is the radius; write 0, or the radius inside "
+              "of a hollow body.");
     m_domainKnown = true;
   }
 
@@ -232,6 +238,25 @@ void deriveDefaults(Teuchos::ParameterList& scene)
   const auto end = real(scene.sublist("Time"), "Final Time");
   if (end && !output.isParameter("History Interval"))
     output.set("History Interval", *end / 200.0, "Time between two rows of history.csv. [s]");
+}
+
+void addAxis(Teuchos::ParameterList& scene)
+{
+  if (!scene.isSublist("Domain") || text(scene.sublist("Domain"), "Plane") != "Axisymmetric")
+    return;
+  const auto lower = reals(scene.sublist("Domain"), "Lower Corner");
+  if (!lower || lower->size() == 0 || (*lower)[0] != 0.0)
+    return;
+  ParameterList& boundaries = scene.sublist("Boundaries");
+  for (const std::string& name : sublists(boundaries))
+    if (const auto position = real(boundaries.sublist(name), "Position");
+        text(boundaries.sublist(name), "Axis") == "x" && position && *position == 0.0)
+      return;
+  ParameterList& axis = boundaries.sublist("Axis of Revolution");
+  axis.set("Type", std::string("Symmetry"));
+  axis.set("Axis", std::string("x"));
+  axis.set("Position", 0.0);
+  axis.set("Side", std::string("Lower"));
 }
 
 } // namespace Rhegma

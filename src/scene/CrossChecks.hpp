@@ -17,4 +17,8 @@ void crossCheckCore(const Teuchos::ParameterList& scene, std::vector<SceneError>
 /// Fills in the core's defaults that follow from other parameters: Output > History Interval.
 void deriveDefaults(Teuchos::ParameterList& scene);
 
+/// Adds a plane of symmetry on the axis of an axisymmetric scene whose domain reaches it: there is no radial
+/// motion. Call it before validation.
+void addAxis(Teuchos::ParameterList& scene);
+
 } // namespace Rhegma

@@ -30,6 +30,7 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
   convertUnits(list, schema, errors);
   fillFromIntensity(list, schema, errors);
   chooseCells(list, schema, errors);
+  addAxis(list);
   Validation(dimensionOf(list), errors).check(list, schema.root(), "");
   deriveDefaults(list);
   crossCheckCore(list, errors);

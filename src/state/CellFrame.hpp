@@ -93,9 +93,16 @@ struct CellFrame
       pullBack(p, T);
   }
 
+  /// Factor of the hoop strain of axisymmetric scenes, and of its stress, from the cells to the deformed body
+  /// and back. \param p a particle
+  KOKKOS_FORCEINLINE_FUNCTION double hoopFactor(int p) const
+  {
+    return undeformed && D == 2 ? 1.0 / deformation(p, gradientSize<D> - 1) : 1.0;
+  }
+
   /// T <- T F^-T, its columns from axes of the deformed body to those of the cells. \param p a particle
   /// \param T row by row
-  KOKKOS_FORCEINLINE_FUNCTION void pullBack(int p, double (&T)[D * D]) const
+  KOKKOS_FORCEINLINE_FUNCTION void pullBack(int p, double* T) const
   {
     double back[D * D];
     inverseInAxes<D>(&deformation(p, 0), back);
@@ -115,7 +122,7 @@ struct CellFrame
 
   /// G <- G F^-1, the gradient with respect to positions at F. \param p a particle \param G gradient with
   /// respect to the cells, row by row
-  KOKKOS_FORCEINLINE_FUNCTION void pushForward(int p, double (&G)[D * D]) const
+  KOKKOS_FORCEINLINE_FUNCTION void pushForward(int p, double* G) const
   {
     double back[D * D];
     inverseInAxes<D>(&deformation(p, 0), back);

@@ -33,12 +33,24 @@ enum class Analysis
   LoadFactor   ///< equilibrium in which cracks are about to grow: the loads at the final time times a factor
 };
 
+/// Extent of a 2D scene normal to its plane: the thickness, or the length of the circle on which a point
+/// lies.
+struct Depth
+{
+  double thickness = 1.0; ///< [m]; with `around` the angle of the circle, 2 pi
+  bool around = false;    ///< whether points are circles around the axis
+
+  /// \param x first coordinate of a point [m] \return [m]
+  KOKKOS_FORCEINLINE_FUNCTION double at(double x) const { return around ? thickness * x : thickness; }
+};
+
 /// What the scene's Domain and Time sections choose.
 struct Method
 {
   Analysis analysis = Analysis::Dynamic;        ///< what is solved
   Plane plane = Plane::Solid;                   ///< how 2D treats the third direction
-  double thickness = 1.0;                       ///< of 2D scenes [m]
+  double thickness = 1.0;                       ///< of 2D scenes [m]; axisymmetric: 2 pi, see Depth
+  bool axisymmetric = false;                    ///< 2D: x is the radius, and the third direction the hoop's
   ShapeKind shape = ShapeKind::Gimp;            ///< shape functions
   ShearStrain shear = ShearStrain::AtParticles; ///< where slopes of shear are taken
   UpdateScheme scheme = UpdateScheme::Musl;     ///< when stress is updated
@@ -50,6 +62,9 @@ struct Method
   /// Whether unstable growth of cracks in equilibrium ends it: the run goes on as motion from there.
   bool handsOver = false;
   bool heldTemperatures = false; ///< true: strain does not change temperatures, which steady conduction holds
+
+  /// Extent normal to the plane.
+  Depth depth() const { return {thickness, axisymmetric}; }
 
   /// Whether each step ends in equilibrium; its length is then no limit of what acts on nodes.
   bool equilibrium() const { return analysis != Analysis::Dynamic; }

@@ -4,6 +4,7 @@
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
 #include "material/ThermoMaterials.hpp"
+#include "plan/Axis.hpp"
 #include "plan/LastStage.hpp"
 #include "state/Ancestry.hpp"
 #include "state/AtRest.hpp"
@@ -33,7 +34,10 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
   const Teuchos::ParameterList& time = scene.sublist("Time");
   state.method.plane = readPlane<D>(domain);
-  state.method.thickness = D == 2 ? domain.get<double>("Thickness") : 1.0;
+  state.method.axisymmetric = isAxisymmetric(scene);
+  state.method.thickness = state.method.axisymmetric ? wholeCircle
+                           : D == 2                  ? domain.get<double>("Thickness")
+                                                     : 1.0;
   state.method.shape =
       domain.get<std::string>("Shape Functions") == "Linear" ? ShapeKind::Linear : ShapeKind::Gimp;
   state.method.shear = domain.get<std::string>("Shear Strain") == "At Cell Centres"
@@ -210,7 +214,7 @@ void writeParticles(const PlacedBody<D>& body, int number, int first, const Stat
   for (int k = 0; k < count; ++k)
   {
     const int p = first + k;
-    const double volume = seeds.volume[k] * state.method.thickness;
+    const double volume = seeds.volume[k] * state.method.depth().at(seeds.position[k][0]);
     const Vector<D> v = startVelocity<D>(velocity, spin, seeds.position[k] - centre);
     for (int d = 0; d < D; ++d)
     {

@@ -14,6 +14,7 @@ template <int D, ShearStrain H>
 struct ComponentSlopes
 {
   const double* of;
+  double hoop = 0.0; ///< what a radial displacement adds to the hoop strain of axisymmetric scenes [1/m]
 
   KOKKOS_FORCEINLINE_FUNCTION double operator()(int i, int j) const
   {
@@ -80,6 +81,9 @@ struct Connectivity
   template <class Visit>
   KOKKOS_INLINE_FUNCTION void visitStraining(int p, const Visit& straining) const
   {
+    if constexpr (H == ShearStrain::AtParticles && Stored && D == 2)
+      if (table.hasHoop())
+        return visitWithHoop(p, straining);
     if constexpr (H == ShearStrain::AtParticles)
       visit(p, [&](int node, double weight, const double* slope) { straining(node, weight, Slopes{slope}); });
     else
@@ -157,6 +161,15 @@ struct Connectivity
   }
 
 private:
+  /// In axisymmetric scenes all stencils are stored.
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void visitWithHoop(int p, const Visit& straining) const
+  {
+    const int r = row(p), count = table.count(r);
+    for (int k = 0; k < count; ++k)
+      straining(table.node(r, k), table.weight(r, k), Slopes{&table.slope(r, k, 0), table.hoop(r, k)});
+  }
+
   template <class Visit>
   KOKKOS_INLINE_FUNCTION void visitComponents(int p, const Visit& straining) const
   {

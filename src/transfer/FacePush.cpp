@@ -16,24 +16,25 @@ struct Pushed
 {
   View<int*> crack;
   View<double*> currentSize;
-  View<double* [D]> normal;
+  View<double*[D]> normal, position;
   StencilTable<D> below, above;
 
   explicit Pushed(const FacePoints<D>& points)
       : crack(points.crack),
         currentSize(points.currentSize),
         normal(points.normal),
+        position(points.position),
         below(points.below),
         above(points.above)
   {
   }
 
   /// Force on the face of side +1 at point k [N].
-  KOKKOS_INLINE_FUNCTION Vector<D> force(int k, double pressure, double thickness) const
+  KOKKOS_INLINE_FUNCTION Vector<D> force(int k, double pressure, const Depth& depth) const
   {
     Vector<D> force;
     for (int d = 0; d < D; ++d)
-      force[d] = pressure * currentSize(k) * thickness * normal(k, d);
+      force[d] = pressure * currentSize(k) * depth.at(position(k, 0)) * normal(k, d);
     return force;
   }
 };
@@ -56,11 +57,11 @@ void push(const char* label, const State<D>& state, const FacePoints<D>& points,
 {
   const Pushed<D> p(points);
   const StepForces<D> forces{state.mesh.nodes};
-  const double thickness = state.method.thickness;
+  const Depth depth = state.method.depth();
   forEachPushing(
       label, points.count(), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
-          addFaceForces<D>(forces, p.below, p.above, k, p.force(k, pressure(k), thickness));
+          addFaceForces<D>(forces, p.below, p.above, k, p.force(k, pressure(k), depth));
       });
 }
 
@@ -93,11 +94,12 @@ void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>&
 {
   const Pushed<D> p(points);
   const FaceVelocity<D> velocity(state);
-  const double thickness = state.method.thickness, dt = state.clock.dt;
+  const Depth depth = state.method.depth();
+  const double dt = state.clock.dt;
   Kokkos::parallel_for(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
-          swept(k) = dt * dot(p.force(k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, velocity));
+          swept(k) = dt * dot(p.force(k, 1.0, depth), jumpAt<D>(p.below, p.above, k, velocity));
       });
 }
 
@@ -110,13 +112,14 @@ double work(const char* label, const State<D>& state, const FacePoints<D>& point
 {
   const Pushed<D> p(points);
   const WorkVelocity<D> velocity(state);
-  const double thickness = state.method.thickness, dt = state.clock.dt;
+  const Depth depth = state.method.depth();
+  const double dt = state.clock.dt;
   double all = 0.0;
   Kokkos::parallel_reduce(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) {
         if (p.crack(k) == crack)
-          sum += dt * dot(p.force(k, pressure(k), thickness), jumpAt<D>(p.below, p.above, k, velocity));
+          sum += dt * dot(p.force(k, pressure(k), depth), jumpAt<D>(p.below, p.above, k, velocity));
       },
       all);
   return all;

@@ -54,6 +54,7 @@ struct TensorStencil
 {
   static constexpr int N = nodesPerAxis<S>;
   static constexpr int components = D == 2 ? 2 : 4; ///< width of a register of components
+  static constexpr bool mayHaveHoop = false;        ///< stencils of axisymmetric scenes are stored
   const LaneStencils<D, S>& all;
   const int (&stride)[D];
   int lane;
@@ -303,8 +304,32 @@ template <int D, ShearStrain H = ShearStrain::AtParticles>
 struct TableStencil
 {
   static constexpr int components = D == 2 ? 2 : 4;
+  static constexpr bool mayHaveHoop = D == 2;
   const StencilTable<D>& table;
   int row;
+
+  KOKKOS_FORCEINLINE_FUNCTION bool hasHoop() const { return table.hasHoop(); }
+
+  /// Sum of the rows with their hoop strains: of velocities, the first number is the rate of the hoop strain,
+  /// and all times the particle's radius are the velocity of its centre.
+  template <int Width, int W>
+  KOKKOS_INLINE_FUNCTION Pack<W> hoopValue(const double* rows) const
+  {
+    Pack<W> sum = Pack<W>::zero();
+    const int count = table.count(row);
+    for (int k = 0; k < count; ++k)
+      sum.add(table.hoop(row, k), Pack<W>::load(rows + Width * table.node(row, k)));
+    return sum;
+  }
+
+  /// Adds a hoop stress times volume to the radial number of the rows.
+  template <int Width>
+  KOKKOS_INLINE_FUNCTION void addHoop(double* rows, double value) const
+  {
+    const int count = table.count(row);
+    for (int k = 0; k < count; ++k)
+      rows[Width * table.node(row, k)] += table.hoop(row, k) * value;
+  }
 
   template <int Width, int W>
   KOKKOS_FORCEINLINE_FUNCTION Pack<W> value(const double* rows) const

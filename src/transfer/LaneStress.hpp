@@ -18,14 +18,14 @@ namespace detail
 template <int D>
 struct StrainLanes
 {
-  double gradient[D * D][lanes];    ///< of the straining velocity, row by row [1/s]
-  double shift[D][lanes];           ///< velocity of the particles' positions [m/s]
-  double F[gradientSize<D>][lanes]; ///< old, then new
+  double gradient[gradientSize<D>][lanes]; ///< of the straining velocity, as a deformation gradient [1/s]
+  double shift[D][lanes];                  ///< velocity of the particles' positions [m/s]
+  double F[gradientSize<D>][lanes];        ///< old, then new
   double tau[symmetricSize<D>][lanes];
   double speed[lanes]; ///< of the particle, then with the wave speed on top [m/s]
 };
 
-/// (I + dt L) F of one lane; in 2D the law sets the thickness stretch.
+/// (I + dt L) F of one lane; in plane stress the law sets the thickness stretch.
 template <int D>
 KOKKOS_FORCEINLINE_FUNCTION void strained(const StrainLanes<D>& at, int l, double dt, double* F)
 {
@@ -38,7 +38,7 @@ KOKKOS_FORCEINLINE_FUNCTION void strained(const StrainLanes<D>& at, int l, doubl
       F[i * D + j] = at.F[i * D + j][l] + dt * change;
     }
   if constexpr (D == 2)
-    F[4] = at.F[4][l];
+    F[4] = at.F[4][l] + dt * at.gradient[4][l] * at.F[4][l];
 }
 
 /// Stores deformation gradient and stress of one lane.

@@ -34,6 +34,10 @@ struct ScatterBlock
                                 Pack<forceWidth> flux[D];
                                 fluxOf(p, flux);
                                 stencil.template addFlux<Nodes<D>::sumWidth>(rows + Nodes<D>::forceAt, flux);
+                                if constexpr (std::decay_t<decltype(stencil)>::mayHaveHoop)
+                                  if (stencil.hasHoop())
+                                    stencil.template addHoop<Nodes<D>::sumWidth>(rows + Nodes<D>::forceAt,
+                                                                                 hoopForce(p));
                               }
                             });
   }
@@ -43,6 +47,12 @@ struct ScatterBlock
     static_assert(Nodes<D>::massAt == 0 && Nodes<D>::momentumAt == 1, "the layout of a row");
     const double m = mass(p);
     return pack(m, m * velocity(p, 0), m * velocity(p, 1), D == 2 ? 0.0 : m * velocity(p, D - 1));
+  }
+
+  /// -V0 times the hoop stress in the cells, of axisymmetric scenes.
+  KOKKOS_FORCEINLINE_FUNCTION double hoopForce(int p) const
+  {
+    return -volume(p) * stress(p, normalIndex<D>(2)) * frame.hoopFactor(p);
   }
 
   /// Columns of -V0 times the stress in the cells.

@@ -161,7 +161,7 @@ void gatherPoints(State<D>& state)
   const ObservedPoints<D> points = state.stored.points;
   const auto position = state.particles.template real<D>(fields::position);
   BorrowedView<double* [D]> box;
-  const bool boxes = state.method.shape == ShapeKind::Gimp;
+  const bool boxes = state.method.shape == ShapeKind::Gimp, around = state.method.axisymmetric;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
   const View<int*> particle = state.stored.particle;
@@ -175,6 +175,9 @@ void gatherPoints(State<D>& state)
           if (boxes)
             points.half(r, d) = box(p, d);
         }
+        // A particle's box ends at the axis.
+        if (around && boxes && points.half(r, 0) > points.position(r, 0))
+          points.half(r, 0) = points.position(r, 0);
       });
 }
 
@@ -209,7 +212,8 @@ void storeStencils(State<D>& state)
   state.mesh.nodes.releaseEnriched();
   state.stored.source = mayKeep ? source : StencilSource{};
   state.stored.count = 0;
-  if (!edits && !state.mesh.tree.refined())
+  const bool around = state.method.axisymmetric;
+  if (!edits && !state.mesh.tree.refined() && !around)
     return;
   const int n = state.particles.size();
   if (static_cast<int>(state.stored.row.extent(0)) != n)
@@ -217,14 +221,14 @@ void storeStencils(State<D>& state)
   if (state.mesh.tree.refined())
     markRefined(state, state.stored.row);
   else
-    Kokkos::deep_copy(state.stored.row, -1);
+    Kokkos::deep_copy(state.stored.row, around ? 0 : -1);
   for (const StencilEditor<D>& editor : state.stored.editors)
     if (editor.prepare)
       editor.prepare(state, state.stored.row);
   state.stored.count = numberRows(state.mesh.blocks, state.stored.row, state.stored.particle);
   if (state.stored.count == 0)
     return;
-  state.stored.table.reserve(state.stored.count, state.method.shear == ShearStrain::AtCellCentres);
+  state.stored.table.reserve(state.stored.count, state.method.shear == ShearStrain::AtCellCentres, around);
   gatherPoints(state);
   const ObservedPoints<D>& points = state.stored.points;
   if (writeUnbroken(state, state.method.shape, points, state.stored.table) > 0)

@@ -99,6 +99,8 @@ struct BundleMotion
       frame.pushForward(p, L);
       for (int k = 0; k < D * D; ++k)
         at.gradient[k][p - begin] = L[k];
+      if constexpr (D == 2)
+        at.gradient[4][p - begin] *= frame.hoopFactor(p);
     }
   }
 
@@ -312,7 +314,26 @@ struct StrainAndMove
                                 for (int j = 0; j < D; ++j)
                                   at.gradient[i * D + j][l] = slope[j][i];
                               }
+                              if constexpr (D == 2)
+                                strainAround(p, l, stencil, at);
                             });
+  }
+
+  /// Hoop strain of axisymmetric scenes. The particle moves by the velocity of its centre, so that its hoop
+  /// stretch is exactly the ratio of its radii.
+  template <class Stencil>
+  KOKKOS_FORCEINLINE_FUNCTION void strainAround(int p, int l, const Stencil& stencil, Lanes& at) const
+  {
+    at.gradient[4][l] = 0.0;
+    if constexpr (Stencil::mayHaveHoop)
+      if (stencil.hasHoop())
+      {
+        const Pack<width> rate = stencil.template hoopValue<Width, width>(nodal.data());
+        const double radius = particles.position(p, 0);
+        at.gradient[4][l] = rate[0];
+        for (int i = 0; i < D; ++i)
+          at.shift[i][l] = radius * rate[i];
+      }
   }
 };
 

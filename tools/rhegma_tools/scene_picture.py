@@ -117,6 +117,11 @@ def draw_domain(panel, values):
     panel.axes.plot(*loop.T, color=style.QUIET, lw=0.8, ls=":", scalex=False, scaley=False, zorder=0)
 
 
+def axis_names(drawing):
+    """Names of the axes: in an axisymmetric scene the first is the radius r."""
+    return "ryz" if drawing.scene.values.get("Domain", {}).get("Plane") == "Axisymmetric" else "xyz"
+
+
 def draw_view(axes, view, drawing):
     """A whole view of the scene. \\return its Panel"""
     panel = Panel(axes, view, drawing.length, drawing.extent)
@@ -131,8 +136,8 @@ def draw_view(axes, view, drawing):
     draw_cracks(panel, drawing.fields.crack)
     draw_fronts(panel, drawing.fronts)
     draw_symbols(panel, drawing.symbols)
-    axes.set_xlabel(f"{'xyz'[view.axes[0]]} [{drawing.unit}]")
-    axes.set_ylabel(f"{'xyz'[view.axes[1]]} [{drawing.unit}]")
+    axes.set_xlabel(f"{axis_names(drawing)[view.axes[0]]} [{drawing.unit}]")
+    axes.set_ylabel(f"{axis_names(drawing)[view.axes[1]]} [{drawing.unit}]")
     return panel
 
 
@@ -167,7 +172,7 @@ def draw_close_up(axes, drawing):
             axes.add_patch(Circle(front_at, front[name] * factor, fill=False, ec=style.COLOURS[1], lw=1.1, ls="-" if name == "outer_radius" else "--", zorder=7))
     caption = f"at a crack front: cells of {readable(finest, 'm')}"
     axes.set_title(caption + ("\ncircles: inner and outer radius of the J integral" if outer else ""), fontweight="normal", fontsize=10)
-    axes.set_xlabel(f"x [{unit}]")
+    axes.set_xlabel(f"{axis_names(drawing)[0]} [{unit}]")
     axes.set_ylabel(f"y [{unit}]")
 
 

@@ -85,6 +85,8 @@ struct Particle
     detail::HeatLanes<D> heat;
     for (int k = 0; k < D * D; ++k)
       at.gradient[k][0] = L[k];
+    if (D == 2)
+      at.gradient[gradientSize<D> - 1][0] = 0.0;
     for (int k = 0; k < gradientSize<D>; ++k)
       at.F[k][0] = F[k];
     for (int k = 0; k < symmetricSize<D>; ++k)
