@@ -180,6 +180,8 @@ def scene_of(drawn, random):
     three = drawn["Dimension"] == "3"
     size = [10, 8, 8] if three else [16, 12]
     cells = [random.uniform(-0.45, 0.45) for _ in size]
+    away = 10 if not three and drawn["Plane"] == "Axisymmetric" else 0  # cells from the axis of a ring, whatever its turn
+    cells[0] += away
     low = [CELL * (n + 0.05) for n in cells]
     high = [CELL * (n + s + random.uniform(-0.2, 0.2)) for n, s in zip(cells, size)]
     axis = len(size) - 1  # cracks lie across it, loads act along it
@@ -201,8 +203,8 @@ def scene_of(drawn, random):
         solid.update({"Specific Heat": 1400.0, "Conductivity": 0.2, "Thermal Expansion": 7e-5})
     domain = {
         "Dimension": len(size),
-        "Lower Corner": [-6 * CELL] * len(size),
-        "Upper Corner": [CELL * (s + 9) for s in size],
+        "Lower Corner": [(away - 6) * CELL] + [-6 * CELL] * (len(size) - 1),
+        "Upper Corner": [CELL * (size[0] + 9 + away)] + [CELL * (s + 9) for s in size[1:]],
         "Cell Size": CELL,
         "Shape Functions": drawn["Shape Functions"],
         "Formulation": drawn["Formulation"],

@@ -13,7 +13,7 @@ LENGTHS = {"Lower Corner", "Upper Corner", "Cell Size", "Points", "Centre", "Rad
            "Front Radius", "Initial Gap", "Ignition Point", "Ignition Lower Corner", "Ignition Upper Corner", "Semi-Axes"}
 
 # Units of the scenes, in SI units.
-UNITS = {"mm": 1e-3, "us": 1e-6, "ms": 1e-3, "g": 1e-3, "g/cm3": 1e3, "MPa": 1e6, "GPa": 1e9}
+UNITS = {"mm": 1e-3, "um": 1e-6, "um/s": 1e-6, "us": 1e-6, "ms": 1e-3, "g": 1e-3, "g/cm3": 1e3, "MPa": 1e6, "GPa": 1e9}
 
 
 def value_of(element):
