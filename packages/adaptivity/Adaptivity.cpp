@@ -7,6 +7,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "grid/LeafList.hpp"
+#include "scene/RoundBodies.hpp"
 #include "state/Ancestry.hpp"
 #include "state/Subdomain.hpp"
 
@@ -127,6 +128,7 @@ Section section()
 {
   Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
                           "and particles are split and merged with them.");
+  refuseAxisymmetric(s, "refined cells have no hoop strain");
   s.refuse({when::given("Adaptivity", "Velocity Change"), when::equilibrium()},
            "in equilibrium all velocities are zero; use Front Cells or a box");
   s.refuse(

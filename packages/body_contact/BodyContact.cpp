@@ -7,6 +7,7 @@
 #include "body_contact/InterfacePoints.hpp"
 #include "body_contact/PressedPairs.hpp"
 #include "scene/FrictionSection.hpp"
+#include "scene/RoundBodies.hpp"
 #include "state/BodyGroup.hpp"
 
 #include <algorithm>
@@ -76,6 +77,7 @@ Section section()
             "Contact of bodies: bodies that are not bonded (Bodies > Bonded To) move on their own, "
             "and press and slide on each other where they touch. Without this section, bodies less "
             "than one to two cells apart share one motion.");
+  refuseAxisymmetric(s, "bodies press on each other per thickness, not around a circle");
   addFrictionLaw(s);
   addConductance(s, false);
   Section pair("pair of bodies",

@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "scene/ErrorIndex.hpp"
+#include "scene/RoundBodies.hpp"
 
 namespace Rhegma::cohesive_faces
 {
@@ -86,6 +87,7 @@ Section cohesiveSection()
 {
   Section s("Cohesive Faces", "Faces of cracks that hold together by a traction-separation law: adhesive "
                               "joints, layers that may delaminate, weak planes. Damage does not heal.");
+  refuseAxisymmetric(s, "tractions of faces act per thickness, not around a circle");
   Section crack("crack", "Faces of one crack, which goes from surface to surface of the bodies. The sublist "
                          "has the name of the crack.");
   addLaw(crack);
@@ -115,6 +117,9 @@ Section cohesiveSection()
            "path, held by Cohesive Faces, or leave one of both out");
   s.refuse({self, when::present("Sub-Cycling")},
            "cohesive forces do not follow the substeps of nodes; leave Sub-Cycling out");
+  s.refuse(
+      {when::present("Cohesive Faces > *"), when::present("Combustion > *")},
+      "faces that hold would burn, and gas would burst them; remove the crack from one of the two sections");
   s.refuse({self, when::present("Thermal")},
            "no heat passes between the faces of a crack, also where they hold; leave one of both out");
   s.refuse({self, when::isNot("Time", "Initial State", {"Unloaded"})},

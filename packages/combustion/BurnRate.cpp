@@ -43,12 +43,13 @@ BurnRate BurnRate::table(const std::string& text)
 BurnRate BurnRate::wardSonBrewster(const WardSonBrewster& solid)
 {
   constexpr int perDecade = 64, decades = 12;
+  constexpr double leastRate = 1e-300; // of a surface too cold to burn, whose logarithm is to be finite
   BurnRate law;
   law.logarithmic_ = true;
   for (int k = 0; k <= perDecade * decades; ++k)
   {
     const double at = std::log(10.0) * k / perDecade;
-    law.points_.emplace_back(at, std::log(burningSurface(solid, std::exp(at)).rate));
+    law.points_.emplace_back(at, std::log(std::max(burningSurface(solid, std::exp(at)).rate, leastRate)));
   }
   return law;
 }

@@ -1,5 +1,7 @@
 #include "combustion/Combustion.hpp"
 
+#include "scene/RoundBodies.hpp"
+
 namespace Rhegma::combustion
 {
 
@@ -213,6 +215,7 @@ void addLosses(Section& crack)
 Section combustionSection()
 {
   Section s("Combustion", "Combustion of crack faces: gas production, gas pressure on the faces, venting.");
+  refuseAxisymmetric(s, "the gas in cracks has the volume and faces of plane cracks");
   s.refuse({when::present("Combustion"), when::equilibrium()},
            "combustion in equilibrium is not implemented; write Analysis = Dynamic");
   Section crack("crack", "Combustion of one crack. The sublist has the name of the crack.");

@@ -6,6 +6,7 @@
 #include "contact/ContactInEquilibrium.hpp"
 #include "contact/FaceContact.hpp"
 #include "material/MaterialTable.hpp"
+#include "scene/RoundBodies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,7 @@ namespace
 Section section()
 {
   Section s("Contact", "Contact of crack faces. Without this section, closed faces overlap freely.");
+  refuseAxisymmetric(s, "the faces of cracks press on each other per thickness, not around a circle");
   s.refuse(
       {when::present("Contact"), when::is("Time", "Initial State", {"Equilibrium"})},
       "the equilibrium at the start does not include contact; write Unloaded or Equilibrium Without Cracks");

@@ -3,6 +3,7 @@
 #include "base/EntryValue.hpp"
 #include "base/ReadList.hpp"
 #include "scene/ErrorIndex.hpp"
+#include "scene/RoundBodies.hpp"
 
 #include <string>
 #include <vector>
@@ -85,6 +86,8 @@ Section crackSection()
 {
   Section s("Cracks",
             "Explicit cracks: polylines (2D) or surfaces (3D) that cut bodies independently of the grid.");
+  s.refuse({when::is("Cracks", "Formulation", {"Corrected Broken Cell"}), when::axisymmetric()},
+           "extrapolated cells have no hoop strain; write Formulation = Dual Field");
   s.choice("Formulation", {"Dual Field", "Broken Cell", "Corrected Broken Cell"})
       .byDefault("Dual Field")
       .meaning("How cracked cells are treated. Dual Field: one velocity field on each side of the crack. "

@@ -4,6 +4,7 @@
 #include "base/ShortNumber.hpp"
 #include "damping/JudgeDamping.hpp"
 #include "damping/Settling.hpp"
+#include "scene/RoundBodies.hpp"
 #include "transfer/LaneHeat.hpp"
 
 #include <algorithm>
@@ -64,6 +65,10 @@ namespace
 Section section()
 {
   Section s("Damping", "Damping, so that a suddenly loaded body settles to static equilibrium.");
+  for (const char* const viscosity : {"Shear Viscosity", "Bulk Viscosity"})
+    s.refuse({when::above("Damping", viscosity, 0.0), when::axisymmetric()},
+             "the rate of the hoop strain has no viscous stress; use Mass Rate, or compute a part of the "
+             "body in 3D");
   s.refuse({when::present("Damping"), when::equilibrium()},
            "an equilibrium analysis has no motion to damp; remove this section");
   s.real("Mass Rate")

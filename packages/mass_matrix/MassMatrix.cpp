@@ -8,6 +8,7 @@
 #include "mass_matrix/NodalSolve.hpp"
 #include "mass_matrix/Series.hpp"
 #include "mass_matrix/SlotSolve.hpp"
+#include "scene/RoundBodies.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -88,6 +89,9 @@ void addSolverParameters(Section& s)
 Section section()
 {
   Section s("Mass Matrix", "Mass matrix of the grid. Without this section it is lumped.");
+  s.refuse(
+      {when::is("Mass Matrix", "Type", {"Full", "Partial"}), when::axisymmetric()},
+      "the least mass of coupled nodes is that of a thickness; write Type = Lumped or leave the section out");
   s.refuse({when::present("Mass Matrix"), when::equilibrium()},
            "an equilibrium analysis does not use mass; remove this section");
   s.chosenBy("Type").meaning("Kind of mass matrix, or a series for its inverse (FMPM).");

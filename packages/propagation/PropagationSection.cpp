@@ -130,7 +130,8 @@ void addToughnessRatio(Section& s)
       .optional("1")
       .meaning(
           "Toughness in a direction over Toughness, for a toughness that depends on the direction of growth: "
-          "an expression of its angle a [rad] from the x axis, such as \"1 + 0.5*sin(a - 30*pi/180)^2\". "
+          "an expression of its angle a [rad] from the x axis, from -pi to pi, such as \"1 + 0.5*sin(a - "
+          "30*pi/180)^2\". "
           "Cracks grow where G of a short kink over the toughness in its direction is largest.");
   Condition other = when::given("Propagation", "Toughness Ratio");
   other.text = " with a Direction other than Maximum Energy Release";

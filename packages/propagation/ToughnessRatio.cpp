@@ -56,15 +56,25 @@ ToughnessRatio ToughnessRatio::parse(const std::string& text)
   const ToughnessRatio ratio(form);
   for (int degrees = -180; degrees <= 180; ++degrees)
     if (const double value = ratio(degrees * pi / 180.0); !(value > 0.0) || !std::isfinite(value))
-      throw std::invalid_argument("\"" + expression + "\" is " + formatReal(value) + " at an angle of " +
-                                  std::to_string(degrees) +
-                                  " degrees; write a function that is positive at all angles");
+      throw std::invalid_argument(
+          "\"" + expression + "\" " +
+          (std::isfinite(value) ? "is " + formatReal(value) : std::string("has no value")) +
+          " at an angle of " + std::to_string(degrees) +
+          " degrees; write a function that is positive at all angles");
+  // On two sides of the direction against the x axis: which one it has is a matter of rounding.
+  constexpr double near = 1e-6;
+  if (const double above = ratio(pi * (1.0 - near)), below = ratio(-pi * (1.0 - near));
+      !(std::fabs(above - below) <= 1e-3 * std::fmax(std::fabs(above), std::fabs(below))))
+    throw std::invalid_argument(
+        "\"" + expression + "\" is " + formatReal(above) + " at 180 degrees and " + formatReal(below) +
+        " at -180 degrees, which are one direction; write a periodic function, such as of sin(a)");
   return ratio;
 }
 
 double ToughnessRatio::operator()(double angle) const
 {
-  form_->angle = angle;
+  constexpr double turn = 2.0 * 3.14159265358979323846;
+  form_->angle = std::remainder(angle, turn);
   return form_->parser.Eval();
 }
 

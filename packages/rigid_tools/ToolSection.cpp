@@ -8,6 +8,7 @@
 #include "scene/CoreBodies.hpp"
 #include "scene/FrictionSection.hpp"
 #include "scene/NearestName.hpp"
+#include "scene/RoundBodies.hpp"
 #include "scene/SectionChecks.hpp"
 #include "scene/TimeFunction.hpp"
 
@@ -110,6 +111,7 @@ Section toolSection()
   Section s("Rigid Tools",
             "Rigid tools: shapes without particles that press and slide on bodies, such as walls, rollers, "
             "punches and drop weights.");
+  refuseAxisymmetric(s, "tools move in the plane, and do not press around a circle");
   Section tool("tool", "A tool: its shape, how it moves and how bodies slide on it.");
   describeShape(tool);
   addMotion(tool);

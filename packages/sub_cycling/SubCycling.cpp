@@ -1,5 +1,6 @@
 #include "sub_cycling/SubCycling.hpp"
 
+#include "scene/RoundBodies.hpp"
 #include "sub_cycling/LocalSteps.hpp"
 #include "transfer/LaneHeat.hpp"
 
@@ -15,6 +16,7 @@ namespace
 Section section()
 {
   Section s("Sub-Cycling", "Subcycling: fine cells take smaller time steps (substeps) than coarse cells.");
+  refuseAxisymmetric(s, "substeps have no hoop stress");
   s.refuse({when::present("Sub-Cycling"), when::equilibrium()},
            "an equilibrium analysis has no time step to divide; remove this section");
   s.integer("Levels").range(1, 6).byDefault(6).meaning(

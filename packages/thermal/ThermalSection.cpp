@@ -6,6 +6,7 @@
 #include "thermal/Thermal.hpp"
 
 #include "material/ThermoMaterials.hpp"
+#include "scene/RoundBodies.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -98,7 +99,9 @@ void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& er
   forEach(scene, "Boundaries",
           [&](const Teuchos::ParameterList& list, const std::string& where)
           {
-            if (text(list, "Type") != "" && boundaryType(text(list, "Type")).capability != capability::heat)
+            const bool isGiven = list.isParameter("Type") && !list.getEntry("Type").isDefault();
+            if (isGiven && text(list, "Type") != "" &&
+                boundaryType(text(list, "Type")).capability != capability::heat)
               errors.push_back({where, nothingMoves});
           });
   forEach(scene, "Bodies",
@@ -176,6 +179,12 @@ void addRules(Section& s)
 Section thermalSection()
 {
   Section s("Thermal", "Heat conduction, heat sources, thermal strain and thermomechanical heating.");
+  s.refuse(
+      {when::isNot("Thermal", "Mechanics", {"false"}), when::axisymmetric()},
+      std::string("thermal strain does not reach the hoop; write Mechanics = false for temperatures alone") +
+          orInSpace);
+  s.refuse({when::present("Thermal"), when::axisymmetric(), when::present("Cracks")},
+           std::string("heat crosses cracks per thickness, not around a circle") + orInSpace);
   s.refuse({when::isNot("Thermal", "Conduction", {"Steady"}), when::is("Time", "Analysis", {"Static"})},
            "heat conduction needs time, which a static analysis does not have; write Conduction = Steady, or "
            "Analysis = "

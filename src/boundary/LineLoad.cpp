@@ -1,6 +1,8 @@
 #include "base/ReadList.hpp"
 #include "boundary/BoundaryParts.hpp"
 
+#include <stdexcept>
+
 namespace Rhegma
 {
 
@@ -13,8 +15,12 @@ PlacedLoad<D> place(const Teuchos::ParameterList& list, const Seeds<D>& seeds, c
 {
   const Profile profile =
       list.get<std::string>("Profile") == "Parabolic" ? Profile::Parabolic : Profile::Uniform;
-  return {lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), profile, where, around),
-          readVector<D>(list, "Force")};
+  const Vector<D> from = readVector<D>(list, "From"), to = readVector<D>(list, "To");
+  if (around && from[0] == 0.0 && to[0] == 0.0)
+    throw std::invalid_argument(
+        where + ": the line lies on the axis of revolution, so that it sweeps no area; write a "
+                "Point Load, or a line away from the axis");
+  return {lineLoad<D>(seeds, from, to, profile, where, around), readVector<D>(list, "Force")};
 }
 
 template <int D>

@@ -2,6 +2,8 @@
 
 #include "base/ReadList.hpp"
 
+#include <stdexcept>
+
 namespace Rhegma
 {
 
@@ -15,6 +17,10 @@ PlacedLoad<D> placeTraction(const Teuchos::ParameterList& scene, const Teuchos::
 {
   const PlacedSurface<D> surface = placeSurface<D>(scene, list, seeds, where);
   const auto& [area, outward] = surface.measure;
+  if (!(area > 0.0))
+    throw std::invalid_argument(
+        where + ": its surface has no area, as a line on the axis of revolution; write a surface "
+                "away from the axis");
   if (list.isParameter("Force"))
     return {surface.points, readVector<D>(list, "Force")};
   if (!list.isParameter("Pressure"))

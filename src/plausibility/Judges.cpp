@@ -74,7 +74,7 @@ void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven,
   for (const auto judge : {judgeQuantities<D>, judgeTimes<D>, judgeNeighbours<D>, judgeMeetings<D>,
                            judgePieces<D>, judgeLoads<D>, judgeCancelling<D>, judgeMotion<D>, judgeMirrors<D>,
                            judgeHeld<D>, judgeGrips<D>, judgeShutCracks<D>, judgeFirstSteps<D>,
-                           judgeFlight<D>, judgeSevered<D>, judgeCarried<D>, judgePic<D>})
+                           judgeFlight<D>, judgeSevered<D>, judgeCarried<D>, judgePic<D>, judgeBores<D>})
     addFirstTen(judge(judged), all);
   state.warnings.insert(state.warnings.end(), all.begin(), all.end());
   state.warnings = withoutNonNumbers(state.warnings);

@@ -75,6 +75,9 @@ Messages judgeSevered(const JudgedScene<D>& judged);
 /// Supports that move both ends of a body alike, and values along axes that a support leaves free.
 template <int D>
 Messages judgeCarried(const JudgedScene<D>& judged);
+/// Bores of bodies of revolution that are so narrow that nodes at the axis hold their walls.
+template <int D>
+Messages judgeBores(const JudgedScene<D>& judged);
 /// Damping by PIC that takes a tenth of the energy of waves.
 template <int D>
 Messages judgePic(const JudgedScene<D>& judged);

@@ -6,6 +6,7 @@
 #include "scene/CoreBodies.hpp"
 #include "scene/HeatParameters.hpp"
 #include "scene/NearestName.hpp"
+#include "scene/RoundBodies.hpp"
 #include "scene/Schema.hpp"
 
 #include <algorithm>
@@ -19,8 +20,7 @@ namespace
 /// What is not there for bodies of revolution.
 void addRulesOfAxisymmetry(Section& s)
 {
-  const Condition round = when::is("Domain", "Plane", {"Axisymmetric"});
-  const std::string orElse = "; remove it, or compute a part of the body in 3D";
+  const Condition round = when::axisymmetric();
   s.refuse({round, when::satisfies("Domain", "Thickness that is given",
                                    [](const Teuchos::ParameterList& domain)
                                    {
@@ -47,25 +47,6 @@ void addRulesOfAxisymmetry(Section& s)
       "x is the radius, and weight that pulls outwards on all sides does not exist; write 0 for the first "
       "number",
       1);
-  const auto refuse = [&](const char* section, const std::string& reason) {
-    s.refuse({round, when::present(section)}, reason + orElse, 1);
-  };
-  refuse("Adaptivity", "refined cells have no hoop strain");
-  refuse("Sub-Cycling", "substeps have no hoop stress");
-  refuse("Contact", "the faces of cracks press on each other per thickness, not around a circle");
-  refuse("Body Contact", "bodies press on each other per thickness, not around a circle");
-  refuse("Rigid Tools", "tools move in the plane, and do not press around a circle");
-  refuse("Combustion", "the gas in cracks has the volume and faces of plane cracks");
-  s.refuse(
-      {round, when::satisfies("Thermal", "Mechanics = true",
-                              [](const Teuchos::ParameterList& thermal) {
-                                return !thermal.isType<bool>("Mechanics") || thermal.get<bool>("Mechanics");
-                              })},
-      "thermal strain does not reach the hoop; write Thermal > Mechanics = false for temperatures alone" +
-          orElse,
-      1);
-  s.refuse({round, when::present("Thermal"), when::present("Cracks")},
-           "heat crosses cracks per thickness, not around a circle" + orElse, 1);
 }
 
 Section domain()

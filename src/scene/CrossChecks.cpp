@@ -244,16 +244,27 @@ void addAxis(Teuchos::ParameterList& scene)
 {
   if (!scene.isSublist("Domain") || text(scene.sublist("Domain"), "Plane") != "Axisymmetric")
     return;
-  const auto lower = reals(scene.sublist("Domain"), "Lower Corner");
-  if (!lower || lower->size() == 0 || (*lower)[0] != 0.0)
+  ParameterList& domain = scene.sublist("Domain");
+  auto lower = reals(domain, "Lower Corner");
+  const auto cell = real(domain, "Cell Size");
+  constexpr double rounding = 1e-9; // of a cell
+  if (!lower || lower->size() == 0 || !(std::fabs((*lower)[0]) <= rounding * cell.value_or(0.0)))
     return;
+  if ((*lower)[0] != 0.0)
+  {
+    (*lower)[0] = 0.0;
+    domain.set("Lower Corner", *lower);
+  }
   ParameterList& boundaries = scene.sublist("Boundaries");
   for (const std::string& name : sublists(boundaries))
     if (const auto position = real(boundaries.sublist(name), "Position");
+        text(boundaries.sublist(name), "Type") == "Symmetry" &&
         text(boundaries.sublist(name), "Axis") == "x" && position && *position == 0.0)
       return;
   ParameterList& axis = boundaries.sublist("Axis of Revolution");
-  axis.set("Type", std::string("Symmetry"));
+  Teuchos::ParameterEntry type;
+  type.setValue(std::string("Symmetry"), true); // not given by the scene, which checks can see
+  axis.setEntry("Type", type);
   axis.set("Axis", std::string("x"));
   axis.set("Position", 0.0);
   axis.set("Side", std::string("Lower"));

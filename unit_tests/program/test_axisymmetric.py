@@ -170,6 +170,15 @@ class RoundBodies(ProgramTest):
         self.refused(right().set("Boundaries > Weight", {"Type": "Gravity", "Acceleration": [9.81, 0.0]}), "outwards")
         for section in ("Adaptivity", "Sub-Cycling", "Contact", "Body Contact", "Rigid Tools", "Combustion", "Thermal"):
             self.refused(right().set(section, {}), "compute a part of the body in 3D")
+        self.refused(right().set("Time > Analysis", "Dynamic").set("Damping", {"Shear Viscosity": 1.0}), "hoop strain has no viscous stress")
+        self.refused(right().set("Time > Analysis", "Dynamic").set("Mass Matrix", {"Type": "Full"}), "Type = Lumped")
+        cracked = right().set("Cracks", {"Formulation": "Corrected Broken Cell", "Cut": {"Points": [0.019, 0.0201, 0.03, 0.0201]}})
+        self.refused(cracked, "extrapolated cells have no hoop strain")
+        joint = cracked.remove("Cracks > Formulation").set("Cohesive Faces", {"Cut": {"Toughness": 100.0, "Strength": 1e6}})
+        self.refused(joint, "tractions of faces act per thickness")
+        line = right().set("Domain > Lower Corner", [0.0, -0.005]).set("Boundaries > Pull", {
+            "Type": "Line Load", "Body": "Tube", "From": [0.0, 0.0], "To": [0.0, 0.01], "Force": [0.0, 1.0]})
+        self.refused(line, "sweeps no area")
 
 
 if __name__ == "__main__":

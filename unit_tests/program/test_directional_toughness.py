@@ -85,7 +85,7 @@ class DirectionalToughness(DrawnScenes):
     def test_a_crack_follows_a_weak_plane(self):
         """A steep minimum: the crack turns into the weak direction, and stays in it."""
         weak = self.rng.choice((-1.0, 1.0)) * self.rng.uniform(15.0, 35.0)
-        scene = self.plate(f"1 + 3*(1 - exp(-((a - {weak:.4f}*pi/180)/0.15)^2))").set("Time > Load Steps", 8)
+        scene = self.plate(f"1 + 3*(1 - exp(-(sin(a - {weak:.4f}*pi/180)/0.15)^2))").set("Time > Load Steps", 8)
         summary, _ = self.run_scene(scene)
         front = summary["cracks"][0]["fronts"][1]
         print(f"weak direction {weak:.2f} degrees, first turn {front['first_turn']:.2f}, turn at the end {front['turn']:.2f}")
@@ -122,7 +122,7 @@ class DirectionalToughness(DrawnScenes):
         self.assertLess(abs(summary["propagation"]["dissipated_fraction"] - 1.0), 0.005)
 
     def test_wrong_input(self):
-        for text, words in (("1 + b", ["\"b\"", "the angle a"]), ("sin(a)", ["positive at all angles"]), ("2*(", ["not a valid expression"])):
+        for text, words in (("1 + b", ["\"b\"", "the angle a"]), ("4 - a", ["one direction", "periodic"]), ("sin(a)", ["positive at all angles"]), ("2*(", ["not a valid expression"])):
             self.assert_refused([self.write("scene.xml", self.plate(text).text())], [("Propagation > Toughness Ratio", words)])
         scene = self.plate("2").set("Propagation > Direction", "Maximum Hoop Stress")
         self.assert_refused([self.write("scene.xml", scene.text())], [("Propagation > Toughness Ratio", ["Maximum Energy Release"])])

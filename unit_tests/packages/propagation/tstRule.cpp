@@ -306,11 +306,11 @@ TEST(Direction, LargestEnergyReleaseOfAKink)
 TEST(Direction, AimsAtTheLargestReleaseOverTheToughness)
 {
   const double strength = 1.3, weak = 2.0 * degree;
-  for (const double ahead : {0.0, 40.0 * degree, -130.0 * degree})
+  for (const double ahead : {0.0, 40.0 * degree, -130.0 * degree, 179.5 * degree})
     for (const double normal : {1.0, -1.0})
     {
-      const ToughnessRatio ratio = ToughnessRatio::parse("1 + 1.3*(a - " + std::to_string(ahead) + " - " +
-                                                         std::to_string(normal * weak) + ")^2");
+      const ToughnessRatio ratio = ToughnessRatio::parse("1 + 2.6*(1 - cos(a - " + std::to_string(ahead) +
+                                                         " - " + std::to_string(normal * weak) + "))");
       const Aim aim = aimOf(3e6, 0.0, ahead, normal, ratio, false);
       const double expected = strength / (strength + 0.5) * weak;
       EXPECT_NEAR(aim.angle, expected, 0.01 * weak);
@@ -328,7 +328,7 @@ TEST(Direction, AimsAtTheLargestReleaseOverTheToughness)
     EXPECT_NEAR(aim.angle, energyReleaseAngle(1.0, sliding), 1e-6);
     EXPECT_GT(2.0 * aim.drive, 1.0);
   }
-  for (const char* wrong : {"", "b", "cos(a)", "0", "1, 2", "a = 1"})
+  for (const char* wrong : {"", "b", "cos(a)", "0", "1, 2", "a = 1", "4 - a", "a > 0 ? 1 : 3"})
     EXPECT_THROW(ToughnessRatio::parse(wrong), std::invalid_argument) << wrong;
 }
 

@@ -69,7 +69,7 @@ TEST(Describe, VariantsEntriesAndRules)
   const std::string text = describe(coreSchema(), "");
   EXPECT_TRUE(contains(text, "Materials > <material>  (Model = J2 Plastic)"));
   EXPECT_TRUE(contains(text, "Bodies > <body> > Operations > <operation>  (Shape = Cylinder, 3D only)"));
-  EXPECT_TRUE(contains(text, "Exactly one of Stress or Pressure is given."));
+  EXPECT_TRUE(contains(text, "Exactly one of Stress, Pressure or Force is given."));
   EXPECT_TRUE(contains(text, "default {0, 0} in 2D, {0, 0, 0} in 3D"));
 }
 

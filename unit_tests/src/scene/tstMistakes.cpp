@@ -269,7 +269,7 @@ TEST(SceneMistakes, OneOfTwo)
   expectMistake(with("Pull", parameter("Pressure", "double", "1")), "Boundaries > Pull",
                 {"Stress and Pressure", "only one"});
   expectMistake(changed(parameter("Stress", "Array(double)", "{1e6, 0.0}"), ""), "Boundaries > Pull",
-                {"needs one of Stress or Pressure"});
+                {"needs one of Stress, Pressure or Force"});
 }
 
 TEST(SceneMistakes, AllOrNone)
