@@ -67,6 +67,8 @@ void refuseOtherFormulations(Section& s)
       "in equilibrium it has been verified with dual fields only; write Formulation = Dual Field";
   s.refuse({when::present("Contact"), brokenCells, when::equilibrium()}, verified);
   s.refuse({when::present("Propagation"), brokenCells, when::equilibrium()}, verified);
+  s.refuse({when::is("Cracks", "Formulation", {"Corrected Broken Cell"}), when::axisymmetric()},
+           "extrapolated cells have no hoop strain; write Formulation = Dual Field");
   s.refuse({brokenCells}, "broken cells are available in 2D only; write Dual Field", 0, 3);
   // N^T m N / M of the projection has eigenvalues up to 1 if no weight is negative, and above it else.
   const auto negative = when::is("Cracks", "Formulation", {"Corrected Broken Cell"});
@@ -86,8 +88,6 @@ Section crackSection()
 {
   Section s("Cracks",
             "Explicit cracks: polylines (2D) or surfaces (3D) that cut bodies independently of the grid.");
-  s.refuse({when::is("Cracks", "Formulation", {"Corrected Broken Cell"}), when::axisymmetric()},
-           "extrapolated cells have no hoop strain; write Formulation = Dual Field");
   s.choice("Formulation", {"Dual Field", "Broken Cell", "Corrected Broken Cell"})
       .byDefault("Dual Field")
       .meaning("How cracked cells are treated. Dual Field: one velocity field on each side of the crack. "
